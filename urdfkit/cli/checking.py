@@ -33,11 +33,7 @@ _FOR_PEOPLE = ("text", "full")
 
 
 def run_check(values: Mapping[str, Any]) -> int:
-    """Check, report, and return the exit code.
-
-    Args:
-        values: of the options and files, by key.
-    """
+    """Check, report, and return the exit code."""
     if values["watch"]:
         from urdfkit.cli.watch import watch
 

@@ -36,7 +36,7 @@ _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 )
 @click.argument("shell", type=click.Choice(SHELLS))
 def command(shell: str) -> int:
-    """Print what makes a shell complete commands, options and their values.
+    """Print a script for a shell: it completes options and their values.
 
     Completed are targets, codes, formats, views, and the links and joints of the robot on the
     command line; elsewhere file names.
@@ -68,7 +68,6 @@ def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
 
     Args:
         words: before it, without the name of the program.
-        incomplete: its beginning.
     """
     values = _OF_OPTIONS.get(words[-1]) if words else None
     if words[:1] == ["explain"]:

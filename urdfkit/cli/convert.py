@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 @with_examples(
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
+    "urdfkit convert robot.urdf.xacro --to usd -o robot_usd",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
     "urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives",
 )
@@ -61,11 +62,11 @@ if TYPE_CHECKING:
 @in_formats("text", "json")
 @limited
 def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any) -> int:
-    """Convert a robot to MuJoCo's MJCF, with meshes and a proof.
+    """Convert a robot to another format, with meshes and a proof.
 
-    OUT has the model, its meshes, and conversion.json, which says what became of every element
-    and attribute. MuJoCo loads what was written; its masses, frames, mass matrix and gravity
-    torques are compared with those of Pinocchio.
+    MJCF for MuJoCo, USD for Isaac Sim and Newton, or URDF without xacro. OUT has the model, its
+    meshes, and conversion.json, which says what became of every element and attribute. What was
+    written is read again and compared with the robot.
 
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
     """

@@ -50,6 +50,7 @@ _PACKAGES = (
     ("pin", "dynamics", "dynamics"),
     ("coal", "collisions", "dynamics"),
     ("mujoco", "convert, simulate", "simulate"),
+    ("urdf-usd-converter", "convert --to usd", "usd"),
     ("Pillow", "pictures", "render"),
     ("Jinja2", "report pages", "report"),
     ("starlette", "the viewer", "report"),

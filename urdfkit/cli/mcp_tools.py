@@ -74,7 +74,6 @@ class Tools:
 
         Args:
             code: such as MSH001, or its name.
-            start: first line of the answer.
         """
         return _page(self._run("explain", _word(code)), start)
 
@@ -84,10 +83,8 @@ class Tools:
         """Say where an element or a value of an expanded xacro comes from.
 
         Args:
-            path: of a URDF or xacro file.
             element: such as link/base_link, or link/base_link/inertial/mass@value.
             arguments: xacro arguments by name.
-            start: first line of the answer.
         """
         file, *given = self._robot(path, arguments)
         if element.startswith("-"):
@@ -141,7 +138,6 @@ class Tools:
         """Render an image of a robot.
 
         Args:
-            path: of a URDF or xacro file.
             arguments: xacro arguments by name.
             view: iso, front, back, left, right, top or bottom.
             findings: colour links with errors red, with warnings orange.

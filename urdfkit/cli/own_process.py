@@ -36,7 +36,6 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
     """The exit code of a function that runs in a process of its own.
 
     Args:
-        run: what to do there.
         leave: ends that process with an exit code.
     """
     lifeline, ours = os.pipe()

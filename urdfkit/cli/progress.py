@@ -26,7 +26,6 @@ class ProgressBar:
     """A line on standard error that is drawn over and over, and wiped in the end.
 
     Args:
-        stream: that it is drawn on.
         things: that are counted, where that is not plain to see.
         rated: show how many there are in a second, and the time that is left.
     """

@@ -18,11 +18,7 @@ _begun: tuple[bytes, int] | None = None
 
 
 def begin(question: bytes) -> None:
-    """Note from now on what this process depends on.
-
-    Args:
-        question: what it was asked.
-    """
+    """Note from now on what this process depends on."""
     global _begun  # noqa: PLW0603 - one process answers one command line
     _begun = (question, time.time_ns())
     disk.log_to(FileLog())

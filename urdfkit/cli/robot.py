@@ -127,7 +127,6 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
 
     Args:
         asked: the values of the words and options of `one_robot`.
-        file: the one that they name.
 
     Raises:
         ConfigError: it has several variants and none is named, or none of that name.

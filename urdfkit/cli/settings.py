@@ -21,7 +21,6 @@ def shown_settings(chosen: Options, fail_on: Severity) -> str:
     """The settings of a check as TOML, those of the command line included.
 
     Args:
-        chosen: the options of the check.
         fail_on: the mildest severity that counts.
     """
     return "".join(f"{line}\n" for line in _lines(chosen, fail_on))

@@ -30,10 +30,6 @@ Check: TypeAlias = "Callable[[Mapping[str, Any]], int]"
 def watch(check: Check, values: Mapping[str, Any]) -> int:
     """Check until Ctrl-C.
 
-    Args:
-        check: what is run, again and again.
-        values: of the options and files, by key.
-
     Raises:
         UsageError: of standard input, or of a check that changes files.
         KeyboardInterrupt: Ctrl-C.

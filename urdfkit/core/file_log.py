@@ -109,7 +109,6 @@ def answers_again(
     """The answers as they are now, if all mean the same; None if one is another one.
 
     Args:
-        answers: kind, path and answer.
         since: nanoseconds since the epoch, before the answers were given.
     """
     found = []
@@ -126,7 +125,6 @@ def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
 
     Args:
         path: as of the question.
-        answer: that was given.
         since: nanoseconds since the epoch, before the answer was given.
     """
     if kind[0] in "rd":

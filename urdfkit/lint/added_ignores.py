@@ -30,9 +30,6 @@ def add_ignores(
     """Put an ignore comment before the element of each finding.
 
     Args:
-        findings: of a check.
-        files: that were checked.
-        options: of the check.
         force: edit files as well that are generated, read-only or ignored by git, or that lie
             outside the workspace of ``files``.
 

@@ -109,8 +109,6 @@ def _note_unchecked(
     """Leave with the first description which values of its arguments none is checked with.
 
     Args:
-        found: the descriptions that are checked.
-        offered: sets of values that files give.
         failed: descriptions that do not expand, by their values in the order of the names.
     """
     from urdfkit.lint.unchecked import why_unchecked

@@ -51,7 +51,6 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
     Args:
         xacro: its expansion.
-        resolver: finds packages, and reads files.
     """
     for problem in problems:
         name = problem.argument

@@ -124,7 +124,6 @@ class _KnownFindings:
 
     Args:
         known: the findings in it, with how often each is tolerated.
-        directory: of the baseline.
     """
 
     def __init__(self, known: Counter[Fingerprint], directory: str) -> None:

@@ -84,7 +84,6 @@ def check_with(
     """Check descriptions of robots.
 
     Args:
-        options: how.
         files: as of ``check``.
         resolver: what an earlier check with these packages has found of packages and directories;
             for many checks in a row, while nothing changes on disk.

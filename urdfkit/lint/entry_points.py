@@ -44,7 +44,6 @@ class EntryPoints:
     """The robots among the descriptions of an include graph.
 
     Args:
-        graph: of the files of a directory.
         launches: paths of launch files; what they name is a robot, whatever its suffix.
     """
 

@@ -42,7 +42,6 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
     Args:
         before: the check without the fixes.
         old: the contexts of the first, which are read only where an error is new.
-        new: the contexts of the second.
     """
     if lost := _rules(after.skipped) - _rules(before.skipped):
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
@@ -123,7 +122,6 @@ class Checker:
     """Checks robots with some texts in the place of those on disk.
 
     Args:
-        files: that somebody wants fixed.
         options: of ``check``.
         codes: of all rules that fixes are to answer or must not offend.
     """
@@ -195,12 +193,7 @@ class RegressionGuard:
     def conflicts(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
     ) -> set[FindingKey]:
-        """The findings whose fix edits what another robot uses without asking for the edit.
-
-        Args:
-            texts: in the place of those on disk.
-            report: that they are from.
-        """
+        """The findings whose fix edits what another robot uses without asking for the edit."""
         chosen = tuple(chosen)
         edits = {key_of(one): [place_of(e) for e in one.fix.edits] for one in chosen if one.fix}
         files = {place[0] for places in edits.values() for place in places}
@@ -231,7 +224,6 @@ class RegressionGuard:
 
         Args:
             before: texts in the place of those on disk.
-            known: the descriptions that were checked already.
         """
         checker = self._checker
         others = self._others((p for p, text in after.items() if before.get(p) != text), known)

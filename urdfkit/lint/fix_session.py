@@ -83,9 +83,7 @@ class FixSession:
     """The texts as they are after some rounds.
 
     Args:
-        checker: checks the robots.
         asked: codes of the rules whose findings are to be fixed.
-        named: those that somebody selected one by one.
         unsafe, force: as of ``fix``.
     """
 

@@ -19,12 +19,7 @@ _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 
 
 class IncludeGraph:
-    """Who includes whom among some files.
-
-    Args:
-        files: descriptions and parts of them.
-        resolver: finds packages, and reads files.
-    """
+    """Who includes whom among some files."""
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self.resolver = resolver

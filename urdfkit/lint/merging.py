@@ -27,7 +27,6 @@ def merged_report(
 
     Args:
         checked: the descriptions with their results, in the order of the plan.
-        unchecked: findings about what nothing was checked of.
         spills: of very many robots, keep the findings on disk, and in the report nothing that only
             fixes need: no errors and no proposals.
     """

@@ -151,7 +151,6 @@ def choose(
     Args:
         select: codes, beginnings of codes or names; all of urdfkit's and ``external`` if empty.
         ignore: codes, beginnings of codes or names.
-        config: what the project selects and ignores.
 
     Raises:
         UnknownRule: one of the words means no rule. To ignore a typo would check with other

@@ -60,7 +60,6 @@ def planned(
 
     Args:
         files: URDF, xacro or launch files, Sources, or directories.
-        resolver: finds files, and reads them.
 
     Raises:
         ConfigError: a robot has no variant of this name.

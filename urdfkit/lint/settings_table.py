@@ -29,8 +29,6 @@ class SettingsTable:
     """Takes settings out of a table one by one; what is left at the end does not exist.
 
     Args:
-        path: of the file.
-        table: the settings.
         where: the name of the table; empty for the outermost.
         trusted: False if it comes with a robot from anywhere.
     """

@@ -12,11 +12,7 @@ from urdfkit.workspace.resolve import Resolver
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
-    """Why a description that cannot be read is not checked, and what to do about it.
-
-    Args:
-        resolver: finds packages, and reads files.
-    """
+    """Why a description that cannot be read is not checked, and what to do about it."""
     names = tuple(dict.fromkeys(one.argument for one in reading.lacking))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)

@@ -23,7 +23,6 @@ def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
     """What can be done about a finding.
 
     Args:
-        page: the file that it is in.
         diagnostic: one that holds for the text as it is.
     """
     fix: Fix | None = diagnostic.fix

@@ -59,7 +59,6 @@ class NameIndex:
     """The names in some texts.
 
     Args:
-        pages: the texts.
         document: what they expand to; None if they do not.
     """
 

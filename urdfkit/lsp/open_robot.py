@@ -20,9 +20,6 @@ class OpenRobot:
     """One description and what can be asked about it, for the texts as they are.
 
     Args:
-        entry: the file and its arguments.
-        resolver: has the texts.
-        config: of the project.
         before: the same robot before the last change, for the names of a text that is broken.
     """
 

@@ -92,7 +92,6 @@ class Server(LanguageServer):
 
         Args:
             question: computes the answer of the parameters of a request.
-            otherwise: the answer where that fails.
             options: of the method, which the client is sent.
         """
 

@@ -61,9 +61,7 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     """The cylinder, for what turns about it and is round: hubs and grooves do not touch the ground.
 
     Args:
-        mesh: that was fitted.
         axis: that it turns about; a unit vector.
-        through: a point of that axis.
     """
     from scipy.spatial import ConvexHull
 

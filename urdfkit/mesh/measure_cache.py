@@ -52,11 +52,7 @@ class Store:
         self._known: dict[tuple[object, ...], Measures | str] = {}
 
     def measures(self, path: str, form: str) -> Measures | str:
-        """The measures of a file, or why it has none, as a predicate whose subject is the file.
-
-        Args:
-            form: its format, by content.
-        """
+        """The measures of a file, or why it has none, as a predicate whose subject is the file."""
         try:
             state = disk.state(path)
         except (OSError, ValueError) as error:

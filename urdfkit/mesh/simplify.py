@@ -160,12 +160,7 @@ class _Deviations:
 
 
 def _starts(finer: list[Mesh], triangles: float) -> list[Mesh]:
-    """What quadrics begin with: the mesh itself, and the coarsest of several numbers.
-
-    Args:
-        finer: the mesh, and ever coarser ones.
-        triangles: that they are to get to.
-    """
+    """What quadrics begin with: the mesh itself, and the coarsest of several numbers."""
     found = {0: finer[0]}
     for more in _MORE:
         enough = [i for i, one in enumerate(finer) if len(one.faces) >= more * triangles]

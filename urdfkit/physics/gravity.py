@@ -73,8 +73,6 @@ class _Climb:
     """The search for the largest torque of one joint, from one pose.
 
     Args:
-        model: of the robot.
-        name: of the joint.
         start: positions of joints.
         budget: steps after which no sweep begins.
     """
@@ -278,7 +276,6 @@ def gravity_loads(
         efforts: of the joints that are judged, in N·m or N, by name; None where the model does not
             say. Joints that cannot be set by one number are left out.
         starts: poses; the first one is zero, and climbs begin in the worst ones.
-        pose: in which the load is wanted, too.
         progress: called with the number of joints done and of all.
     """
     torques = [model.torques(start) for start in starts]

@@ -129,11 +129,7 @@ class GravityModel:
         return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
 
     def lever(self, number: int, moment: Vector) -> Vector:
-        """The vector whose part upwards is the torque or force of a joint, without gravity.
-
-        Args:
-            moment: of all that it carries.
-        """
+        """The vector whose part upwards is the torque or force of a joint, without gravity."""
         body, mass = self.bodies[number], self.carried[number]
         return cross(body.axis, moment) if body.turns else times(body.axis, mass)
 

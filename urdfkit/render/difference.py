@@ -38,7 +38,6 @@ def difference(
     the second one does, amber what looks different in both.
 
     Args:
-        after: the second one.
         size: of all three images together, in pixels.
         camera_options: as `place_camera` takes it.
         drawing: as `draw` takes it.

@@ -92,8 +92,6 @@ def draw(
     """Draw a scene.
 
     Args:
-        scene: what there is to see.
-        camera: that sees it.
         quality: a name of `QUALITIES`.
         background: colours above and below, sRGB from 0 to 1; None for a transparent one.
         floor: whether there is a ground that catches shadows.

@@ -39,9 +39,6 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
     """The fragments of a band.
 
     Consecutive samples of a pixel that see one triangle make one fragment, which is shaded once.
-
-    Args:
-        grid: that they lie on.
     """
     samples, rows = len(grid.offsets), grid.last - grid.first
     by_pixel = keys.reshape(rows, samples, grid.width).swapaxes(1, 2).reshape(-1, samples)
@@ -71,11 +68,7 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
 def surface(
     some: Fragments, whole: CameraTriangles, screen: Projected, camera: Camera
 ) -> FragmentSurface:
-    """Where fragments lie and how their surfaces are turned; perspective is accounted for.
-
-    Args:
-        camera: that sees them.
-    """
+    """Where fragments lie and how their surfaces are turned; perspective is accounted for."""
     corners = [whole.faces[some.number, corner] for corner in range(3)]
     weights, nearness = _weights(some, corners, screen, camera)
 

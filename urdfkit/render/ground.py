@@ -118,10 +118,8 @@ def ground(
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
-        map_: what the sun sees.
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.
-        workers: that do it.
     """
     lowest, highest = extent(points, pieces)
     height = float(lowest[2]) if level is None else level

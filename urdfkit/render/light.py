@@ -70,7 +70,6 @@ def shadow_map(
 
     Args:
         faces: (m, 3), those that cast a shadow.
-        workers: that do it.
     """
     axes = _axes(rig)
     seen = turned(whole.points, axes)

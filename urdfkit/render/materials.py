@@ -7,6 +7,7 @@ from urdfkit.mesh import geometry
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Material
 from urdfkit.ros.catalog.materials import materials
+from urdfkit.ros.gazebo.values import text_of
 
 Colour = tuple[float, float, float, float]
 
@@ -37,7 +38,6 @@ class ModelMaterials:
     the link's Gazebo material counts.
 
     Args:
-        context: the description.
         see_through: whether collisions show what is in them.
     """
 
@@ -46,7 +46,7 @@ class ModelMaterials:
         self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
         self._colours = Colours(context.model)
         self._gazebo = {
-            block.get("reference"): material.text.strip()
+            block.get("reference"): text_of(material)
             for block in context.model.gazebo
             if (material := block.child("material"))
         }

@@ -30,7 +30,6 @@ def openness(
 
     Args:
         depth: (h, w), in m, of what is seen at the middle of each pixel; huge for nothing.
-        camera: that sees it.
         points: (k, 3), in the camera's frame.
         normals: (k, 3).
         pixel: (k,), where they are in the image.

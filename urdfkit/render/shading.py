@@ -36,7 +36,6 @@ def shaded(
         albedo: (k, 3), linear.
         position: (k, 3), in the frame of the camera.
         normal: (k, 3), unit vectors there.
-        lit: what reaches them.
         parallel: True if the image is orthographic.
     """
     if parallel:

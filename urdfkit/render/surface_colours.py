@@ -22,10 +22,7 @@ class SurfaceColours:
     """Colours the fragments of one image.
 
     Args:
-        materials: of the items of the scene.
-        soup: their triangles.
         screen: the vertices of these in the image.
-        camera: that sees them.
     """
 
     def __init__(

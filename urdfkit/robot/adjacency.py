@@ -9,11 +9,7 @@ from urdfkit.robot.tree import KinematicTree
 
 
 class Adjacency:
-    """The neighbours in a model.
-
-    Args:
-        tree: of the model.
-    """
+    """The neighbours in a model."""
 
     def __init__(self, tree: KinematicTree) -> None:
         self._joined: dict[str, set[str]] = {name: set() for name in tree.model.links_by_name}

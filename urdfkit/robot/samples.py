@@ -43,7 +43,6 @@ def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str)
 
     Args:
         kind: the type of ``left_joint`` and ``right_joint``.
-        finger: elements of each of the three links.
     """
     return robot_xml(
         *(link_xml(name, *finger) for name in ("hand", "left_finger", "right_finger")),

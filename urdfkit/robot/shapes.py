@@ -254,9 +254,6 @@ def solid(
 
     None if there are none, or one has a size that is not positive or beyond all robots, or one is
     no primitive.
-
-    Args:
-        mesh_solid: measures those that are meshes.
     """
     parts: list[Primitive | MeshSolid] = []
     for body in bodies:

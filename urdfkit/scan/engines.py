@@ -23,7 +23,6 @@ def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[Mo
     """The rows of models, as they are done by processes of this machine.
 
     Args:
-        settings: how they are checked.
         jobs: how many processes.
 
     Raises:
@@ -70,7 +69,6 @@ def dask(
 
     Args:
         models: on a disk that all workers see under the same path.
-        settings: how they are checked.
         jobs: how many workers a cluster on this machine has.
         address: of a scheduler; that of a new cluster on this machine if empty.
 

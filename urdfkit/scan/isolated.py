@@ -37,11 +37,7 @@ class Settings(Record):
 
 
 class Isolated:
-    """Checks models in a process of its own; use it in a ``with`` statement.
-
-    Args:
-        settings: how.
-    """
+    """Checks models in a process of its own; use it in a ``with`` statement."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings

@@ -27,10 +27,6 @@ class Journal:
     Attributes:
         done: the names of the models that have a line.
 
-    Args:
-        directory: of the results.
-        options: those that decide what the results are.
-
     Raises:
         UnwritableFile: it cannot be written, another scan is writing it, or it holds a scan with
             other options.

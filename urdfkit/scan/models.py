@@ -55,7 +55,6 @@ def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Itera
 
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
-        lists: the files that list them.
 
     Raises:
         UnreadableFile: a source does not exist, or is no list or archive though it is called so.

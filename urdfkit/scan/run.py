@@ -27,7 +27,6 @@ def scan(
     Args:
         sources: descriptions, directories, globs, archives, and files that list these.
         directory: of the results; a run that was stopped goes on in it.
-        settings: how models are checked.
         engine: ``local`` or ``dask``.
         address: of a scheduler of Dask; a cluster on this machine if empty.
         progress: called with the number of models done in this run, and of all that it does; 0

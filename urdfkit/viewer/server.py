@@ -170,7 +170,6 @@ def application(viewer: Viewer, token: str) -> Starlette:
     """The server of a viewer, as an ASGI application.
 
     Args:
-        viewer: what is shown.
         token: the first part of every address.
 
     Raises:

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 
-#: Directories that a build makes.
-_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+#: Directories that a build makes, and one that macOS puts into archives.
+_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__", "__MACOSX"))
 
 
 def walk(directory: str) -> Iterator[str]:
@@ -144,7 +144,6 @@ class Directories:
         """The files in a directory and below it, nearest first; hidden directories are left out.
 
         Args:
-            directory: where to start.
             limit: how many directories to list at most.
         """
         found: list[str] = []

@@ -27,12 +27,7 @@ _WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
 
 
 class InstallRules:
-    """The install rules of a package.
-
-    Args:
-        directory: of the package.
-        package: its name.
-    """
+    """The install rules of a package."""
 
     def __init__(self, directory: str, package: str) -> None:
         self._directory = directory

@@ -44,11 +44,7 @@ class _Command(Record):
 
 
 def source_paths(rules: Iterable[Installed], package: str, relative: str) -> list[str]:
-    """The paths in a source tree that may be installed at ``share/<package>/<relative>``.
-
-    Args:
-        rules: what the build of the package installs.
-    """
+    """The paths in a source tree that may be installed at ``share/<package>/<relative>``."""
     wanted = posixpath.normpath(f"share/{package}/{relative}")
     found = []
     for rule in rules:

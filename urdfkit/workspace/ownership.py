@@ -42,7 +42,6 @@ class Ownership:
     Args:
         files: the descriptions that somebody asked to be edited; what lies in the workspace of
             one of them may be, too.
-        resolver: knows workspaces.
     """
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:

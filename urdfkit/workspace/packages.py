@@ -39,7 +39,6 @@ class Packages:
     Args:
         explicit: directories by package name, which win over every search.
         environment: ``AMENT_PREFIX_PATH`` and ``ROS_PACKAGE_PATH`` are read from it.
-        directories: the listings to use.
     """
 
     def __init__(

@@ -18,11 +18,6 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
 
     setuptools puts the files of a list into its directory by their last names alone:
     ``glob('launch/*/*.py')`` makes one flat directory.
-
-    Args:
-        directory: of the package, with its setup.py.
-        package: its name.
-        relative: a path in the installed package.
     """
     text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
     try:

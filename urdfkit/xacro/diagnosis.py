@@ -56,12 +56,9 @@ def problem(
     """An expression that failed, at its place.
 
     Args:
-        defined: by the files.
-        error: what is wrong.
         located: the expression. Inside a property the place is the property's definition, and
             its uses are related.
         used: the expression that needs it, which xacro is evaluating.
-        frame: of the function that does.
     """
     if wanting := argument_of_missing_file(defined, root_cause(error)):
         return wanting

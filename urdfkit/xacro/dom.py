@@ -187,7 +187,6 @@ def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
     """xacro's ``replace_node``; by one step instead of one for every child.
 
     Args:
-        node: that goes.
         by: a node or a list of nodes that come; None for none.
     """
     coming = [] if by is None else by if isinstance(by, list) else [by]

@@ -38,7 +38,6 @@ class ExpansionRun:
     """The state of one expansion.
 
     Args:
-        source: the checked file.
         resolver: finds packages, and knows which files may be read.
         arguments: values of ``xacro:arg`` by name.
         trust: True to let expressions and files be.
@@ -46,8 +45,6 @@ class ExpansionRun:
         traced: True to note where values come from.
         frame: what led to the file, such as a launch file.
         without: tags that failed in an earlier run and were reported, as (path, offset).
-        log: takes problems and messages.
-        reader: reads files.
         deadline: time at which it must have ended.
     """
 
@@ -249,11 +246,7 @@ class ExpansionRun:
     # ------------------------------------------------------------ definitions
 
     def enter_call(self, depth: int) -> None:
-        """A macro call begins.
-
-        Args:
-            depth: of the macros that called it.
-        """
+        """A macro call begins."""
         self._calls += 1
         if depth > MAX_MACRO_DEPTH:
             raise DocumentTooLarge(

@@ -19,7 +19,6 @@ class FileReader:
     """Reads files; every xacro file once.
 
     Args:
-        source: the checked file.
         resolver: knows which files may be read, and where those of an installed package are.
         near: path of the checked file, from the working directory.
         trust: True to read any file.

@@ -48,7 +48,6 @@ def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> Err
 
     Args:
         node: that xacro works on, or that holds the text it works on.
-        local: the variables of the function that does.
     """
     if (span := _in_attribute(node, local, located)) is not None:
         return ErrorLocation(span, node.frame)

@@ -45,7 +45,6 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
     """An error of an expression, a call or a tag.
 
     Args:
-        defined: by the files.
         cause: the innermost one.
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:

@@ -135,6 +135,14 @@ def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None
     assert model.actuator("turn").ctrlrange.tolist() == [-7, 7]
     assert parts["joint/turn/limit@velocity"].startswith("lost: ")
     assert parts["joint/turn/limit@effort"] == "kept: actuatorfrcrange"
+    assert parts["joint/turn/dynamics@damping"] == "kept: damping"
+
+
+def test_damping_of_zero_is_kept_and_nonsense_is_not(tmp_path: Path) -> None:
+    _, parts = loaded(arm(LIMIT + '<dynamics damping="0" friction="-1"/>'), tmp_path / "o")
+    assert parts["joint/turn/dynamics@damping"] == "kept: damping"
+    why = "lost: a friction must be a number from 0 on"
+    assert parts["joint/turn/dynamics@friction"] == why
 
 
 def test_equal_limits_hold_the_joint(tmp_path: Path) -> None:
@@ -193,13 +201,15 @@ def test_visuals_and_collisions(tmp_path: Path) -> None:
     content = (
         f'{INERTIAL}<visual><origin xyz="0 0 1"/>{BOX}'
         '<material name="red"><color rgba="1 0 0 0.5"/></material></visual>'
-        f"<collision>{BOX}</collision>"
+        f'<collision name="c">{BOX}</collision><collision name="c">{BOX}</collision>'
     )
-    friction = '<gazebo reference="tip"><mu1>0.3</mu1><mu2>0.4</mu2></gazebo>'
+    friction = '<gazebo reference="tip"><mu1 value="0.3"/><mu2>0.4</mu2></gazebo>'
     model, parts = loaded(arm(LIMIT, tip=content, more=friction), tmp_path / "o")
     visual, collision = 0, 1
-    assert model.geom_contype.tolist() == [0, 1]
-    assert model.geom_size.tolist() == [[0.1, 0.2, 0.3]] * 2
+    assert model.geom_contype.tolist() == [0, 1, 1]
+    assert model.geom_size.tolist() == [[0.1, 0.2, 0.3]] * 3
+    assert [model.geom(number).name for number in range(3)] == ["", "c", "c_2"]
+    assert parts["link/tip/collision/c@name"] == "kept: name of the geom"
     assert model.geom_pos[visual].tolist() == [0, 0, 1]
     assert model.geom_rgba[visual].tolist() == [1, 0, 0, 0.5]
     assert parts["link/tip/visual/material/red"] == "kept: rgba of the geom"

@@ -74,7 +74,6 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
     """An unknown element.
 
     Args:
-        element: that is unknown.
         suggested: what it should be; empty if nothing is like it.
         reader: the source file of a program that reads it; None if there is none.
     """

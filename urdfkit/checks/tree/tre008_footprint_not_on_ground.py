@@ -138,7 +138,6 @@ def _lifted_wheels(
 
     Args:
         robot: names of the links that count.
-        lowest: the link that reaches lowest.
         height: of its lowest point over the footprint, in m.
     """
     ground = tree.frames[footprint]

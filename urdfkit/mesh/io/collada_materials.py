@@ -27,12 +27,7 @@ class ColladaMaterial(NamedTuple):
 
 
 class ColladaMaterials:
-    """The materials of one file.
-
-    Args:
-        files: finds the images that they name.
-        losses: gets what cannot be read.
-    """
+    """The materials of one file."""
 
     def __init__(self, tree: ColladaTree, files: ReferencedFiles, losses: LostData) -> None:
         self._tree = tree

@@ -30,9 +30,7 @@ class Accessors:
     """The lists of one file.
 
     Args:
-        root: its JSON.
         binary: the binary chunk of a GLB; empty if there is none.
-        files: reads the buffers that are files.
     """
 
     def __init__(self, root: GltfObject, binary: bytes, files: ReferencedFiles) -> None:

@@ -33,8 +33,6 @@ class GltfMaterials:
     """The materials of one file.
 
     Args:
-        root: its JSON.
-        lists: of the same file.
         files: finds the images that the file does not hold itself.
     """
 

@@ -20,7 +20,6 @@ class MaterialLibrary:
     Args:
         names: of MTL files, as the OBJ file gives them.
         files: finds them and the images that they name.
-        losses: gets what cannot be read.
     """
 
     def __init__(self, names: list[str], files: ReferencedFiles, losses: LostData) -> None:

@@ -189,7 +189,6 @@ def _judged(
     """The repair, or the mesh as it was if the repair is no gain.
 
     Args:
-        steps: what was done.
         asked: its state when what was asked for had been dropped, which may have opened it.
     """
     if not len(soup.faces):

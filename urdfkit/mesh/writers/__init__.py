@@ -70,11 +70,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
 
 def losses(mesh: Mesh, name: str) -> list[str]:
-    """What a format cannot hold of a mesh, as words for a person.
-
-    Args:
-        mesh: that is to be written.
-    """
+    """What a format cannot hold of a mesh, as words for a person."""
     suffix = os.path.splitext(name)[1].lower()
     lost = []
     materials = any(part.material for part in mesh.parts)

@@ -47,10 +47,6 @@ class ManifestEntry(Record):
 class Bundle:
     """A robot and all files that it needs, for one program.
 
-    Args:
-        robot: as it was read.
-        consumer: the program.
-
     Raises:
         UrdfkitError: the robot names files that are not there.
     """

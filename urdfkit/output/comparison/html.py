@@ -14,7 +14,6 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
     """A summary, images, and a table for each kind of difference.
 
     Args:
-        comparison: what to show.
         width: of no account: a browser wraps.
         language: of headings and the like: ``en`` or ``zh``.
     """

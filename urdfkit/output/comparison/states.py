@@ -23,7 +23,6 @@ class RobotState:
     Args:
         word: a file, or ``REVISION:PATH``.
         directory: where files of git go.
-        options: of the check.
 
     Raises:
         UnreadableFile: file not found.

@@ -52,6 +52,9 @@ def convert(
     """
     if to not in FORMATS:
         raise UrdfkitError(f"no format '{to}'{did_you_mean(to, FORMATS)}")
+    options = Options(base, fixed, collision, exclude)
+    if options != Options() and not FORMATS[to].has_options:
+        raise UrdfkitError(f"base, fixed, collision and exclude are not of the format '{to}'")
     try:
         module = import_module(f"{__name__}.{FORMATS[to].module}")
     except ModuleNotFoundError as error:
@@ -59,6 +62,5 @@ def convert(
             f"to convert a robot needs {error.name}: {install_command(FORMATS[to].extra)}"
         ) from error
     context = robot if isinstance(robot, Context) else read(robot)
-    options = Options(base, fixed, collision, exclude)
     found: Conversion = module.write(context, os.path.abspath(out), options, force=force)
     return found

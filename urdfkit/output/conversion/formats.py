@@ -11,6 +11,14 @@ class Format(Record):
     name: str  # as --to takes it
     module: str  # below this package; loaded when the format is asked for, since it is heavy
     extra: str  # of urdfkit, with the libraries that it needs
+    has_options: bool = False  # those of `urdfkit.output.conversion.options`
 
 
-FORMATS = {one.name: one for one in (Format("mjcf", "writing", "simulate"),)}
+FORMATS = {
+    one.name: one
+    for one in (
+        Format("mjcf", "writing", "simulate", has_options=True),
+        Format("usd", "usd", "usd"),
+        Format("urdf", "urdf", "meshes"),
+    )
+}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from enum import Enum
 
 from urdfkit.core.record import Record
@@ -51,6 +51,9 @@ _OWN = {
     "mimic": ("joint", "multiplier", "offset"),
     "gazebo": ("reference",),
     "sensor": ("name", "type"),
+    "mu1": ("value",),
+    "mu2": ("value",),
+    "transmission": ("name",),
 }
 
 
@@ -81,16 +84,18 @@ class LossTable:
                 if name in part.attributes:
                     self._marks.setdefault(id(part.attributes[name]), (result, note))
 
-    def entries(self, root: Element, otherwise: str) -> Iterator[Entry]:
+    def entries(self, root: Element, otherwise: str, reasons: Mapping[str, str]) -> Iterator[Entry]:
         """Every element and attribute of a robot, in the order of the document.
 
         Args:
             otherwise: why a part is lost that was not marked.
+            reasons: the same for elements with certain tags.
         """
         lost = Result.LOST, otherwise
         for element in root.walk():
             above = self._marks.get(id(element.parent), lost)
-            inherited = above if above[0] is Result.LOST else lost
+            own_reason = Result.LOST, reasons.get(element.tag, otherwise)
+            inherited = above if above[0] is Result.LOST and above != lost else own_reason
             mark = self._marks.setdefault(id(element), inherited)
             yield Entry(element.path, f"<{element.tag}>", element.span, *mark)
             inherited = mark if mark[0] is Result.LOST else lost

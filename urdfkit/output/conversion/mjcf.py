@@ -1,7 +1,6 @@
 """A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
 
 from collections.abc import Iterator, Mapping
-from itertools import chain, count
 from typing import Any
 
 import mujoco
@@ -13,12 +12,14 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.options import Options
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
@@ -38,7 +39,6 @@ class MjcfRobot:
         robot: with a sound tree.
         files: where the file of each mesh and texture lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in.
-        options: of the conversion.
         is_free: the root floats, and is not welded to the world.
 
     Raises:
@@ -60,11 +60,11 @@ class MjcfRobot:
         self.bodies: dict[str, Any] = {}  # of the links; several have one where they are merged
         self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
         self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
+        self.devices = FreeNames()  # of sites, sensors and cameras
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
-        self._names: set[str] = set()
         self._build(tree, is_free)
         self._couple(tree)
 
@@ -92,7 +92,7 @@ class MjcfRobot:
         self.bodies[link.name] = self.bodies[parent]
         self.frames[link.name] = frame = self.frames[parent] @ joint.origin
         self.bodies[parent].add_site(
-            name=self.free_name(link.name), pos=frame.position, quat=quaternion(frame.rotation)
+            name=self.devices.take(link.name), pos=frame.position, quat=quaternion(frame.rotation)
         )
         what = f"merged into body '{self.bodies[parent].name}'"
         self.losses.keep(joint.at, what)
@@ -133,7 +133,10 @@ class MjcfRobot:
             ):
                 body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
             keep(at.child("axis"), "axes")
-        elif joint.kind != "fixed":
+        elif joint.kind == "fixed":
+            for tag in ("axis", "limit", "dynamics"):
+                self.losses.lose(at.child(tag), "a fixed joint does not move")
+        else:
             raise UrdfkitError(f"{at.span}: joint '{joint.name}' has the type '{joint.kind}'")
 
     def _limits(self, made: Any, joint: Joint) -> None:
@@ -167,11 +170,13 @@ class MjcfRobot:
         self.losses.keep(dynamics, "joint")
         for name, field in (("damping", "damping"), ("friction", "frictionloss")):
             attribute = dynamics.attributes.get(name)
-            value = _positive(attribute.value) if attribute else None
-            if value is not None:
+            value = number(attribute.value) if attribute else None
+            if value is not None and value >= 0:
                 # A damping has three coefficients, of which the first is URDF's.
                 setattr(made, field, (value, 0.0, 0.0) if field == "damping" else value)
                 self.losses.keep(attribute, field)
+            else:
+                self.losses.lose(attribute, f"a {name} must be a number from 0 on")
 
     def _fill(self, link: Link) -> None:
         """What a link holds, in its body."""
@@ -205,13 +210,6 @@ class MjcfRobot:
             assert joint.parent is not None
             link = joint.parent.value
         return link
-
-    def free_name(self, name: str) -> str:
-        """A name for a device: the same, or with a number if it is taken."""
-        numbered = (f"{name}_{number}" for number in count(2))
-        free = next(one for one in chain((name,), numbered) if one not in self._names)
-        self._names.add(free)
-        return free
 
     def _couple(self, tree: KinematicTree) -> None:
         """Equalities for what follows another joint."""
@@ -293,11 +291,3 @@ def _plane(normal: tuple[float, float, float]) -> tuple[Any, Any, Any]:
     first = np.cross(normal, least)
     first /= np.linalg.norm(first)
     return first, np.cross(normal, first), np.array(normal)
-
-
-def _positive(text: str) -> float | None:
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    return value if value > 0 else None

@@ -8,6 +8,7 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf import MjcfRobot
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
+from urdfkit.ros.gazebo.values import text_of
 from urdfkit.ros.ros_control import components, driven_joints
 from urdfkit.text.document import Element
 
@@ -23,7 +24,7 @@ def add_frictions(made: MjcfRobot, robot: Context) -> None:
     for block in robot.model.gazebo:
         link = block.get("reference") or ""
         written = [one for one in block.children if one.tag in ("mu1", "mu2")]
-        values = [number(one.text.strip()) for one in written]
+        values = [number(text_of(one)) for one in written]
         if link not in made.geoms or not values or values[0] is None or values[0] < 0:
             continue
         for geom in made.geoms[link]:
@@ -45,7 +46,18 @@ def add_actuators(made: MjcfRobot, robot: Context) -> None:
             continue
         kind, at = commands.get(joint.name, ("effort", None))
         _actuator(made, joint, kind)
-        made.losses.keep(at, f"actuator for {kind}")
+        if at is not None:
+            _tell(made, at, kind)
+
+
+def _tell(made: MjcfRobot, at: Element, kind: str) -> None:
+    """What becomes of the interface that a joint is commanded by, and of what is around it."""
+    what = f"actuator for {kind}"
+    made.losses.keep(at, what)
+    for above in (at.parent, at.parent.parent if at.parent else None):
+        if above is not None and above.tag in ("joint", "transmission", "actuator"):
+            made.losses.keep(above, what)
+            made.losses.keep(above.child("joint") if above.tag == "transmission" else None, what)
 
 
 def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:

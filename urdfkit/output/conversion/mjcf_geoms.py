@@ -23,12 +23,14 @@ from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.writers import encode
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.robot.assets.collision_shapes import RELATIVE
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.model import Body, Link, Material, Shape
+from urdfkit.text.document import Element
 
 #: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
 VISUAL_GROUP, COLLISION_GROUP = 2, 3
@@ -58,11 +60,8 @@ class Geoms:
     """The geoms, meshes and materials of a specification.
 
     Args:
-        spec: MuJoCo's.
-        robot: as it was read.
         files: where the file of each mesh lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in; others are added there.
-        losses: of the conversion.
         collision: one of `urdfkit.output.conversion.options.COLLISIONS`.
     """
 
@@ -86,6 +85,7 @@ class Geoms:
         self._textures = Textures(spec, directory)
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
+        self._names = FreeNames()
         self._gazebo = {
             block.get("reference"): block for block in robot.model.gazebo if block.child("material")
         }
@@ -94,9 +94,7 @@ class Geoms:
         """Add the geoms of a link.
 
         Args:
-            body: MuJoCo's, that gets them.
             frame: of the link, in that of the body.
-            link: of the robot.
 
         Returns:
             Those that collide.
@@ -119,12 +117,23 @@ class Geoms:
             for tag in ("origin", "geometry"):
                 self._losses.keep(geometry.at.child(tag), what)
             self._losses.keep(shape.at, what)
+            before = len(body.geoms)
             if is_visual:
                 self._visual(body, place, link, geometry, Piece(shape.kind, size))
             else:
                 pieces = self._collided(geometry, shape, size)
                 colliding += [self._placed(body, place, one, COLLISION_GROUP) for one in pieces]
+            self._name(geometry, body.geoms[before:])
         return colliding
+
+    def _name(self, geometry: Body, geoms: Iterable[Any]) -> None:
+        """Give the geoms of a visual or collision its name, with numbers where it is taken."""
+        written = geometry.at.attributes.get("name")
+        if written is None or not written.value:
+            return
+        self._losses.keep(written, "name of the geom")
+        for geom in geoms:
+            geom.name = self._names.take(written.value)
 
     def _placed(self, body: Any, frame: Transform, piece: Piece, group: int) -> Any:
         place = frame @ piece.frame
@@ -199,30 +208,40 @@ class Geoms:
         material = self._colours.of(geometry)
         if material is None:
             block = self._gazebo.get(link.name)
-            loaded = geometry.shape and geometry.shape.filename
-            if block is not None and used != PLAIN and not loaded:
+            own = self._materials.of(link.name, "visual", geometry, None)
+            if block is not None and used == own != PLAIN:
                 keep(block, "body")
                 keep(block.child("material"), "rgba of the geom")
             return
-        owners = (material, geometry.material)
+        if geometry.material and geometry.material.at is not material.at:
+            why = "the first material of this name is another one"
+            self._losses.lose(geometry.material.at.child("color"), why)
+            self._losses.lose(geometry.material.at.child("texture"), why)
+        owners = [material, *([geometry.material] if geometry.material else [])]
         if material.rgba:
             for owner in owners:
-                if isinstance(owner, Material):
-                    keep(owner.at, "rgba of the geom")
-                    keep(owner.at.child("color") if owner is material else None, "rgba of the geom")
-        if material.texture is None:
-            return
+                keep(owner.at, "rgba of the geom")
+            keep(material.at.child("color"), "rgba of the geom")
+        if material.texture is not None:
+            self._tell_texture(material.at.child("texture"), owners, used, has_uv=has_uv)
+
+    def _tell_texture(
+        self,
+        texture: Element | None,
+        owners: Iterable[Material],
+        used: SurfaceMaterial,
+        *,
+        has_uv: bool,
+    ) -> None:
         why = "" if has_uv else "the shape has no texture coordinates"
         why = why or ("" if used.texture else "the image is not there")
         why = why or self._textures.reason(used)
-        texture = material.at.child("texture")
         if why:
             self._losses.lose(texture, why)
             return
         for owner in owners:
-            if isinstance(owner, Material):
-                keep(owner.at, "material")
-        keep(texture, "texture")
+            self._losses.keep(owner.at, "material")
+        self._losses.keep(texture, "texture")
 
     def _collided(self, geometry: Body, shape: Shape, size: tuple[float, ...]) -> Iterable[Piece]:
         """What collides for a collision."""

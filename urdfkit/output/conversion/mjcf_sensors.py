@@ -61,7 +61,7 @@ def _measured(
     made: MjcfRobot, sensor: Sensor, body: Any, at: Transform, kinds: tuple[tuple[str, Any], ...]
 ) -> None:
     """A site where a sensor is, and what it measures there."""
-    name = made.free_name(sensor.name or sensor.reference)
+    name = made.devices.take(sensor.name or sensor.reference)
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
     for what, kind in kinds:
         made.spec.add_sensor(
@@ -76,7 +76,7 @@ def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     wide = sensor.number("camera/horizontal_fov")
     width, height = sensor.number("camera/image/width"), sensor.number("camera/image/height")
     camera = body.add_camera(
-        name=made.free_name(sensor.name or sensor.reference),
+        name=made.devices.take(sensor.name or sensor.reference),
         pos=at.position,
         quat=quaternion(multiply(at.rotation, _CAMERA)),
     )
@@ -109,7 +109,7 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     columns = _angles(sensor, f"{scan}/horizontal", MAX_RAYS // len(rows))
     rays = _samples(sensor, f"{scan}/vertical") * _samples(sensor, f"{scan}/horizontal")
     farthest = sensor.number(f"{sensor.lidar}/range/max")
-    name = made.free_name(sensor.name or sensor.reference)
+    name = made.devices.take(sensor.name or sensor.reference)
     for number, (up, turn) in enumerate(product(rows, columns)):
         way = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
         rotation = multiply(at.rotation, transposed(basis(way)))

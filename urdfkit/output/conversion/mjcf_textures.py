@@ -9,17 +9,15 @@ from urdfkit.core import atomic
 from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 from urdfkit.mesh.writers.textures import texture_bytes
+from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.render.materials import SurfaceMaterial
-
-#: How a PNG begins, the only images that MuJoCo reads.
-_PNG = b"\x89PNG"
+from urdfkit.render.textures import texture
 
 
 class Textures:
     """The materials of a specification that have a texture; each image is written once.
 
     Args:
-        spec: MuJoCo's.
         directory: that the paths of its files begin in.
     """
 
@@ -27,7 +25,8 @@ class Textures:
         self._spec = spec
         self._directory = directory
         self._materials: dict[SurfaceMaterial, str] = {}
-        self._names: dict[bytes, str] = {}
+        self._names: dict[bytes, str] = {}  # of the images
+        self._free, self._free_materials = FreeNames(), FreeNames()
 
     def material(self, surface: SurfaceMaterial) -> str:
         """The name of the material of a surface; empty without an image that can be read."""
@@ -44,34 +43,27 @@ class Textures:
         source = surface.texture if isinstance(surface.texture, str) else "texture"
         stem = os.path.splitext(os.path.basename(source))[0]
         if image not in self._names:
-            taken = {one.casefold() for one in self._names.values()}
-            number, name = 1, stem
-            while name.casefold() in taken:
-                number += 1
-                name = f"{stem}_{number}"
-            self._names[image] = name
+            self._names[image] = name = self._free.take(stem)
             path = f"textures/{name}.png"
             atomic.make_directory(os.path.join(self._directory, "textures"))
             atomic.write(os.path.join(self._directory, path), image, durable=False)
             kind = mujoco.mjtTexture.mjTEXTURE_2D
             self._spec.add_texture(name=name, type=kind, file=path)
         name = self._names[image]
-        count = sum(one == name or one.startswith(f"{name} ") for one in self._materials.values())
-        material = f"{name} {count + 1}" if count else name
+        material = self._free_materials.take(name)
         made = self._spec.add_material(name=material, rgba=surface.rgba)
         made.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
         return material
 
 
 def _png(surface: SurfaceMaterial) -> bytes | None:
-    """The image of a surface as a PNG; None without one that can be read."""
+    """The image of a surface as a PNG, the only format that MuJoCo reads; None without one.
+
+    A PNG is written anew: MuJoCo rejects some that others read.
+    """
     try:
         data = texture_bytes(MeshMaterial(texture=surface.texture))
     except UnwritableMesh:
         return None
-    if data is None or data.startswith(_PNG):
-        return data
-    from urdfkit.render.textures import texture
-
-    found = texture(data)
+    found = texture(data) if data else None
     return found.png() if found else None

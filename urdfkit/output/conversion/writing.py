@@ -36,6 +36,12 @@ from urdfkit.robot.stability import standing
 
 _DEFAULT = Options()
 _LOST = "MJCF has nothing like it"
+_REASONS = {
+    "plugin": "a plugin is a program of Gazebo",
+    "material": "no geom has it",
+    "update_rate": "MuJoCo measures in every step",
+    "always_on": "MuJoCo measures in every step",
+}
 #: What an error of MuJoCo's compiler is about.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
@@ -56,9 +62,9 @@ def write(robot: Context, out: str, options: Options, *, force: bool) -> Convers
         proof = prove(model, robot)
         if not proof.holds:
             raise UrdfkitError(
-                f"MuJoCo and Pinocchio do not agree on the robot: {proof.differences}"
+                f"MuJoCo and {proof.engine} do not agree on the robot: {proof.differences}"
             )
-        entries = tuple(made.losses.entries(robot.document.root, _LOST))
+        entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
         found.write_report(directory)
@@ -173,6 +179,7 @@ def _write_all_digits() -> None:
 def _explained(text: str, robot: Context) -> UrdfkitError:
     """An error of MuJoCo's compiler, at the link or joint that it names."""
     what = " ".join(text.split()).removeprefix("Error: ")
+    what = what.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
     named = _ELEMENT.search(what)
     name = named.group(1) if named else ""
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what

@@ -50,8 +50,6 @@ def stream(
     """A report in a format, in parts if the format has them.
 
     Args:
-        name: of the format.
-        report: to render.
         color: as of ``render``.
         width: as of ``render``.
         quiet: leave out what stands below the findings, if the format has it.

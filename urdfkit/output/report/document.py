@@ -93,7 +93,6 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
     """The same with what takes a while.
 
     Args:
-        reported: a robot that was described quickly.
         progress: called with the number of steps done and of all.
     """
     long: dict[str, Callable[[Context], object]] = {

@@ -53,7 +53,6 @@ def render(
     Args:
         drawings: addresses of images, by name.
         scene: the robot in three dimensions; None for a page without.
-        engine: that draws the scene.
         shape: for the viewer, which sends its page new contents: the number of this robot.
 
     Raises:

@@ -91,11 +91,7 @@ class RobotImages(Record):
 
 
 def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
-    """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
-
-    Args:
-        has_images: with the images that take a while.
-    """
+    """Drawings of a robot, and the robot in three dimensions; what cannot be had is left out."""
     from urdfkit.output.report import data_uris, scene
 
     context = reported.context

@@ -49,11 +49,7 @@ class Contact(Record):
 
 
 class LinkPair:
-    """Two links with bodies whose boxes overlap where the robot begins.
-
-    Args:
-        robot: that has the links.
-    """
+    """Two links with bodies whose boxes overlap where the robot begins."""
 
     def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
         self.names = names  # of the links
@@ -167,7 +163,6 @@ class Contacts:
         adjacency: of the links.
 
     Args:
-        robot: with its meshes.
         load: makes what measures bodies by coal; called when it is needed.
         unit: apply the unit that a COLLADA file states.
     """

@@ -28,7 +28,6 @@ class ExactDistances:
     """Measures bodies of one robot; each is loaded once.
 
     Args:
-        robot: with its meshes.
         unit: apply the unit that a COLLADA file states.
     """
 

@@ -38,12 +38,7 @@ class PairSample(NamedTuple):
 
 
 class Examiner:
-    """Measures the pairs of one robot.
-
-    Args:
-        chain: how it moves.
-        forms: its bodies.
-    """
+    """Measures the pairs of one robot."""
 
     def __init__(self, chain: Chain, forms: Iterable[CollisionGeometry]) -> None:
         self.chain = chain

@@ -19,7 +19,6 @@ class Collisions:
     """Of one robot.
 
     Args:
-        robot: with its meshes.
         need_coal: raises an error if coal cannot be imported; called before it is.
     """
 

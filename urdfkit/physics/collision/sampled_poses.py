@@ -29,9 +29,6 @@ class SampledPoses:
     """A robot in sampled poses.
 
     Args:
-        model: the robot.
-        tree: of it.
-        meshes: of it.
         unit: apply the unit that a COLLADA file states.
     """
 
@@ -52,7 +49,6 @@ class SampledPoses:
         """For each pair of links that move, a collision that no other one keeps the robot from.
 
         Args:
-            samples: configurations that are looked at.
             is_checked: of two links, whether their collisions are avoided; where two of these
                 overlap, the robot never is.
         """

@@ -33,11 +33,6 @@ class _Died(Exception):
 class WorkerPool:
     """Some processes with the bodies of one robot; use it in a ``with`` statement.
 
-    Args:
-        chain: how the robot moves.
-        solids: its bodies.
-        count: of processes.
-
     Raises:
         CollisionError: no process can be started.
     """
@@ -72,9 +67,6 @@ class WorkerPool:
         self, tasks: Iterable[Task], done: Callable[[], None]
     ) -> list[list[PairFindings | None]]:
         """The answers to some tasks, in their order; None for a pair that crashes coal.
-
-        Args:
-            done: called after each.
 
         Raises:
             CollisionError: too many of them crash.

@@ -16,12 +16,7 @@ if TYPE_CHECKING:
 
 
 class CollisionSolids:
-    """The collision shapes of links as solids.
-
-    Args:
-        meshes: gives the triangles of mesh files.
-        mesh_solid: measures a mesh as what it encloses.
-    """
+    """The collision shapes of links as solids."""
 
     def __init__(
         self, meshes: Callable[[], Meshes], mesh_solid: Callable[[Body], MeshSolid | None]

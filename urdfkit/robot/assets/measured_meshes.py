@@ -24,9 +24,6 @@ class MeasuredMeshes:
     """The meshes of one model that can be measured.
 
     Args:
-        model: that names them.
-        files: finds them.
-        store: measures them.
         progress: called with the number of files measured, and of all.
     """
 

@@ -64,7 +64,6 @@ def find_defects(
 
     Args:
         uses: every use of a mesh, in the order of the document.
-        files: one use of each file.
     """
     found: dict[MeshDefect, list[MeshUse]] = {}
     reported: set[tuple[MeshDefect, str]] = set()

@@ -51,12 +51,7 @@ class Suggestion(Record):
 
 
 class MeshFiles:
-    """The files of one model; every file is found and read once.
-
-    Args:
-        model: that names them.
-        resolver: finds them.
-    """
+    """The files of one model; every file is found and read once."""
 
     def __init__(self, model: RobotModel, resolver: Resolver) -> None:
         self.resolver = resolver

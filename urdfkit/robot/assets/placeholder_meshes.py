@@ -134,7 +134,6 @@ def generate_part(
     """Make a part for a file that no robot names yet.
 
     Args:
-        part: what to make.
         size: its edges in m, along its own axes; true to life if not given.
 
     Raises:

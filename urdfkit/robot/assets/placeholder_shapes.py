@@ -46,7 +46,6 @@ def placeholder_shape(
     """A mesh for a shape, in the units of its file, and what it is; None if nothing says.
 
     Args:
-        reference: of the shape, to a mesh file.
         part: what to make; chosen by the names if not given.
         size: edges in m, along the axes of the visual or collision; by the link if not given.
     """

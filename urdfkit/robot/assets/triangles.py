@@ -16,7 +16,6 @@ class Meshes:
     """The meshes of one model.
 
     Args:
-        files: the mesh files that it names.
         progress: called with the number of files loaded, and of all.
     """
 

@@ -194,7 +194,6 @@ class VisualCollisionPairs:
     """The links of a robot that have both visuals and collisions.
 
     Args:
-        model: of the robot.
         mesh_solid: a visual or collision that is a mesh, as a solid; None where not measured.
         is_ambiguous: True for a visual or collision that programs rotate differently.
     """

@@ -54,7 +54,6 @@ def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fi
     """Macros for the shapes of some links, and calls of these in the place of one.
 
     Args:
-        links: those that the macro gives the tensor.
         tensor: the ``<inertia>`` in the macro.
     """
     calls: dict[Tag, _MacroCall] = {}

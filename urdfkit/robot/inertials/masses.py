@@ -42,7 +42,6 @@ class Masses:
     """What a model says about masses.
 
     Args:
-        model, tree: of the robot.
         mesh_solid: measures visuals and collisions that are meshes; without it they are left out.
     """
 

@@ -100,7 +100,6 @@ def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | 
 
     Args:
         left: what the drive takes for the left wheel.
-        right: what it takes for the right one.
     """
     to_left = dot(minus(left.center, right.center), left.axis)
     if not left.is_parallel(right) or abs(to_left) < _APART:

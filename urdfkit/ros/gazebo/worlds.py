@@ -134,12 +134,7 @@ def _filenames(text: bytes) -> list[str]:
 
 
 class Models:
-    """The models of a workspace, which worlds include as ``model://name``.
-
-    Args:
-        resolver: finds and reads files.
-        near: path of a file of the workspace.
-    """
+    """The models of a workspace, which worlds include as ``model://name``."""
 
     def __init__(self, resolver: Resolver, near: str) -> None:
         self._resolver = resolver

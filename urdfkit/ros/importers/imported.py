@@ -59,13 +59,7 @@ def dense(unit: MassProperties, density: float) -> MassProperties:
 
 
 class Imported:
-    """A robot after the import by one program, with its default settings.
-
-    Args:
-        tree: of the robot.
-        facts: of the program.
-        solid: measures the collision shapes of a link.
-    """
+    """A robot after the import by one program, with its default settings."""
 
     def __init__(self, tree: KinematicTree, facts: ImporterFacts, solid: Solid) -> None:
         #: tree and facts: the same.

@@ -51,7 +51,6 @@ class ArgumentUses:
         """What is used and not declared.
 
         Args:
-            frame: of the include that leads here.
             carries_over: what an include declares holds behind it, as in ROS 2.
             is_sure: says whether no other file can declare what this one uses; else only typos
                 are reported.

@@ -39,7 +39,6 @@ class Collector:
     """Gathers what launch files need while they are read.
 
     Args:
-        resolver: finds packages, and reads files.
         reader: reads launch files of any kind.
         outer: the launch files that include the one that is read.
         included: how many have been included so far.
@@ -137,7 +136,6 @@ class Collector:
         The rest of it is reported when it is read by itself.
 
         Args:
-            source: the file that includes it.
             arguments: that it is given; None for those that are known at run time only.
             is_sure: False if a condition decides that is known at run time only.
         """

@@ -23,9 +23,7 @@ class Configurations:
     """The launch configurations of one file.
 
     Args:
-        values: what its expressions give.
         own: the arguments that it declares by plain names.
-        calls: of its program.
         idle: those of them whose value nothing reads.
     """
 

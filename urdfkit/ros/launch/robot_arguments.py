@@ -42,7 +42,6 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
     Args:
         needed: names of the arguments that it lacks.
-        resolver: finds packages, and reads files.
     """
     real = disk.real(robot)
     own: dict[tuple[tuple[str, str], ...], RobotArguments] = {}
@@ -66,9 +65,6 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
 def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
     """The values that launch files about the package of a robot declare for their own arguments.
-
-    Args:
-        resolver: finds packages, and reads files.
 
     Yields:
         The path of a launch file, and the choices or the default of each of its arguments.

@@ -28,8 +28,6 @@ class Substitutions:
     """What texts of one launch file become.
 
     Args:
-        collector: collects the packages that are named.
-        source: the file.
         values: of its arguments, as far as they are known; they grow while it is read.
     """
 

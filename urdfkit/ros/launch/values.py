@@ -25,9 +25,6 @@ class Values:
     """Follows constants through one launch file.
 
     Args:
-        collector: collects the packages that are named.
-        source: the file.
-        tree: its program.
         arguments: of the launch file; texts, or expressions of their defaults; None for those
             that are not known.
     """

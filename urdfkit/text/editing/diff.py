@@ -16,7 +16,6 @@ def diff(path: str, before: bytes, after: bytes) -> str:
     Args:
         path: of the file, as a user would type it.
         before: its text, in UTF-8.
-        after: the same, changed.
     """
     old, new = _lines(before), _lines(after)
     matcher = difflib.SequenceMatcher(None, old, new)

@@ -1,0 +1,68 @@
+"""URDF: what was written is the robot, and all files are with it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from urdfkit import convert, read
+from urdfkit.errors import UrdfkitError
+
+pytest.importorskip("trimesh")
+
+from urdfkit.output.conversion.urdf import prove
+
+CARRIERS = Path(__file__).parents[2] / "carriers"
+ROVER = CARRIERS / "rover" / "urdf" / "rover.urdf.xacro"
+
+
+@pytest.mark.parametrize(
+    "robot", [ROVER, *sorted((MODELS / "good").rglob("*.urdf"))], ids=lambda path: path.stem
+)
+def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
+    found = convert(robot, tmp_path / "o", to="urdf")
+    assert found.proof.holds
+    assert {one.result.value for one in found.entries} <= {"kept", "approximated"}
+    assert (tmp_path / "o" / found.file).is_file()
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
+def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
+    folder, model = entry
+    path = folder / model["path"]
+    try:
+        robot = read(path, arguments=corpus_findings.arguments_of(model))
+        found = convert(robot, tmp_path / "o", to="urdf")
+    except UrdfkitError as error:
+        pytest.skip(str(error))
+    assert found.proof.holds
+
+
+def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
+    found = convert(ROVER, tmp_path / "o", to="urdf")
+    parts = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+    mesh = "link/left_wheel/visual/geometry/mesh@filename"
+    assert parts[mesh] == "kept: copied as meshes/wheel.stl"
+    assert parts["link/left_wheel@name"] == "kept: as written"
+    outside = [part for part, result in parts.items() if "is not copied" in result]
+    assert len(outside) == 1
+    assert outside[0].endswith("/parameters")
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [(b'radius="0.1"', b'radius="0.2"'), (b"wheel.stl", b"other.stl"), (b"orange", b"red")],
+)
+def test_a_wrong_file_does_not_hold(old: bytes, new: bytes, tmp_path: Path) -> None:
+    robot = read(ROVER)
+    path = tmp_path / "o" / convert(robot, tmp_path / "o", to="urdf").file
+    assert prove(read(path), robot).holds
+    text = path.read_bytes()
+    assert old in text
+    path.write_bytes(text.replace(old, new, 1))
+    assert not prove(read(path), robot).holds

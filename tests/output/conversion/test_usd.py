@@ -1,0 +1,164 @@
+"""USD: what the stage holds is the robot, and warnings stand at the lines of the robot."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.output.conversion.test_mjcf import BOX, INERTIAL, LIMIT, PICKER, ROVER, arm
+from urdfkit import convert, read
+from urdfkit.errors import UrdfkitError
+from urdfkit.text.source import Source
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+pytest.importorskip("pinocchio")
+pytest.importorskip("urdf_usd_converter")
+
+from pxr import Usd, UsdGeom
+
+from tests.physics.dynamics.test_against_pinocchio import robots
+from urdfkit.output.conversion.result import REPORT
+from urdfkit.output.conversion.usd_proof import Stage, prove
+
+
+def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:
+    """The stage, and what became of each part."""
+    found = convert(read(robot), out, to="usd")
+    parts = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+    return Usd.Stage.Open(str(out / found.file)), parts
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))],
+    ids=lambda path: path.stem,
+)
+def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
+    convert(robot, tmp_path / "out", to="usd")
+    facts = json.loads((tmp_path / "out" / REPORT).read_text())
+    assert facts["proof"]["holds"] is True
+    assert facts["to"] == "usd"
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
+def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
+    folder, model = entry
+    path = folder / model["path"]
+    try:
+        robot = read(path, arguments=corpus_findings.arguments_of(model))
+        found = convert(robot, tmp_path / "o", to="usd")
+    except UrdfkitError as error:
+        pytest.skip(str(error))
+    assert found.proof.holds
+    assert all(one.note for one in found.entries)
+
+
+@settings(suppress_health_check=list(HealthCheck), derandomize=True, max_examples=30)
+@given(robots())
+def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
+    robot = read(Source("r.urdf", text.encode()))
+    found = convert(robot, tmp_path_factory.mktemp("tree") / "out", to="usd")
+    parts = {one.part for one in found.entries}
+    assert found.proof.holds
+    for element in robot.document.root.walk():
+        assert element.path in parts
+        assert all(f"{element.path}@{name}" in parts for name in element.attributes)
+
+
+def test_a_wrong_stage_does_not_hold(tmp_path: Path) -> None:
+    robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=INERTIAL + f"<visual>{BOX}</visual>"))
+    found = convert(robot, tmp_path / "o", to="usd")
+
+    def holds(path: str, attribute: str, value: Any) -> bool:
+        stage = Usd.Stage.Open(str(tmp_path / "o" / found.file))
+        stage.GetPrimAtPath(path).GetAttribute(attribute).Set(value)
+        result = prove(Stage(stage, robot), robot).holds
+        stage.Reload()
+        return result
+
+    tip, turn = "/arm/Geometry/base/tip", "/arm/Physics/turn"
+    assert holds(tip, "physics:mass", 2.0)
+    assert not holds(tip, "physics:mass", 2.001)
+    assert not holds(tip, "physics:diagonalInertia", (0.1, 0.1, 0.11))
+    assert not holds(tip, "physics:centerOfMass", (0, 0, 0.001))
+    assert not holds(tip, "xformOp:translate", (0, 0, 0.501))
+    assert not holds(turn, "physics:upperLimit", 100.0)
+    assert not holds(turn, "physics:axis", "X")
+
+
+def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
+    tip = (
+        f'{INERTIAL}<visual name="v">{BOX}<material name="m"><color rgba="1 0 0 1"/></material>'
+        f"</visual><collision>{BOX}</collision>"
+    )
+    dynamics = '<dynamics damping="1" friction="2"/><safety_controller k_velocity="1"/>'
+    more = (
+        '<link name="end"/><joint name="f" type="fixed"><parent link="tip"/><child link="end"/>'
+        '</joint><gazebo reference="tip"><mu1>1</mu1></gazebo>'
+    )
+    stage, parts = loaded(arm(LIMIT + dynamics, tip=tip, more=more), tmp_path / "o")
+    turn = stage.GetPrimAtPath("/arm/Physics/turn")
+    assert turn.GetAttribute("physics:upperLimit").Get() == pytest.approx(np.degrees(2))
+    assert stage.GetPrimAtPath("/arm/Geometry/base/tip/v").IsA(UsdGeom.Cube)
+    stored = "stored under urdf:, which no simulator reads"
+    for part, result in {
+        "joint/turn/limit@lower": "kept: limits",
+        "joint/turn/limit@velocity": "kept: newton:velocityLimit",
+        "joint/turn/limit@effort": f"approximated: {stored}",
+        "joint/turn/dynamics@damping": "kept: newton:damping",
+        "joint/turn/safety_controller@k_velocity": f"approximated: {stored}",
+        "joint/f": "kept: place of the prim",
+        "link/tip/visual/v/material/m/color": "kept: material",
+        "gazebo/tip/mu1": f"lost: {stored}",
+    }.items():
+        assert parts[part] == result
+
+
+def test_warnings_stand_at_the_line(tmp_path: Path) -> None:
+    capsule = '<collision><geometry><capsule radius="1" length="2"/></geometry></collision>'
+    _, parts = loaded(arm(LIMIT, tip=INERTIAL + capsule), tmp_path / "o")
+    assert parts["link/tip/collision/geometry/capsule"] == "lost: Invalid geometry type"
+
+
+@pytest.mark.parametrize(("x", "result"), [(5e-5, "approximated: axis, off by"), (5e-3, "kept")])
+def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path: Path) -> None:
+    _, parts = loaded(arm(f'<axis xyz="{x} 0 1"/>{LIMIT}'), tmp_path / "o")
+    assert parts["joint/turn/axis"].startswith(result)
+
+
+@pytest.mark.parametrize(
+    ("robot", "reason"),
+    [
+        (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
+        (arm('<origin xyz="1 2"/>'), "arm.urdf:4:"),
+        (arm(LIMIT, kind="hinge"), "arm.urdf:4:1: urdf-usd-converter rejects the robot: Invalid"),
+        (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),
+    ],
+)
+def test_what_cannot_be_converted_leaves_nothing(
+    robot: Source, reason: str, tmp_path: Path
+) -> None:
+    with pytest.raises(UrdfkitError) as raised:
+        convert(read(robot), tmp_path / "o", to="usd")
+    assert reason in str(raised.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_name_of_the_robot_leads_nowhere(tmp_path: Path) -> None:
+    text = arm(LIMIT).data.replace(b'name="arm"', b'name="../../arm"')
+    found = convert(read(Source("arm.urdf", text)), tmp_path / "o" / "o", to="usd")
+    assert found.file == "arm.usda"
+    assert [path.name for path in tmp_path.iterdir()] == ["o"]
+
+
+def test_options_of_mjcf_are_an_error(tmp_path: Path) -> None:
+    with pytest.raises(UrdfkitError, match="are not of the format 'usd'"):
+        convert(read(arm(LIMIT)), tmp_path / "o", to="usd", base="free")

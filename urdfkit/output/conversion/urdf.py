@@ -1,0 +1,103 @@
+"""URDF on disk: the robot without xacro, in a directory with all files that it names."""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.lint.loading import read
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.writing import staged
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.text.document import Attribute, Element
+
+
+class UrdfProof(Record):
+    """What is different in the URDF that was written, when it is read again."""
+
+    elements: int  # that were compared with their attributes
+    different: int  # of them, apart from the names of files
+    missing: int  # files that it names and that are not there
+
+    @property
+    def holds(self) -> bool:
+        """True if nothing is."""
+        return not self.different and not self.missing
+
+    @property
+    def agreed(self) -> str:
+        """Who agrees, on what."""
+        return f"all {self.elements} elements are read again as they were, and all files are there"
+
+
+def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
+    """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
+    bundle = Bundle(robot, CONSUMERS["any"])
+    with staged(bundle.files(), out, force=force, mark=REPORT) as directory:
+        proof = prove(read(os.path.join(directory, bundle.urdf)), robot)
+        if not proof.holds:
+            raise UrdfkitError(
+                f"the URDF does not agree with the robot: {proof.different} elements differ, "
+                f"{proof.missing} files are missing"
+            )
+        entries = tuple(_losses(robot, bundle).entries(robot.document.root, "", {}))
+        counts = {
+            "link": len(robot.model.links),
+            "joint": len(robot.model.joints),
+            "file": len(bundle.contents),
+        }
+        found = Conversion("urdf", bundle.urdf, "", counts, entries, proof)
+        found.write_report(directory)
+    return found
+
+
+def prove(written: Context, robot: Context) -> UrdfProof:
+    """Compare a URDF that was written with the robot."""
+    names = {id(one.filename.at) for one in robot.model.shapes if one.filename}
+    names |= {id(one) for one in _texture_names(robot)}
+    ours, theirs = ([*one.document.root.walk()] for one in (robot, written))
+    different = abs(len(ours) - len(theirs)) + sum(
+        _content(before, names) != _content(after, names, like=before)
+        for before, after in zip(ours, theirs, strict=False)
+    )
+    return UrdfProof(len(ours), different, len(written.files.missing))
+
+
+def _texture_names(robot: Context) -> list[Attribute]:
+    elements = (one for one in robot.document.root.walk() if one.tag == "texture")
+    return [one.attributes["filename"] for one in elements if "filename" in one.attributes]
+
+
+def _content(
+    element: Element, names: set[int], like: Element | None = None
+) -> tuple[str, str, dict[str, str]]:
+    """The tag, text and attributes of an element, without the names of files."""
+    attributes = (like or element).attributes
+    left = {name for name, one in attributes.items() if id(one) in names}
+    values = {name: one.value for name, one in element.attributes.items() if name not in left}
+    return element.tag, element.text.strip(), values
+
+
+def _losses(robot: Context, bundle: Bundle) -> LossTable:
+    losses = LossTable()
+    by_path = {}
+    for element in robot.document.root.walk():
+        by_path[element.path] = element
+        losses.keep(element, "as written")
+        for attribute in element.attributes.values():
+            losses.keep(attribute, "as written")
+    changes = {one.path: one.change for one in bundle.contents}
+    for one in bundle.renamed:
+        name = by_path[one.element.partition("@")[0]].attributes.get("filename")
+        if changes[one.new]:
+            losses.approximate(name, changes[one.new])
+        else:
+            losses.keep(name, f"copied as {one.new}")
+    for path, value in bundle.outside:
+        losses.approximate(by_path[path], f"'{value}' leads to a file that is not copied")
+    return losses

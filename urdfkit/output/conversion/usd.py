@@ -1,0 +1,131 @@
+"""USD on disk, by the converter of the Newton project, with its warnings at our lines.
+
+https://github.com/newton-physics/urdf-usd-converter, which takes a bundle of the robot.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import PurePosixPath
+
+import urdf_usd_converter
+from pxr import Tf, Usd, UsdUtils
+
+from urdfkit.core import atomic, temporary
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.mesh.io.facts import BINARY_STL, OBJ
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.consumers import Consumer
+from urdfkit.output.bundle.writing import staged, write_files
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.output.conversion.usd_losses import OTHERWISE, tell
+from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.document import Element
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
+
+#: COLLADA is converted: what it says of units and axes is then applied as everywhere here.
+_CONSUMER = Consumer("usd", "urdf-usd-converter", (BINARY_STL, OBJ), ".obj")
+_AT_LINE = re.compile(r"(?:^|: )(?P<tag>[\w.-]+): (?P<text>.*) \(line: (?P<line>\d+)\)$")
+
+
+class Warned(Record):
+    """What the converter says of an element; of the robot where it names none."""
+
+    element: Element
+    text: str
+
+
+def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
+    """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
+    if not robot.tree.is_sound:
+        raise UrdfkitError(
+            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
+        )
+    bundle = Bundle(robot, _CONSUMER)
+    with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
+        atomic.make_directory(directory)
+        write_files(bundle.files(), scratch)
+        warnings = _converted(robot, bundle, scratch, directory)
+        stage = Stage(Usd.Stage.Open(os.path.join(directory, f"{bundle.name}.usda")), robot)
+        proof = prove(stage, robot)
+        if not proof.holds:
+            raise UrdfkitError(f"the USD does not agree with the robot: {proof.differences}")
+        losses = LossTable()
+        tell(losses, robot, stage)
+        for one in warnings:
+            losses.lose(one.element, one.text)
+        entries = tuple(losses.entries(robot.document.root, OTHERWISE, {}))
+        found = Conversion("usd", f"{bundle.name}.usda", "fixed", stage.counts, entries, proof)
+        found.write_report(directory)
+    return found
+
+
+def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> list[Warned]:
+    """Let the converter write USD, and take what it warns of.
+
+    Raises:
+        UrdfkitError: it rejects the robot.
+    """
+    path = os.path.join(scratch, bundle.urdf)
+    places = _Places(robot, bundle, path)
+    delegate = UsdUtils.CoalescingDiagnosticDelegate()
+    try:
+        urdf_usd_converter.Converter(scene=False).convert(path, directory)
+    except (ValueError, RuntimeError, Tf.ErrorException) as error:
+        warned = places.find(str(error))
+        why = f"urdf-usd-converter rejects the robot: {warned.text}"
+        raise UrdfkitError(f"{warned.element.span}: {why}") from error
+    finally:
+        told = delegate.TakeUncoalescedDiagnostics()
+    return [
+        places.find(one.commentary)
+        for one in told
+        if one.diagnosticCode != Tf.TF_DIAGNOSTIC_STATUS_TYPE
+    ]
+
+
+class _Places:
+    """The elements of a robot, by what the converter calls them.
+
+    Args:
+        robot: as it was read.
+        bundle: of it, written.
+        path: of its URDF, which is given the name of the bundle: it becomes that of a file.
+    """
+
+    def __init__(self, robot: Context, bundle: Bundle, path: str) -> None:
+        self._root = robot.document.root
+        with open(path, "rb") as file:
+            source = Source(path, file.read())
+        document, _ = read_xml(source)
+        assert document is not None  # it was written from one
+        name = document.root.attributes.get("name")
+        if name is None:
+            raise UrdfkitError(f"{self._root.span}: <robot> has no name")
+        with open(path, "wb") as file:
+            file.write(apply_edits(source.data, [Edit(name.span, bundle.name)]))
+        self._by_line: dict[tuple[str, int], Element] = {}
+        for ours, theirs in zip(self._root.walk(), document.root.walk(), strict=True):
+            self._by_line.setdefault((theirs.tag, theirs.span.line), ours)
+        self._files = {one.new: one.element.partition("@")[0] for one in bundle.renamed}
+        self._by_path = {element.path: element for element in self._root.walk()}
+
+    def find(self, text: str) -> Warned:
+        """The element that a message is about."""
+        text = " ".join(text.split())
+        at = _AT_LINE.search(text)
+        if at:
+            found = self._by_line.get((at["tag"], int(at["line"])), self._root)
+            return Warned(found, at["text"])
+        for new, path in self._files.items():
+            if new in text or PurePosixPath(new).name in text:
+                return Warned(self._by_path.get(path, self._root), text)
+        return Warned(self._root, text)

@@ -1,0 +1,131 @@
+"""What the converter to USD makes of each part of a robot, as the stage shows it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pxr import UsdPhysics
+
+from urdfkit.lint.context import Context
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.usd_proof import PART, Stage
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Body, Joint, Link
+
+#: Of what the converter does not know.
+OTHERWISE = "stored under urdf:, which no simulator reads"
+_NO_BODY = "the link is no rigid body in USD: it is fixed, and nothing is below it"
+_SHAPES = ("box", "sphere", "cylinder", "mesh")
+#: The converter's attributes of a joint, by the paths of URDF's.
+_ATTRIBUTES = {
+    "limit@velocity": "newton:velocityLimit",
+    "dynamics@damping": "newton:damping",
+    "dynamics@friction": "newton:friction",
+}
+
+
+def tell(losses: LossTable, robot: Context, stage: Stage) -> None:
+    """Mark what became of the links, joints and materials of a robot."""
+    losses.keep(robot.model.root, "prim")
+    colours = Colours(robot.model)
+    for link in robot.model.links:
+        _link(losses, link, stage)
+        for geometry in (*link.visuals, *link.collisions):
+            _geometry(losses, geometry, colours, is_visual=geometry in link.visuals)
+    for joint in robot.model.joints:
+        _joint(losses, joint, stage)
+
+
+def _link(losses: LossTable, link: Link, stage: Stage) -> None:
+    prim = stage.links.get(link.name)
+    inertial = link.inertial
+    if prim is None:
+        losses.approximate(link.at, "part of the link that it is fixed to")
+    else:
+        losses.keep(link.at, f"prim {prim.GetPath()}")
+    if inertial is None:
+        return
+    if prim is not None and not prim.HasAPI(UsdPhysics.RigidBodyAPI):
+        losses.lose(inertial.at, _NO_BODY)
+        return
+    what = "part of the mass of the parent" if prim is None else "mass"
+    losses.keep(inertial.at, what)
+    for tag in ("mass", "inertia", "origin"):
+        losses.keep(inertial.at.child(tag), what)
+
+
+def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual: bool) -> None:
+    shape = geometry.shape
+    if shape is None or shape.kind not in _SHAPES:
+        return
+    what = "geometry" if is_visual else "collider"
+    losses.keep(geometry.at, what)
+    losses.keep(geometry.at.attributes.get("name"), "name")
+    for tag in ("origin", "geometry"):
+        losses.keep(geometry.at.child(tag), what)
+    losses.keep(shape.at, what)
+    if shape.kind == "mesh" and not is_visual:
+        losses.approximate(shape.at, "its convex hull collides")
+    material = colours.of(geometry) if is_visual else None
+    if material is None or geometry.material is None:
+        return
+    losses.keep(geometry.material.at, "material")
+    losses.keep(material.at, "material")
+    losses.keep(material.at.child("color"), "material")
+    texture = material.at.child("texture")
+    if shape.kind == "mesh":
+        losses.keep(texture, "texture, where the mesh has texture coordinates")
+
+
+def _joint(losses: LossTable, joint: Joint, stage: Stage) -> None:
+    prim = stage.joints.get(joint.name)
+    note = prim.GetTypeName() if prim else "place of the prim"
+    note = "rigid body that nothing holds" if joint.kind == "floating" else note
+    losses.keep(joint.at, note)
+    for tag in ("origin", "parent", "child"):
+        losses.keep(joint.at.child(tag), "place of the prim")
+    if joint.kind in ("fixed", "floating"):
+        for tag in ("axis", "limit", "dynamics", "mimic"):
+            losses.lose(joint.at.child(tag), f"a {joint.kind} joint has none")
+        return
+    _axis(losses, joint, stage)
+    _limits(losses, joint)
+    if prim is not None:
+        _attributes(losses, joint, prim)
+
+
+def _axis(losses: LossTable, joint: Joint, stage: Stage) -> None:
+    axis = joint.at.child("axis")
+    off = stage.axis_difference(joint) if joint.name in stage.joints else 0.0
+    if joint.kind != "planar" and off > PART:
+        losses.approximate(axis, f"axis, off by {off:.2g} rad")
+    else:
+        losses.keep(axis, "axis")
+
+
+def _attributes(losses: LossTable, joint: Joint, prim: Any) -> None:
+    """What the prim of a joint has besides its axis and range."""
+    for path, name in _ATTRIBUTES.items():
+        tag, _, written = path.partition("@")
+        element = joint.at.child(tag)
+        if element is not None and prim.GetAttribute(name).HasAuthoredValue():
+            losses.keep(element, "joint")
+            losses.keep(element.attributes.get(written), name)
+    for tag in ("calibration", "safety_controller"):
+        element = joint.at.child(tag)
+        losses.approximate(element, OTHERWISE)
+        for attribute in element.attributes.values() if element is not None else ():
+            losses.approximate(attribute, OTHERWISE)
+    if joint.mimic is not None and prim.HasAPI("NewtonMimicAPI"):
+        losses.keep(joint.mimic.at, "NewtonMimicAPI")
+
+
+def _limits(losses: LossTable, joint: Joint) -> None:
+    limit = joint.at.child("limit")
+    if limit is None:
+        return
+    losses.keep(limit, "limits")
+    for end in ("lower", "upper"):
+        if joint.kind in ("continuous", "planar"):
+            losses.lose(limit.attributes.get(end), f"a {joint.kind} joint has no range")
+    losses.approximate(limit.attributes.get("effort"), OTHERWISE)
