@@ -34,6 +34,7 @@ PARTS = {
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
+OPTIONAL |= {"XAC024": {"other_robot"}}
 #: Of the robots that a launch file starts.
 OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 

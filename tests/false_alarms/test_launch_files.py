@@ -209,3 +209,41 @@ def test_frames_that_others_publish(
     }
     text = _FILTER.replace("'imu'", f"'{child}'")
     assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
+def test_what_macos_puts_into_archives(tmp_path: Path) -> None:
+    """`__MACOSX/launch/._robot.launch.py` holds attributes of a file, and no program."""
+    add_file(tmp_path / "__MACOSX" / "launch" / "._a.launch.py", b"\x00\x05\x16\x07")
+    add_file(tmp_path / "launch" / "a.launch", launch("").encode())
+    found = check(tmp_path, select=["LAU001"]).diagnostics
+    assert [one for one in found if one.code == "LAU001"] == []
+
+
+def test_a_parameter_file_that_an_argument_chooses(tmp_path: Path) -> None:
+    """IFRA-Cranfield: `$(find tools)/${EE_name}/controller.yaml`, where EE_name is `none`."""
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:property name="tool" value="none"/><link name="base"/><gazebo>'
+        '<plugin filename="libgazebo_ros2_control.so" name="c">'
+        "<parameters>$(find arm)/{}/control.yaml</parameters></plugin></gazebo></robot>"
+    )
+    add_package(tmp_path, "arm")
+    for name, severity in (("${tool}", "info"), ("none", "error")):
+        path = add_file(tmp_path / "r.xacro", robot.replace("{}", name).encode())
+        (found,) = check(path, select=["RCT026"]).diagnostics
+        assert found.severity.value == severity
+
+
+def test_the_marker_of_a_package_with_another_name(tmp_path: Path) -> None:
+    """robotis_gz_sim, whose package.xml says robotis: one finding names the cause."""
+    manifest = "<package><name>arm</name><export><build_type>ament_python</build_type></export>"
+    setup = (
+        "package_name = 'arm_sim'\nsetup(\n    name=package_name,\n    data_files=["
+        "('share/ament_index/resource_index/packages', ['resource/' + package_name])])\n"
+    )
+    add_file(tmp_path / "package.xml", f"{manifest}</package>".encode())
+    add_file(tmp_path / "setup.py", setup.encode())
+    path = add_file(tmp_path / "launch" / "a.launch.py", b"")
+    found = check(path, select=["PKG005"]).diagnostics
+    assert not any("resource/" in one.message for one in found)
+    assert any("differs from the package name" in one.message for one in found)

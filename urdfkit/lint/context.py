@@ -284,7 +284,7 @@ class Context(DescriptionFile):
         key = (path, *sorted(arguments.items()))
         if key not in self._other_robots:
             self._other_robots[key] = Context(
-                self.resolver.read(path),
+                self.source if path == self.source.path else self.resolver.read(path),
                 self.resolver,
                 arguments,
                 trust=self.trust,

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 
-#: Directories that a build makes.
-_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+#: Directories that a build makes, and one that macOS puts into archives.
+_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__", "__MACOSX"))
 
 
 def walk(directory: str) -> Iterator[str]:

@@ -78,7 +78,10 @@ def test_the_floor_of_the_world(tmp_path: Path) -> None:
     include = "<include><uri>model://ground_plane</uri></include>"
     low = launch.replace("0.5", "0.1")
     assert len(messages(tmp_path, robot=wheeled(), launch=low, world=include)) == 1
-    assert messages(tmp_path, robot=wheeled(), launch=low, world="") == []
+    (one,) = messages(tmp_path, robot=wheeled(), launch=low, world="")
+    assert one == "world 'hall' has nothing to stand on, so the robot falls"
+    spawned = low + SPAWN.format('"-file", "floor.sdf"')
+    assert messages(tmp_path, robot=wheeled(), launch=spawned, world="") == []
     hilly = f"{include}<model><collision><geometry><heightmap/></geometry></collision></model>"
     assert messages(tmp_path, robot=wheeled(), launch=low, world=hilly) == []
     inclined = PLANE.format(0).replace("0 0 0</pose>", "0 0.1 0</pose>")

@@ -3,7 +3,8 @@
 - The file that the Gazebo control plugin names does not exist. The controller manager stops at it;
   no controller can be loaded, and Gazebo may stop as well. The file has another name or directory,
   or is not installed. An absolute path outside of the repository or workspace is a warning: it may
-  exist on another machine, such as `/workspace/install/...` in a container.
+  exist on another machine, such as `/workspace/install/...` in a container. One that an argument
+  or a property chooses is an info: who starts the robot passes another.
 - The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
   name that no controller has. The controller then starts without its joints, and stops: "parameter
   'joints' was not set".
@@ -15,6 +16,7 @@ Sources:
 """
 
 import os
+import re
 
 from urdfkit.core.suggest import nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
@@ -52,9 +54,12 @@ def _missing(context: Context) -> Findings:
             suggested = nearest_file(file.path)
             hint = f"; did you mean '{suggested}'?" if suggested else ""
             where = "" if is_here else " on this machine"
+            written = file.element.tag_at.inner_span.text
+            is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
+            severity = None if is_here else Severity.WARNING
             yield Finding(
                 file.element,
                 f"parameter file not found{where}: {file.path}{hint}",
                 "correct the path; $(find PACKAGE)/config/FILE.yaml in the xacro works everywhere",
-                severity=None if is_here else Severity.WARNING,
+                severity=Severity.INFO if is_chosen else severity,
             )

@@ -116,7 +116,7 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
             help = "use the class of ros_controllers"
             yield controller.type_at, f"type '{kind}' exists only in ROS 2", help
     elif suggested := successor(kind):
-        message = f"type '{kind}' does not exist in ROS 2"
+        message = f"type '{kind}' does not exist in ROS 2, Humble to Rolling"
         yield controller.type_at, message, f"use {suggested}, and check its parameters"
     else:
         package = kind.partition("/")[0]

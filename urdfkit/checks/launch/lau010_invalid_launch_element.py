@@ -12,8 +12,8 @@
 - A call in Python has a value of another type than launch takes (error): a dictionary where a list
   of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
   among `arguments`, a plain text as a condition.
-- An action is made and never added to the launch description, so nothing starts it. It is an info
-  where a comment names it, too.
+- An action is made and never added to the launch description, so nothing starts it (info: many are
+  left over on purpose).
 
 Sources:
     launch, type_utils.py: https://github.com/ros2/launch/blob/rolling/launch/launch/utilities/normalize_to_list_of_substitutions_impl.py

@@ -10,6 +10,8 @@
   at zero.
 - Controllers in a gz sim that is started without `-r`: it waits for its button to be pressed, and
   the spawners for the controllers to become active. Without controllers it is an info.
+- A robot in Gazebo whose `<ros2_control>` is `mock_components/GenericSystem`: Gazebo's plugin does
+  not load it.
 - `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
@@ -27,6 +29,7 @@ Sources:
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
+from urdfkit.checks.launch.simulated_hardware import mock_hardware
 from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
@@ -73,6 +76,7 @@ def check(context: Context) -> Findings:
     yield from by_wall_clock(context, started)
     yield from without_clock(context, started)
     yield from paused(context, started)
+    yield from mock_hardware(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
         yield from unpublished_description(started)
         yield from other_manager(context, started)

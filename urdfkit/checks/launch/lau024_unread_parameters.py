@@ -1,4 +1,4 @@
-"""Parameters of a node are not read, or a node of Nav2 or robot_localization stops at them.
+"""Parameters of a node are not read, or it stops at them.
 
 - A file of parameters names another node than the one that gets it (warning). ROS 2 reads what is
   below the name of the node, or below `/**`; the rest is ignored in silence, and the node runs by
@@ -11,6 +11,8 @@
   topic of that name.
 - A lifecycle manager waits for a node that nothing starts, or a node of Nav2 is started that no
   lifecycle manager activates (warning): it stays unconfigured.
+- static_transform_publisher gets an option that it does not have, or another number of words: a
+  period behind the frames belongs to ROS 1.
 
 Sources:
     ROS 2, parameter files: https://docs.ros.org/en/rolling/How-To-Guides/Node-arguments.html
@@ -30,6 +32,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
+from urdfkit.ros.launch.transforms import mistakes
 from urdfkit.text.located_yaml import Key, Node, Value
 
 NAME = "launch/filter.launch.py"
@@ -83,6 +86,9 @@ def check(context: Context) -> Findings:
                 yield from _plugins(one)
     yield from _of_others(context, found)
     yield from not_activated(context)
+    for started in context.launch.started:
+        for word, message, help in mistakes(started):
+            yield Finding(Location(word.span, started.frame), message, help)
 
 
 def _configurations(node: NodeParameters) -> Findings:

@@ -63,8 +63,8 @@ def check(context: Context) -> Findings:
     if not (is_launch(path) or are_in(context.document.sources)):
         return
     if home := resolver.packages.enclosing(path):
-        yield from other_name(*home)
-        yield from not_registered(*home)
+        others = list(other_name(*home))
+        yield from others or not_registered(*home)  # which has the name of package.xml
     file = nearest_manifest(path)
     if file is None or disk.is_link(file):  # which may lead anywhere
         return

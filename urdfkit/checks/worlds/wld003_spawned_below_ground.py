@@ -5,6 +5,8 @@ more than 0.1 m below the floor then, the physics throws it out, and it may tip 
 a floor that is thin. Up to there it jumps, which is an info from a centimetre on. Spawn it higher,
 or give the model a `base_footprint` on the ground.
 
+A world without any collision has no floor at all: the robot falls for ever.
+
 Robots with legs, those that are fixed to the world, and worlds whose floor is not one level plane
 are left out.
 
@@ -71,10 +73,15 @@ def check(context: Context) -> Findings:
     starts = {one.span for one in worlds(context.launch)}
     if not len(found) == len(described) == len(starts) == 1:
         return  # which robot is spawned where is not known
+    spawned = [
+        one for one in (*context.launch.started, *context.launch.included) if spawner_of(one)
+    ]
+    if len(spawned) == 1:
+        yield from _without_floor(found[0], described[0])
     ground = _ground(found[0])
     if ground is None:
         return
-    for started in (*context.launch.started, *context.launch.included):
+    for started in spawned:
         height = _height(started)
         if height is None:
             continue
@@ -90,6 +97,23 @@ def check(context: Context) -> Findings:
                 related=(Related(described[0].model.links_by_name[lowest[1]].at.span, "the link"),),
                 severity=None if depth > DEEP else Severity.INFO,
             )
+
+
+def _without_floor(opened: OpenedWorld, robot: Context) -> Findings:
+    """A world with nothing to stand on: no model in it has a collision, and none is included."""
+    world = opened.world
+    if world is None or b"uoyancy" in world.source.data or _lowest(robot) is None:
+        return
+    gravity = world.at.child("gravity")
+    is_floating = gravity is not None and not any(map(number, gravity.text.split()))
+    solid = ("collision", "heightmap", "include", "population")
+    if not is_floating and not any(one.tag in solid for one in world.at.walk()):
+        yield Finding(
+            Location(world.at.span),
+            f"world '{opened.name}' has nothing to stand on, so the robot falls",
+            "add a model with a plane, visual and collision, or include a ground plane",
+            related=opened.note,
+        )
 
 
 def _ground(opened: OpenedWorld) -> float | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from urdfkit.core import disk
+from urdfkit.ros.launch import moveit_builder
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
@@ -94,6 +95,8 @@ class _Reader:
                 handle(call)
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
+            else:
+                moveit_builder.use(call, self.values, self.collector)
         if self.frame is None:
             self._mistakes()
         self._mentions()

@@ -34,18 +34,15 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
-    """Actions that are given to a name which nothing reads; an info if a comment tells of it."""
+    """Actions that are given to a name which nothing reads: left out, or left over."""
     for call in calls:
         if not isinstance(call, ast.Call) or called(call) not in _ACTIONS:
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
-        commented = rf"(?m)^\s*#.*\b{re.escape(name)}\b".encode()
-        is_known = re.search(commented, values.source.data)
         message = f"'{name}' is made and never started"
         help = f"add {name} to the LaunchDescription, or remove it"
-        severity = Severity.INFO if is_known else Severity.WARNING
-        yield Problem("LAU010", span, message, help, severity=severity)
+        yield Problem("LAU010", span, message, help, severity=Severity.INFO)
 
 
 def dropped_directory(call: ast.Call, values: Values) -> Problem | None:

@@ -6,12 +6,22 @@ numbers: https://github.com/ros2/geometry2/blob/rolling/tf2_ros/src/static_trans
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Iterator
+from itertools import pairwise, takewhile
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import StartedProgram, Word
+
+#: The options of the program in ROS 2, each with a value.
+_OPTIONS = frozenset(
+    "--x --y --z --qx --qy --qz --qw --roll --pitch --yaw --frame-id --child-frame-id".split()
+)
+#: Numbers before the two frames: with angles, and with a quaternion.
+_COUNTS = (6, 7)
+_PROGRAM = "tf2_ros/static_transform_publisher"
 
 
 class StaticTransform(Record):
@@ -41,3 +51,25 @@ def static_transform(started: StartedProgram) -> StaticTransform | None:
     if len(numbers) < 6 or len(names) < 2:
         return None
     return StaticTransform(names[0], names[1], (numbers[0], numbers[1], numbers[2]))
+
+
+def mistakes(started: StartedProgram) -> Iterator[tuple[Word, str, str]]:
+    """The words at which ``static_transform_publisher`` of ROS 2 stops, what is wrong, the help."""
+    is_ros_2 = b"exec" in started.span.source.data
+    if not is_ros_2 or f"{started.package}/{started.executable}" != _PROGRAM:
+        return
+    words = list(takewhile(lambda word: word.text != "--ros-args", started.words))
+    if not words or any(word.text is None for word in words):
+        return
+    flags = [word for word in words if (word.text or "").startswith("--")]
+    for word in flags:
+        if word.text not in _OPTIONS:
+            hint = did_you_mean(word.text or "", _OPTIONS)
+            known = "--frame-id, --child-frame-id, --x, --yaw and others"
+            yield word, f"static_transform_publisher has no option '{word.text}'{hint}", known
+    numbers = [word for word in words if number(word.text) is not None]
+    are_numbers = words[: len(numbers)] == numbers
+    if not flags and not (len(numbers) in _COUNTS and are_numbers and len(words) - 2 in _COUNTS):
+        message = f"static_transform_publisher gets {len(words)} words: it takes 6 numbers, or 7 "
+        help = "x y z yaw pitch roll PARENT CHILD, without a period as in ROS 1"
+        yield words[0], f"{message}with a quaternion, and two frames", help

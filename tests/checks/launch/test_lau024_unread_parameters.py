@@ -1,0 +1,74 @@
+"""LAU024: see the rule; planted defects are in tests/bringup/planted.txt."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+PROGRAM = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node({}),
+    Node(package="nav2_lifecycle_manager", executable="lifecycle_manager", name="manager",
+         parameters=[{{"node_names": [{}]}}]),
+]
+"""
+CONTROLLER = 'package="nav2_controller", executable="controller_server", parameters=["../a.yaml"]'
+PARAMETERS = "{}:\n  ros__parameters:\n    rate: 1.0\n"
+
+
+def messages(directory: Path, node: str, names: str, yaml: str) -> list[str]:
+    text = PROGRAM.format(node, names)
+    found = reported(directory / "arm", "LAU024", "a.launch.py", text, {"a.yaml": yaml})
+    return [one.message for one in found]
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "count"),
+    [
+        ('name="controller"', "controller", 0),
+        ('name="controller"', "/**", 0),
+        ('name="controller"', "/robot/controller", 0),
+        ('name="controller"', "controller_server", 1),
+        ("", "controller", 0),  # the program knows its name
+        ('name="controller", namespace="robot"', "other", 0),
+    ],
+)
+def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -> None:
+    node = f"{CONTROLLER}, {name}" if name else CONTROLLER
+    listed = '"controller"' if "controller" in name else '"controller_server"'
+    found = messages(tmp_path, node, listed, PARAMETERS.format(key))
+    assert len([one for one in found if "not read" in one]) == count
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        ('"controller_server"', ""),
+        ('"controller_server", "planner_server"', "waits for planner_server"),
+        ('"planner_server"', ""),  # whose nodes another file starts
+        ("", ""),
+    ],
+)
+def test_lifecycle_managers(tmp_path: Path, names: str, message: str) -> None:
+    found = messages(tmp_path, CONTROLLER, names, PARAMETERS.format("controller_server"))
+    assert [message in one for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("plugins", "section", "count"),
+    [
+        ("[obstacle_layer]", "obstacle_layer: {plugin: a::B}", 0),
+        ("[voxel_layer]", "obstacle_layer: {plugin: a::B}", 1),
+        ("[static_layer, obstacle_layer, inflation_layer]", "rate: 1.0", 0),  # the defaults
+    ],
+)
+def test_plugins_of_a_costmap(tmp_path: Path, plugins: str, section: str, count: int) -> None:
+    yaml = (
+        "local_costmap:\n  local_costmap:\n    ros__parameters:\n"
+        f"      plugins: {plugins}\n      {section}\n"
+    )
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert len([one for one in found if "no parameters for" in one]) == count

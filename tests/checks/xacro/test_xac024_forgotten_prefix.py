@@ -1,0 +1,53 @@
+"""XAC024: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import check
+from urdfkit.robot.samples import xacro_xml
+
+P = "$(arg prefix)"
+
+
+def reported(directory: Path, default: str, parent: str, extra: str = "") -> list[int]:
+    text = xacro_xml(
+        f'<xacro:arg name="prefix" default="{default}"/>',
+        f'<xacro:macro name="end" params="parent"><joint name="{P}end" type="fixed">',
+        f'<parent link="${{parent}}"/><child link="{P}tip"/></joint></xacro:macro>',
+        f'<link name="{P}base"/><link name="{P}tip"/><link name="world"/>',
+        f'<xacro:end parent="{parent}"/>',
+        extra,
+    )
+    path = directory / "r.urdf.xacro"
+    path.write_text(text)
+    report = check(path, select=["XAC024"])
+    assert report.crashed == ()
+    return [one.span.line for one in report.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("default", "parent", "count"),
+    [("", "base", 1), ("", f"{P}base", 0), ("", "world", 0), ("arm_", "base", 0)],
+)
+def test_a_name_that_a_macro_is_given(
+    tmp_path: Path, default: str, parent: str, count: int
+) -> None:
+    assert len(reported(tmp_path, default, parent)) == count
+
+
+@pytest.mark.parametrize(
+    ("tag", "name", "count"),
+    [("gz_frame_id", "tip", 1), ("gz_frame_id", f"{P}tip", 0), ("topic", "tip", 0)],
+)
+def test_texts_that_name_a_link(tmp_path: Path, tag: str, name: str, count: int) -> None:
+    sensor = f'<sensor name="s" type="imu"><{tag}>{name}</{tag}></sensor>'
+    extra = f'<gazebo reference="{P}tip">{sensor}</gazebo>'
+    assert len(reported(tmp_path, "", f"{P}base", extra)) == count
+
+
+def test_a_reference_of_gazebo(tmp_path: Path) -> None:
+    assert (
+        len(reported(tmp_path, "", f"{P}base", '<gazebo reference="tip"><mu1>1</mu1></gazebo>'))
+        == 1
+    )

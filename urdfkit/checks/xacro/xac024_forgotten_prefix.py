@@ -1,0 +1,120 @@
+"""A link or joint is named without the prefix that its definition has.
+
+The robot is right as long as the prefix is empty, which is the default, and breaks as soon as
+somebody passes one: with `prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. The
+robot is expanded once more with a prefix to see what its names become. Write `${prefix}` there,
+too.
+
+Sources:
+    ROS-Industrial, coordinate frames and prefixes: https://wiki.ros.org/Industrial/Tutorials/WorkingWithRosIndustrialRobotSupportPackages
+    ros-industrial/universal_robot#432: https://github.com/ros-industrial/universal_robot/issues/432
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.lint.rules import (
+    NAMES,
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Related,
+    Severity,
+    rule,
+)
+from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.source import Span
+
+BAD = xacro_xml(
+    '<xacro:arg name="prefix" default=""/>',
+    '<link name="$(arg prefix)base"/>',
+    '<link name="$(arg prefix)tip"/>',
+    '<joint name="$(arg prefix)end" type="fixed">',
+    '<parent link="base"/><child link="$(arg prefix)tip"/></joint>',
+)
+GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
+
+#: What the prefix becomes in the second expansion.
+_PREFIX = "left_"
+#: Tags whose text is the name of a link or a joint.
+_NAMING = ("frame", "link", "joint", "body")
+
+
+@rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
+def check(context: Context) -> Findings:
+    root = context.document.root
+    empty = [name for name in _prefixes(context) if name not in context.arguments]
+    if not empty or context.is_part:
+        return
+    prefixed = {name for name, at in _definitions(root) if not at.literal}
+    suspects = [
+        (name, written, element)
+        for name, span, element in _references(root, prefixed)
+        if (written := _written(name, span, element.frame))
+    ]
+    if not suspects:
+        return
+    arguments = {**context.arguments, **dict.fromkeys(empty, _PREFIX)}
+    other = context.other_robot(context.source.path, arguments).reading.document
+    names = {name for name, _ in _definitions(other.root)} if other else set()
+    for name, span, element in suspects:
+        if name not in names and f"{_PREFIX}{name}" in names:
+            yield Finding(
+                Location(span, element.frame),
+                f"'{name}' is called '{_PREFIX}{name}' if {empty[0]} is '{_PREFIX}'; "
+                f"<{element.tag}> names it without",
+                f"write ${{{empty[0]}}}{name}",
+                related=tuple(_defined(root, name)),
+            )
+
+
+def _prefixes(context: Context) -> list[str]:
+    """The arguments that are a prefix, and empty unless given."""
+    return [
+        one.name
+        for one in context.xacro.arguments
+        if one.name.endswith("prefix") and not one.attributes.get("default", "x").strip()
+    ]
+
+
+def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:
+    """The links and joints, and where their names are."""
+    for element in root.children:
+        attribute = element.attributes.get("name")
+        if element.tag in ("link", "joint") and attribute:
+            yield attribute.value, attribute
+
+
+def _references(root: Element, names: set[str]) -> Iterator[tuple[str, Span, Element]]:
+    """Where names are used: in attributes, and as the text of tags that name a link or a joint."""
+    for element in root.walk():
+        is_definition = element.parent is root and element.tag in ("link", "joint")
+        for key in NAMES if not is_definition else ():
+            attribute = element.attributes.get(key)
+            if attribute and attribute.value in names:
+                yield attribute.value, attribute.span, element
+        text = element.text.strip() if not element.children else ""
+        if text in names and any(word in element.tag.lower() for word in _NAMING):
+            yield text, element.tag_at.inner_span, element
+
+
+def _written(name: str, span: Span, frame: CallFrame | None) -> Span | None:
+    """Where a name stands as it is: at its place, or in the call of a macro that hands it on."""
+    if span.text.strip() == name:
+        return span
+    while frame is not None:
+        for given in frame.call.attribute_spans().values():
+            if given.text == name:
+                return given
+        frame = frame.outer
+    return None
+
+
+def _defined(root: Element, name: str) -> Iterator[Related]:
+    for defined, at in _definitions(root):
+        if defined == name:
+            yield Related(at.span, "it is defined here")

@@ -1,0 +1,60 @@
+"""The files that ``MoveItConfigsBuilder`` reads.
+
+Source: ``moveit_configs_builder.py`` of moveit/moveit2, moveit_configs_utils.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+
+from urdfkit.core import disk
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem
+
+#: Methods whose first argument is a file of the package.
+_FILES = (
+    "joint_limits", "moveit_cpp", "pilz_cartesian_limits", "robot_description",
+    "robot_description_kinematics", "robot_description_semantic", "trajectory_execution",
+)  # fmt: skip
+#: Pipelines that moveit_configs_utils has settings for.
+_PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
+
+
+def use(call: ast.Call, values: Values, collector: Collector) -> None:
+    """Note the files that a method of the builder names, and its package."""
+    builder = _builder(call)
+    if builder is None:
+        return
+    robot = values.text(argument(builder, 0, "robot_name"))
+    written = argument(builder, 1, "package_name")
+    package = values.text(written) if written else robot and f"{robot}_moveit_config"
+    if not package:
+        return
+    directory = collector.package(package, values.source, values.span(written or builder))
+    if called(call) in _FILES:
+        node = argument(call, 0, "file_path")
+        path = values.text(node)
+        if node is not None and path and not path.startswith(UNKNOWN):
+            path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
+            collector.file(path, values.span(node), "MoveIt configuration")
+    elif called(call) == "planning_pipelines" and directory:
+        for item in values.items(argument(call, 1, "pipelines")):
+            name = values.text(item)
+            file = os.path.join(directory, "config", f"{name}_planning.yaml")
+            if item is not None and name and name not in _PIPELINES and not disk.exists(file):
+                message = f"planning pipeline '{name}' has no config/{name}_planning.yaml"
+                message += did_you_mean(name, _PIPELINES)
+                help = "add the file, or name one of " + ", ".join(_PIPELINES)
+                collector.problems.append(Problem("LAU003", values.span(item), message, help))
+
+
+def _builder(call: ast.Call) -> ast.Call | None:
+    """The call that begins a chain of methods, if it makes a builder."""
+    node: ast.expr = call
+    while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        node = node.func.value
+    is_builder = isinstance(node, ast.Call) and called(node) == "MoveItConfigsBuilder"
+    return node if isinstance(node, ast.Call) and is_builder and node is not call else None
