@@ -60,6 +60,7 @@ def main() -> None:
     assert run("urdfkit", "expand", mission) == run("xacro", mission)
     assert "MSH001" in run("urdfkit", "explain", "MSH001")
     run("urdfkit", "lsp", code=2)  # it says which extra to install
+    run("urdfkit", "mcp", code=2)
     assert run("urdfkit", "rules").count("MSH") >= 12
 
     example = models.parent / "examples" / "own_rule"

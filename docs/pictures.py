@@ -19,7 +19,7 @@ DIRECTORY = ROOT / "docs" / "pictures"
 
 UR5E = "Universal_Robots_ROS2_Description/urdf/ur.urdf.xacro"
 POSE = ["shoulder_lift_joint=-1.9", "elbow_joint=1.9", "wrist_1_joint=-1.6", "wrist_2_joint=-1.6"]
-SMALL, LARGE = ["--size", "480x360"], ["--size", "960x640"]
+SMALL, LARGE = ["--size", "480x360"], ["--size", "640x480"]
 
 
 def drawn(name: str, robot: Path, *words: str, size: list[str] = SMALL) -> None:
@@ -48,11 +48,13 @@ def main() -> None:
     ur5e = ["ur_type:=ur5e", "name:=ur", *arm]
     with tempfile.TemporaryDirectory() as scratch:
         drawn("robot", fixed(Path(scratch)), size=LARGE)
-    drawn("findings", mission, "--findings")
+    drawn("findings", mission, "--findings", size=LARGE)
     drawn("collision", mission, "--layers", "visual,collision,names")
     drawn("ur5e", corpus / UR5E, *ur5e)
     drawn("joints", corpus / UR5E, *ur5e, "--layers", "visual,joints,frames")
-    drawn("anymal", corpus / "anymal_c_simple_description" / "urdf" / "anymal.urdf")
+    anymal = corpus / "anymal_c_simple_description" / "urdf" / "anymal.urdf"
+    drawn("anymal", anymal)
+    drawn("sheet", anymal, "--view", "iso,front,left,top")
     create3 = "create3_sim/irobot_create_common/irobot_create_description/urdf/create3.urdf.xacro"
     drawn("create3", corpus / create3)
 

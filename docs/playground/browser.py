@@ -44,7 +44,9 @@ def unpack(data: JsBuffer) -> None:
 
 def write(path: str, text: str) -> None:
     """Take the text of a file."""
-    (ROOT / path).write_text(text, encoding="utf-8", newline="")
+    target = ROOT / path
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(text, encoding="utf-8", newline="")
 
 
 def texts() -> str:

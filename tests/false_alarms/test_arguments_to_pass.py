@@ -9,7 +9,7 @@ import pytest
 from tests.gazebos import BASE, plugin
 from tests.launched import MANIFEST, launch, reported
 from tests.workspaces import add_file
-from urdfkit import check
+from urdfkit import Source, check
 
 XACRO = '<robot name="$(arg model)" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}</robot>\n'
 DESCRIPTION = '<param name="robot_description" command="xacro $(dirname)/../r.xacro {}:=true"/>'
@@ -70,3 +70,11 @@ def test_defaults_that_do_not_suffice(tmp_path: Path, argument: str, codes: list
     add_file(tmp_path / "r.xacro", DUAL.encode())
     add_file(tmp_path / "launch" / "a.launch", launch(DESCRIPTION.format(argument)).encode())
     assert [one.code for one in check(tmp_path, select=["XAC001"]).diagnostics] == codes
+
+
+def test_a_urdf_that_a_launch_file_gives_to_xacro() -> None:
+    """Self-Balancing-Robot: `sbr.urdf` has `$(find sbr_pjt)` and no namespace of xacro."""
+    link = '<robot name="r"><link name="{}"/></robot>'
+    for name, severity in (("$(arg side)_arm", "warning"), ("${side}_arm", "error")):
+        report = check(Source("r.urdf", link.format(name).encode()), select=["XAC003"])
+        assert [one.severity.value for one in report.diagnostics] == [severity]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit import check, fix
+from urdfkit import Source, check, fix
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:macro name="arm" params="side">
@@ -98,3 +98,12 @@ def test_what_the_macro_would_make_is_not_missing(tmp_path: Path, count: int) ->
     path = tmp_path / "r.xacro"
     path.write_text(text)
     assert len(check(path, select=["URD004"]).diagnostics) == count
+
+
+def test_a_macro_of_the_first_years_is_named_as_the_cause() -> None:
+    """eusurdf: `<macro name=... params="name">`, without the namespace of xacro."""
+    robot = '<robot name="r"><macro name="m" params="name"><link name="${name}"/></macro></robot>'
+    report = check(Source("r.urdf.xacro", robot.encode()), select=["XAC001"])
+    assert [one.message for one in report.diagnostics] == [
+        "<macro> without xacro: defines no macro, so name 'name' is not defined in ${name}"
+    ]

@@ -88,11 +88,18 @@ def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "severity"),
-    [("r.urdf.xacro", "info"), ("r.urdf", "error"), ("a/b/c/r.xacro", "error")],
+    [("r.urdf.xacro", "info"), ("r.urdf", "warning"), ("a/b/c/r.xacro", "error")],
 )
-def test_a_relative_path_of_the_expanded_urdf(tmp_path: Path, name: str, severity: str) -> None:
-    """Stretch: RE1V0/xacro/*.xacro, expanded to RE1V0, name ./meshes/*.STL."""
+def test_a_relative_path_from_a_directory_above(tmp_path: Path, name: str, severity: str) -> None:
+    """Stretch: RE1V0/xacro/*.xacro, expanded to RE1V0, name ./meshes/*.STL; fairo: PyBullet."""
     put(tmp_path, "RE1/meshes/base.stl")
     (found,) = robot(tmp_path / "RE1" / "xacro" / name, "./meshes/base.stl")
     assert found.severity.value == severity
     assert ("is found if the URDF is written to" in found.message) == (severity == "info")
+    assert ("PyBullet" in found.message) == (severity == "warning")
+
+
+def test_a_path_that_is_absolute_by_mistake(tmp_path: Path) -> None:
+    put(tmp_path, "meshes/base.stl")
+    (found,) = robot(tmp_path / "r.urdf", "/meshes/base.stl")
+    assert found.help == "remove the first slash: the path is absolute"

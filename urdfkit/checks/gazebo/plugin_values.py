@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog.plugins import Parameter
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.values import corrected, leading, quoted
@@ -12,6 +12,8 @@ from urdfkit.ros.gazebo.values import corrected, leading, quoted
 _LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 3, "pose": 6}
 #: Words for booleans; the last two read as false, as intended.
 _BOOLEANS = ("true", "1", "false", "0", "no", "off")
+#: Ends a message about a value for which the plugin takes another one.
+_DEFAULT = "; it stays at "
 
 
 def invalid_in_plugins(plugins: Iterable[PluginUse]) -> Findings:
@@ -22,7 +24,8 @@ def invalid_in_plugins(plugins: Iterable[PluginUse]) -> Findings:
             parameter = parameters.get(item.path)
             if parameter and (problem := _problem(parameter, item.text)):
                 message = f"{use.title}: <{item.path}> is {quoted(item.text)}, {problem[0]}"
-                yield Finding(item.at, message, problem[1])
+                severity = Severity.WARNING if _DEFAULT in message else None
+                yield Finding(item.at, message, problem[1], severity=severity)
 
 
 def _problem(parameter: Parameter, text: str) -> tuple[str, str] | None:
@@ -34,6 +37,8 @@ def _problem(parameter: Parameter, text: str) -> tuple[str, str] | None:
         return (f"which reads as {read}", f"write {corrected(text)}") if rest else None
     if parameter.words and parameter.type == "string" and text not in parameter.words:
         hint = did_you_mean(text, parameter.words)
+        if not hint and parameter.default:
+            hint = f"{_DEFAULT}{parameter.default}"
         return f"must be {' or '.join(parameter.words)}{hint}", "write one of these words"
     if parameter.name == "ros/remapping" and ":=" not in text:
         return "which renames nothing", "write FROM:=TO, such as cmd_vel:=robot/cmd_vel"

@@ -53,6 +53,8 @@ def check(context: Context) -> Findings:
         if defect := mesh.facts.defect:
             pull = "run git lfs pull" if "Git LFS" in defect.reason else ""
             help = pull or _HELP.get(defect.kind, "")
+            if defect.reason.endswith("archive"):
+                help = "unpack it, or export the mesh as STL, OBJ or COLLADA"
             severity = Severity.WARNING if pull else None  # this checkout alone lacks it
             message = f"{mesh.who} {defect.reason}"
             yield Finding(mesh.at, message, help, group_key=pull, severity=severity)

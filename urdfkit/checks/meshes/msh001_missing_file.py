@@ -11,14 +11,15 @@ was never committed. A package that is not found is XAC011. Also reported:
 - A third slash, as in `package:///arm/arm.stl`: it names no package.
 - A file outside the workspace of the model and of the packages that are found: it is on this
   computer only, and urdfkit does not read it (a warning).
-- A relative path in a xacro that is found from a directory above: programs read it from where the
-  expanded URDF is written (an info).
+- A relative path that is found from a directory above: PyBullet alone looks there (a warning); of a
+  xacro, programs read it from where the expanded URDF is written (an info).
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
+    PyBullet, BulletUrdfImporter.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp
     Pinocchio, URDF geometry: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/geometry.cpp
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
     measured: 60 of 548 public models with meshes
@@ -46,7 +47,7 @@ FILES = {
 }
 
 _SCHEMES = ("package", "model", "file")
-#: How far above a xacro the directory of its URDF is looked for: description/urdf/parts.
+#: How far above a robot the directory of its URDF is looked for: description/urdf/parts.
 _LEVELS = 3
 #: Fetched by some programs, and not by urdfkit.
 _REMOTE = ("http", "https", "ftp", "fuel")
@@ -103,13 +104,13 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         fix = _fix(mesh, spelling.reference, "write the name as on disk")
         return Finding(mesh.at, message, "write the name as it is on disk", fix)
     if directory := _directory_above(context, located):
-        message = f"{mesh.who} is found if the URDF is written to {shown(directory)}"
-        help = "write package://PACKAGE/..., or write the URDF there"
-        return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
+        return _found_above(context, mesh, directory)
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path is what was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
     message = f"{mesh.who} does not exist{where}{tried}"
+    if help := _without_slash(context, located):
+        return Finding(mesh.at, message, help, group_key=help)
     suggested = files.nearest(mesh)
     if suggested is None:
         return Finding(mesh.at, message, group_key=_missing_directory(located))
@@ -119,9 +120,31 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
     return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=alike)
 
 
+def _found_above(context: Context, mesh: MeshReference, directory: str) -> Finding:
+    if is_xacro(context.source):
+        message = f"{mesh.who} is found if the URDF is written to {shown(directory)}"
+        help = "write package://PACKAGE/..., or write the URDF there"
+        return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
+    message = f"{mesh.who} is found by PyBullet alone, which looks in {shown(directory)}, too"
+    path = os.path.join(directory, mesh.located.reference)
+    own = os.path.dirname(os.path.abspath(context.files.top))
+    right = os.path.relpath(path, own).replace(os.sep, "/")
+    fix = _fix(mesh, right, f"refer to {right}")
+    help = f"write {right}"
+    return Finding(mesh.at, message, help, fix, group_key=directory, severity=Severity.WARNING)
+
+
+def _without_slash(context: Context, located: ResolvedReference) -> str:
+    """The help for a path that is absolute by mistake; empty if no file is there without."""
+    relative = located.reference.lstrip("/")
+    own = os.path.dirname(os.path.abspath(context.files.top))
+    is_slip = located.scheme == "absolute" and disk.is_file(os.path.join(own, relative))
+    return "remove the first slash: the path is absolute" if is_slip else ""
+
+
 def _directory_above(context: Context, located: ResolvedReference) -> str:
-    """The directory above a xacro from where a relative path is found; empty if there is none."""
-    if located.scheme != "relative" or not is_xacro(context.source):
+    """The directory above a robot from where a relative path is found; empty if there is none."""
+    if located.scheme != "relative":
         return ""
     directory = os.path.dirname(os.path.abspath(context.files.top))
     for _ in range(_LEVELS):

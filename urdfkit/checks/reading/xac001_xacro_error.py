@@ -17,7 +17,7 @@ Sources:
 
 import re
 
-from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.xacro.errors import UNBUILT
 
@@ -38,5 +38,19 @@ def check(context: Context) -> Findings:
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
             continue
+        if _is_in_plain_macro(finding):
+            message = f"<macro> without xacro: defines no macro, so {finding.message}"
+            help = "write <xacro:macro> and </xacro:macro>, and xmlns:xacro in the root"
+            yield finding._replace(message=message, help=help, group_key="<macro>")
+            continue
         lacking = re.match(_UNDEFINED, finding.message)
         yield finding._replace(group_key=lacking[1] or lacking[0]) if lacking else finding
+
+
+def _is_in_plain_macro(finding: Finding) -> bool:
+    """True inside ``<macro>``, which xacro of the first years of ROS knew without a namespace."""
+    if not re.match(_UNDEFINED, finding.message):
+        return False
+    span = finding.at.span
+    ends = re.findall(rb"<(/?)macro\b", span.source.data[: span.start])
+    return bool(ends) and ends[-1] == b""

@@ -11,7 +11,8 @@ import numpy as np
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.dynamics.robot import Dynamics
+from urdfkit.output.conversion.own_dynamics import OwnDynamics
+from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics
 from urdfkit.robot.kinematics import laws, positions
 from urdfkit.robot.rigid_bodies import rigid_bodies
 
@@ -23,6 +24,8 @@ LENGTH, PART = 1e-9, 1e-6
 LEAST = 1e-9
 #: Nor does a torque say more than the weight of the robot on a lever of so many metres.
 LEVER = 1e-6
+#: Moving joints that our own dynamics are computed for, where Pinocchio has no memory for them.
+MAX_OWN = 1000
 #: Positions are drawn between these where no limit is nearer, in rad or m.
 _REACH = 3.0
 
@@ -36,6 +39,7 @@ class Proof(Record):
     mass_matrix: float
     gravity: float
     link: str  # whose placement differs most
+    engine: str = "Pinocchio"  # that MuJoCo is compared with
 
     @property
     def holds(self) -> bool:
@@ -44,7 +48,8 @@ class Proof(Record):
     @property
     def agreed(self) -> str:
         """Who agrees, on what."""
-        return "MuJoCo and Pinocchio agree on masses, frames, mass matrix and gravity torques"
+        agreed = "masses, frames, mass matrix and gravity torques"
+        return f"MuJoCo and {self.engine} agree on {agreed}"
 
     @property
     def differences(self) -> str:
@@ -62,9 +67,12 @@ def prove(model: Any, robot: Context) -> Proof:
         model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
 
     Raises:
-        UrdfkitError: Pinocchio cannot take the robot.
+        UrdfkitError: the robot has too many joints, or numbers that no robot has.
     """
-    dynamics, data = robot.dynamics, mujoco.MjData(model)
+    moving = sum(joint.kind != "fixed" for joint in robot.model.joints)
+    is_large = MAX_JOINTS < moving <= MAX_OWN
+    dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
+    data = mujoco.MjData(model)
     random = np.random.default_rng(0)
     joints = _Coordinates(model, robot, dynamics)
     least_torque = max(LEAST, LEVER * 9.81 * sum(float(mass) for mass in model.body_mass))
@@ -80,7 +88,8 @@ def prove(model: Any, robot: Context) -> Proof:
             matrix = max(matrix, _part(ours, joints.mass_matrix(data)))
             ours = joints.compared(dynamics.gravity(pose))
             gravity = max(gravity, _part(ours, joints.gravity(data), least_torque))
-    return Proof(_masses(model, robot), worst[0], matrix, gravity, worst[1])
+    engine = "urdfkit" if is_large else "Pinocchio"
+    return Proof(_masses(model, robot), worst[0], matrix, gravity, worst[1], engine)
 
 
 class _Coordinates:
@@ -89,7 +98,7 @@ class _Coordinates:
     Planar and floating joints stay at zero.
     """
 
-    def __init__(self, model: Any, robot: Context, dynamics: Dynamics) -> None:
+    def __init__(self, model: Any, robot: Context, dynamics: Dynamics | OwnDynamics) -> None:
         self._model = model
         joints = robot.model.joints_by_name
         self._limits = {name: joints[name].limit for name in dynamics.columns if name in joints}

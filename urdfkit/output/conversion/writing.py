@@ -62,7 +62,7 @@ def write(robot: Context, out: str, options: Options, *, force: bool) -> Convers
         proof = prove(model, robot)
         if not proof.holds:
             raise UrdfkitError(
-                f"MuJoCo and Pinocchio do not agree on the robot: {proof.differences}"
+                f"MuJoCo and {proof.engine} do not agree on the robot: {proof.differences}"
             )
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"

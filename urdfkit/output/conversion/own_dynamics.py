@@ -1,0 +1,114 @@
+"""Dynamics of robots with more joints than Pinocchio has memory for.
+
+Composite rigid bodies (R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 6), with
+all spatial vectors at the origin of the root: angular parts first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from urdfkit.core.spatial import Transform, rotate
+from urdfkit.mesh.geometry import Floats
+from urdfkit.robot.kinematics import SLIDING, TURNING, direction, frames, laws
+from urdfkit.robot.rigid_bodies import properties_of
+from urdfkit.robot.tree import KinematicTree
+
+_GRAVITY = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 9.81])
+
+
+class OwnDynamics:
+    """What the proof asks of `urdfkit.physics.dynamics.robot.Dynamics`.
+
+    Planar and floating joints stay at zero and have no coordinates.
+    """
+
+    def __init__(self, tree: KinematicTree) -> None:
+        self._tree = tree
+        self._laws = laws(tree.model.joints_by_name)
+        moving = (one for one in tree.model.joints if one.kind in (*TURNING, *SLIDING))
+        self._moving = {one.name: one for one in moving}
+        self.columns = tuple(name for name, one in self._moving.items() if not one.mimic)
+        self._numbers = {name: number for number, name in enumerate(self.columns)}
+        self._order = tree.below(tree.roots[0].name)
+
+    def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
+        """Where each link is in the frame of the root, as homogeneous matrices, (4, 4)."""
+        found = {}
+        for name, frame in frames(self._tree, pose).items():
+            found[name] = np.eye(4)
+            found[name][:3, :3], found[name][:3, 3] = frame.rotation, frame.position
+        return found
+
+    def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
+        """The joint-space mass matrix, the root fixed, (nv, nv)."""
+        axes, inertias = self._axes(pose), self._composites(pose)
+        whole = np.zeros((len(self.columns), len(self.columns)))
+        for name, axis in axes.items():
+            child = self._moving[name].child
+            assert child is not None
+            force = inertias[child.value] @ axis
+            for above in self._tree.path(child.value):
+                if above.name in axes:
+                    part = float(axes[above.name] @ force)
+                    self._add(whole, name, above.name, part)
+                    if above.name != name:
+                        self._add(whole, above.name, name, part)
+        return whole
+
+    def gravity(self, pose: Mapping[str, float]) -> Floats:
+        """What each coordinate must bear to hold the robot still, (nv,)."""
+        inertias = self._composites(pose)
+        whole = np.zeros(len(self.columns))
+        for name, axis in self._axes(pose).items():
+            child, (leader, factor, _) = self._moving[name].child, self._laws[name]
+            if child is not None and leader in self._numbers:
+                torque = float(axis @ inertias[child.value] @ _GRAVITY)
+                whole[self._numbers[leader]] += factor * torque
+        return whole
+
+    def _add(self, whole: Floats, row: str, column: str, part: float) -> None:
+        """Add an entry of two joints to that of the coordinates that move them."""
+        (first, one, _), (second, other, _) = self._laws[row], self._laws[column]
+        if first in self._numbers and second in self._numbers:
+            whole[self._numbers[first], self._numbers[second]] += one * other * part
+
+    def _axes(self, pose: Mapping[str, float]) -> dict[str, Floats]:
+        """The motion of what is below each joint, (6,)."""
+        placed, found = frames(self._tree, pose), {}
+        for name, joint in self._moving.items():
+            if joint.child is not None:
+                frame = placed[joint.child.value]
+                axis = np.array(rotate(frame.rotation, direction(joint)))
+                turning = np.concatenate([axis, np.cross(frame.position, axis)])
+                sliding = np.concatenate([np.zeros(3), axis])
+                found[name] = turning if joint.kind in TURNING else sliding
+        return found
+
+    def _composites(self, pose: Mapping[str, float]) -> dict[str, Floats]:
+        """The inertia of each link with all that is below it, (6, 6)."""
+        placed = frames(self._tree, pose)
+        found = {}
+        for name in self._order:
+            found[name] = _spatial_inertia(self._tree, name, placed[name])
+        for name in reversed(self._order[1:]):
+            joint = self._tree.parents[name][0]
+            assert joint.parent is not None
+            found[joint.parent.value] = found[joint.parent.value] + found[name]
+        return found
+
+
+def _spatial_inertia(tree: KinematicTree, link: str, frame: Transform) -> Floats:
+    """Of a link, (6, 6)."""
+    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(tree.model.links_by_name[link], frame)
+    x, y, z = center
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return np.block(
+        [
+            [tensor + mass * cross @ cross.T, mass * cross],
+            [mass * cross.T, mass * np.eye(3)],
+        ]
+    )
