@@ -149,13 +149,13 @@ def pendulum(
     ("source", "fails"),
     [
         (pendulum(effort=100), False),
-        (pendulum(effort=100, moment=60), False),
-        (pendulum(effort=100, moment=600), True),
+        (pendulum(effort=100, moment=600), False),
+        (pendulum(effort=100, moment=6000), True),
         (pendulum(effort=0), True),
         (pendulum(effort=5, more='<dynamics friction="4"/>'), False),
         (pendulum(effort=5, more='<dynamics friction="6"/>'), True),
         (pendulum(effort=5, more='<dynamics damping="4"/>'), False),
-        (pendulum(effort=5, more='<dynamics damping="50"/>'), True),
+        (pendulum(effort=5, more='<dynamics damping="500"/>'), True),
         (pendulum(effort=100, moment=1e-4), False),
         (pendulum(effort=100, moment=1e-9, mass=1e-6), True),
     ],
@@ -173,12 +173,12 @@ def test_negative_damping_is_the_cause_of_a_gain() -> None:
     assert verdict.names == ("a",)
 
 
-@pytest.mark.parametrize(("away", "jammed"), [(0.3, False), (0.08, True)])
+@pytest.mark.parametrize(("away", "jammed"), [(0.03, False), (0.01, True)])
 def test_a_joint_that_links_jam(away: float, jammed: bool) -> None:
     """A slide of 6 m between two walls."""
     walls = [
         part
-        for name, x in (("back", -0.2 - away), ("front", 0.2 + away))
+        for name, x in (("back", -0.1 - away), ("front", 0.1 + away))
         for part in (link(name), joint(name, "world", f"{x} 0 0", "fixed"))
     ]
     cart = link("cart"), joint("cart", "world", "0 0 0", "prismatic").replace("0 1 0", "1 0 0")
@@ -188,7 +188,7 @@ def test_a_joint_that_links_jam(away: float, jammed: bool) -> None:
     assert verdict.passes is not jammed
     if jammed:
         assert set(verdict.names) in ({"back", "cart"}, {"cart", "front"})
-        assert "joint 'cart' is free in 8% of its range, -2 to 2 m" in verdict.message
+        assert "joint 'cart' is jammed at its start: at -0.02 m" in verdict.message
 
 
 def dropped(*parts: str) -> tuple[bool, str]:
@@ -206,7 +206,7 @@ def test_a_robot_that_is_dropped() -> None:
     four = [wheel(f"w{x}{y}", f"{x} {y} -0.2") for x in (-0.3, 0.3) for y in (-0.3, 0.3)]
     passes, message = dropped(link("body"), *four)
     assert passes
-    assert message.startswith("dropped from 50 mm, it lies still after 3 s (")
+    assert message.startswith("dropped from 50 mm, it lies on the floor after 3 s")
     passes, message = dropped(link("body", at="1.5 0 0.5", mass=100), *four)
     assert not passes
     assert "it tips over by" in message

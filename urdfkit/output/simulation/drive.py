@@ -8,9 +8,9 @@ from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, dive
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.model import Joint
 
-#: Within so many seconds a joint reaches its velocity, this one in rad/s or m/s, or an end of its
-#: range.
-DRIVEN, SPEED = 1.0, 1.0
+#: Within so many seconds a joint reaches a tenth of its velocity, this one in rad/s or m/s, or an
+#: end of its range. Talos' grippers reach half of theirs.
+DRIVEN, SPEED, PART = 1.0, 0.1, 0.1
 #: A joint that one step takes to so many times its velocity is moved by nothing that has mass.
 #: A sound UR5e has 136.
 FASTEST = 1e4
@@ -31,7 +31,7 @@ def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
                 fails = True
                 yield verdict
     if driven and not fails:
-        text = f"with its effort each joint reaches its velocity or {SPEED:g} rad/s in {DRIVEN:g} s"
+        text = "its efforts move its joints, and throw none"
         yield Verdict("drive", True, text, 0.0, SPEED)
 
 
@@ -44,6 +44,13 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     room = max(upper - start, start - lower) - _LEAST
     unit, force = unit_of(joint)
     place, fastest = joint.limit.at.span if joint.limit else None, 0.0
+    friction = float(model.dof_frictionloss[dof])
+    if effort <= friction:  # in MuJoCo it creeps
+        text = (
+            f"joint '{joint.name}': its effort of {effort:g} {force} does not overcome its "
+            f"friction of {friction:g} {force}"
+        )
+        return Verdict("drive", False, text, effort, friction, (joint.name,), place)
     for number in range(round(DRIVEN / STEP)):
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
@@ -56,12 +63,12 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
             )
             return Verdict("drive", False, text, speed / velocity, FASTEST, (joint.name,), place)
         moved = abs(robot.position(data, joint.name) - start)
-        if speed >= min(velocity, SPEED) or moved >= room:
+        if speed >= min(PART * velocity, SPEED) or moved >= room:
             return None
         fastest = max(fastest, speed)
     text = (
         f"joint '{joint.name}': its effort of {effort:g} {force} takes it to {fastest:.2g} "
         f"{unit}/s in {DRIVEN:g} s without gravity, its velocity is {velocity:g} {unit}/s"
     )
-    bound = min(velocity, SPEED)
+    bound = min(PART * velocity, SPEED)
     return Verdict("drive", False, text, fastest, bound, (joint.name,), place)

@@ -9,6 +9,7 @@ import numpy as np
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.model import Joint
 
 #: A joint that gives way by more, in rad or m, does not hold.
 SAG = 0.02
@@ -27,24 +28,32 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
     for _ in range(round(HELD / FINE_STEP)):
         data.qfrc_applied = np.clip(torques(model, data, start), -most, most)
         mujoco.mj_step(model, data)
-    sags = False
+    sags = {}
     for joint in robot.robot.model.joints:
-        if joint.name not in robot.followers and joint not in robot.leaders:
-            continue
+        if (joint.name in robot.followers or joint in robot.leaders) and _is_limited(joint):
+            at = model.jnt_qposadr[model.joint(joint.name).id]
+            sag = abs(float(data.qpos[at] - start[at]))
+            if sag > SAG:
+                sags[joint] = sag
+    # One that gives way takes others along, whose efforts would suffice.
+    is_weak = np.abs(needed) > most
+    weak = [joint for joint in sags if is_weak[robot.dof(joint.name)]]
+    for joint in weak or sags:
         dof = robot.dof(joint.name)
-        at = model.jnt_qposadr[model.joint(joint.name).id]
-        sag = abs(float(data.qpos[at] - start[at]))
-        if sag > SAG and np.isfinite(most[dof]):
-            sags = True
-            unit, force = unit_of(joint)
-            text = (
-                f"joint '{joint.name}' gives way by {sag:.2g} {unit} in {HELD:g} s: to hold still "
-                f"it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
-                f"{most[dof]:g} {force}"
-            )
-            yield Verdict("hold", False, text, sag, SAG, (joint.name,), robot.joint(joint.name))
+        unit, force = unit_of(joint)
+        text = (
+            f"joint '{joint.name}' gives way by {sags[joint]:.2g} {unit} in {HELD:g} s: to hold "
+            f"still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
+            f"{most[dof]:g} {force}"
+        )
+        place = robot.joint(joint.name)
+        yield Verdict("hold", False, text, sags[joint], SAG, (joint.name,), place)
     if not sags and np.isfinite(most).any():
         yield Verdict("hold", True, "its joints hold it with their efforts", 0.0, SAG)
+
+
+def _is_limited(joint: Joint) -> bool:
+    return bool(joint.limit and joint.limit.effort)
 
 
 def torques(model: Any, data: Any, wanted: Floats) -> Floats:

@@ -62,17 +62,16 @@ def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
         quoted = listed([f"'{name}'" for name in names])
         text = f"; negative damping drives {quoted}"
         return text, names, dynamics.span if dynamics else None
-    if _released(robot, FINE_STEP).is_calm:
-        return f", but not with steps of {FINE_STEP * 1e3:g} ms", (), None
-    if not _released(robot, STEP, contacts=False).is_calm:
-        return "", (), None
+    is_of_contacts = _released(robot, STEP, contacts=False).is_calm
     robot.set_up()
     overlaps = robot.overlaps(robot.started())
-    if not overlaps:
-        return ", but not without contacts", (), None
-    first, second = max(overlaps, key=lambda pair: overlaps[pair])
-    text = f", but not without contacts: '{first}' and '{second}' push each other away"
-    return text, (first, second), robot.collision(first)
+    if is_of_contacts and overlaps:
+        first, second = max(overlaps, key=lambda pair: overlaps[pair])
+        text = f", but not without contacts: '{first}' and '{second}' push each other away"
+        return text, (first, second), robot.collision(first)
+    if _released(robot, FINE_STEP).is_calm:
+        return f", but not with steps of {FINE_STEP * 1e3:g} ms", (), None
+    return ", but not without contacts" if is_of_contacts else "", (), None
 
 
 def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _Release:

@@ -1,24 +1,24 @@
 """Joints through their ranges: what collides on the way, and whether what follows does."""
 
 from collections.abc import Iterator
-from math import cos, pi
+from math import pi
 from typing import Any
 
 import mujoco
 import numpy as np
 
 from urdfkit.output.simulation.hold import SAG, torques
-from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, unit_of
+from urdfkit.output.simulation.simulated_robot import OVERLAP, STEP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
-from urdfkit.robot.kinematics import positions
-from urdfkit.robot.model import Joint
+from urdfkit.robot.kinematics import SLIDING, positions
 
 #: Positions of a joint that are looked at between its ends.
 SAMPLES = 24
-#: A joint that moves less from its start before links collide, as a part of its range, is jammed.
-FREE = 0.1
-#: Seconds from one end to the other and back.
-_SWEPT = 2.0
+#: A joint is jammed if links collide when it moves by this part of its range to either side, or by
+#: so much if that is less, in rad or m.
+PART, TURN, SLIDE = 0.1, 0.1, 0.02
+#: Seconds that a robot is held for at an end of its ranges.
+_HELD = 0.5
 
 
 def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -28,98 +28,88 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
     overlaps at the start.
     """
     robot.set_up()
-    data = robot.started()
-    before, start = robot.overlaps(data), _given(robot, data)
-    least, fails = (1.0, ""), False
+    poses = _Poses(robot)
+    least, jams = (1.0, ""), False
     for joint in robot.leaders:
-        lower, upper = robot.range(joint.name) or (start[joint.name] - pi, start[joint.name] + pi)
-        grid = np.linspace(lower, upper, SAMPLES + 1)
-        first = int(np.abs(grid - start[joint.name]).argmin())
-        free, (names, at, depth) = _free(robot, data, {**start}, joint.name, grid, first, before)
-        least = min(least, (free, joint.name))
-        if free < FREE:
-            fails = True
+        start = poses.start[joint.name]
+        lower, upper = robot.range(joint.name) or (start - pi, start + pi)
+        least = min(least, (_free_part(poses, joint.name, lower, upper), joint.name))
+        step = min(PART * (upper - lower), SLIDE if joint.kind in SLIDING else TURN)
+        near = [at for at in (start - step, start + step) if lower <= at <= upper]
+        hits = [(at, poses.collision(joint.name, at)) for at in near]
+        jam = next(((at, *hit) for at, hit in hits if hit), None)
+        if jam and all(hit for _, hit in hits):
+            jams = True
+            at, names, depth = jam
             unit, _ = unit_of(joint)
             links = " and ".join(f"'{name}'" for name in names)
             text = (
-                f"joint '{joint.name}' is free in {free:.0%} of its range, {lower:.3g} to "
-                f"{upper:.3g} {unit}: at {at:.3g} {unit} {links} overlap by {depth * 1e3:.3g} mm"
+                f"joint '{joint.name}' is jammed at its start: at {at:.3g} {unit} {links} overlap "
+                f"by {depth * 1e3:.3g} mm"
             )
-            yield Verdict("sweep", False, text, free, FREE, names, robot.collision(names[0]))
-    if robot.leaders and not fails:
+            yield Verdict("sweep", False, text, depth, OVERLAP, names, robot.collision(names[0]))
+    if robot.leaders and not jams:
         text = "no links collide while a joint moves"
         if least[0] < 1:
-            text = (
-                f"each joint moves without a collision: '{least[1]}' in {least[0]:.0%} of its range"
-            )
-        yield Verdict("sweep", True, text, least[0], FREE)
+            text = f"no joint is jammed; '{least[1]}' is free in {least[0]:.0%} of its range"
+        yield Verdict("sweep", True, text, 0.0, OVERLAP)
+
+
+class _Poses:
+    """A robot that is put in poses, and what collides there."""
+
+    def __init__(self, robot: SimulatedRobot) -> None:
+        self._robot = robot
+        self._data = robot.started()
+        self._before = robot.overlaps(self._data)
+        self.start = _given(robot, self._data)
+
+    def collision(self, joint: str, position: float) -> tuple[tuple[str, str], float] | None:
+        """The deepest pair with one joint elsewhere, and the depth."""
+        model, data = self._robot.model, self._data
+        self._robot.place(data, {**self.start, joint: position})
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_collision(model, data)
+        found = [
+            (depth, pair)
+            for pair, depth in self._robot.overlaps(data).items()
+            if frozenset(pair) not in self._robot.neighbours and pair not in self._before
+        ]
+        depth, names = max(found, default=(0.0, ("", "")))
+        return (names, depth) if found else None
+
+
+def _free_part(poses: _Poses, joint: str, lower: float, upper: float) -> float:
+    """The part of a range, around the start, without collisions."""
+    grid = np.linspace(lower, upper, SAMPLES + 1)
+    first = int(np.abs(grid - poses.start[joint]).argmin())
+    free = 0
+    for way in (grid[first + 1 :], grid[:first][::-1]):
+        for at in way:
+            if poses.collision(joint, float(at)):
+                break
+            free += 1
+    return free / SAMPLES
 
 
 def _given(robot: SimulatedRobot, data: Any) -> dict[str, float]:
     return {joint.name: robot.position(data, joint.name) for joint in robot.leaders}
 
 
-def _free(
-    robot: SimulatedRobot,
-    data: Any,
-    given: dict[str, float],
-    joint: str,
-    grid: Any,
-    first: int,
-    before: dict[tuple[str, str], float],
-) -> tuple[float, tuple[tuple[str, ...], float, float]]:
-    """The part of a range around the start without collisions; and the collision next to it."""
-    free, hits = 0, []
-    for numbers in (range(first + 1, len(grid)), range(first - 1, -1, -1)):
-        for number in numbers:
-            given[joint] = float(grid[number])
-            robot.place(data, given)
-            mujoco.mj_kinematics(robot.model, data)
-            mujoco.mj_comPos(robot.model, data)
-            mujoco.mj_collision(robot.model, data)
-            new = {
-                pair: depth
-                for pair, depth in robot.overlaps(data).items()
-                if frozenset(pair) not in robot.neighbours and pair not in before
-            }
-            if new:
-                names = max(new, key=lambda pair: new[pair])
-                hits.append((abs(number - first), names, given[joint], new[names]))
-                break
-            free += 1
-    nearest = min(hits, default=(0, (), 0.0, 0.0))
-    return free / (len(grid) - 1), nearest[1:]
-
-
 def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that does not follow its leader from end to end and back."""
+    """A verdict for each joint that is not where its leader takes it, at an end of the range."""
     if not robot.followers:
         return
-    robot.set_up(contacts=False)
-    model, data = robot.model, robot.started()
-    start, driven = _given(robot, data), np.zeros(model.nv)
-    ends = {name: robot.range(name) or (start[name] - pi, start[name] + pi) for name in start}
-    for name in start:
-        driven[robot.dof(name)] = 1.0
-    robot.place(data, {name: lower for name, (lower, _) in ends.items()})
     worst = dict.fromkeys(robot.followers, (0.0, 0.0, 0.0))
-    wanted = data.qpos.copy()
-    for number in range(round(_SWEPT / STEP)):
-        part = (1 - cos(2 * pi * number * STEP / _SWEPT)) / 2
-        at = {name: lower + part * (upper - lower) for name, (lower, upper) in ends.items()}
-        for name in start:
-            wanted[model.jnt_qposadr[model.joint(name).id]] = at[name]
-        data.qfrc_applied = torques(model, data, wanted) * driven
-        mujoco.mj_step(model, data)
-        real = positions(robot.robot.tree, _given(robot, data))
-        for name in robot.followers:
-            is_at = robot.position(data, name)
-            worst[name] = max(worst[name], (abs(is_at - real[name]), is_at, real[name]))
+    for end in (0, 1):
+        for name, (is_at, should) in _held_at(robot, end).items():
+            worst[name] = max(worst[name], (abs(is_at - should), is_at, should))
     fails = False
     for name, (apart, is_at, should) in worst.items():
         if apart > SAG:
             fails = True
-            joint: Joint = robot.robot.model.joints_by_name[name]
+            joint = robot.robot.model.joints_by_name[name]
             unit, _ = unit_of(joint)
             text = (
                 f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} "
@@ -131,3 +121,21 @@ def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
         most = max(apart for apart, _, _ in worst.values())
         text = f"what follows a joint is never off by more than {most:.2g} rad or m"
         yield Verdict("mimic", True, text, most, SAG)
+
+
+def _held_at(robot: SimulatedRobot, end: int) -> dict[str, tuple[float, float]]:
+    """Where followers are, and should be, with all leaders held at one end of their ranges."""
+    robot.set_up(gravity=False, contacts=False)
+    model, data = robot.model, robot.started()
+    driven = np.zeros(model.nv)
+    at = _given(robot, data)
+    for name in at:
+        driven[robot.dof(name)] = 1.0
+        at[name] = (robot.range(name) or (at[name], at[name]))[end]
+    robot.place(data, at)
+    wanted = data.qpos.copy()
+    for _ in range(round(_HELD / STEP)):
+        data.qfrc_applied = torques(model, data, wanted) * driven
+        mujoco.mj_step(model, data)
+    should = positions(robot.robot.tree, _given(robot, data))
+    return {name: (robot.position(data, name), should[name]) for name in robot.followers}
