@@ -36,7 +36,7 @@ _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 )
 @click.argument("shell", type=click.Choice(SHELLS))
 def command(shell: str) -> int:
-    """Print a script for a shell: it completes options and their values.
+    """Print a script by which a shell completes options.
 
     Completed are targets, codes, formats, views, and the links and joints of the robot on the
     command line; elsewhere file names.

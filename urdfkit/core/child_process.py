@@ -1,8 +1,11 @@
-"""A process of our own, which talks with this one by its standard input and output."""
+"""A process of our own, which talks with this one in pickled values, by its standard streams."""
 
 import os
+import pickle
 import subprocess
 import sys
+from collections.abc import Iterator
+from typing import Any
 
 #: The directories of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = "import sys; sys.path[:] = sys.argv[2:]; __import__(sys.argv[1], fromlist=['main']).main()"
@@ -10,16 +13,73 @@ _BOOT = "import sys; sys.path[:] = sys.argv[2:]; __import__(sys.argv[1], fromlis
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-def start(module: str) -> subprocess.Popen[bytes]:
-    """Run the function ``main`` of a module in a process.
+class ProcessDied(Exception):
+    """A process ended without an answer."""
+
+
+class ChildProcess:
+    """Runs the function ``main`` of a module in a process, which makes a `Parent` there.
 
     Raises:
         OSError: none can be started.
     """
-    return subprocess.Popen(
-        [sys.executable, "-I", "-c", _BOOT, module, *sys.path],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        env={**os.environ, **dict.fromkeys(_THREADS, "1")},
-    )
+
+    def __init__(self, module: str) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, "-I", "-c", _BOOT, module, *sys.path],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env={**os.environ, **dict.fromkeys(_THREADS, "1")},
+        )
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        self._stdin, self._stdout = self._process.stdin, self._process.stdout
+
+    def send(self, value: object) -> None:
+        try:
+            pickle.dump(value, self._stdin)
+            self._stdin.flush()
+        except (OSError, ValueError) as error:
+            raise ProcessDied from error
+
+    def receive(self) -> Any:
+        try:
+            return pickle.load(self._stdout)
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError) as error:
+            raise ProcessDied from error
+
+    def exit_code(self) -> int:
+        """That of a process that has died; negative for a signal."""
+        return self._process.wait()
+
+    def end(self) -> None:
+        """End it, whatever it is doing."""
+        self._process.kill()
+        self._process.wait()
+        for pipe in (self._stdin, self._stdout):
+            try:
+                pipe.close()
+            except OSError:
+                pass  # what was left in the buffer has no reader
+
+
+class Parent:
+    """The one that started this process; whatever libraries print goes to standard error."""
+
+    def __init__(self) -> None:
+        self._answers = os.fdopen(os.dup(1), "wb")
+        os.dup2(2, 1)
+
+    def received(self) -> Iterator[Any]:
+        """What it sends, until it ends or has no more."""
+        while True:
+            try:
+                value = pickle.load(sys.stdin.buffer)
+            except EOFError:
+                return
+            yield value
+
+    def send(self, value: object) -> None:
+        pickle.dump(value, self._answers)
+        self._answers.flush()

@@ -7,14 +7,10 @@ from a process of Dask, which is daemonic. This one is a process and two pipes.
 
 from __future__ import annotations
 
-import os
-import pickle
-import subprocess
-import sys
 import time
-from typing import IO, Any
+from typing import Any
 
-from urdfkit.core import child_process
+from urdfkit.core.child_process import ChildProcess, Parent, ProcessDied
 from urdfkit.core.limits import limit_memory
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
@@ -41,7 +37,7 @@ class Isolated:
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
-        self._process: subprocess.Popen[bytes] | None = None
+        self._process: ChildProcess | None = None
         self._left = 0
 
     def __enter__(self) -> Isolated:  # noqa: PYI034 - Self is not in Python 3.10
@@ -61,7 +57,7 @@ class Isolated:
         start = time.perf_counter()
         try:
             row: ModelRow = self._ask(model)
-        except (EOFError, OSError, pickle.UnpicklingError):
+        except ProcessDied:
             return self._death(model, time.perf_counter() - start)
         self._left = 0 if row.status == "memory" else self._left - 1
         return row
@@ -69,31 +65,27 @@ class Isolated:
     def end(self) -> None:
         self._left = 0
         if self._process is not None:
-            self._process.kill()
-            self._process.communicate()
+            self._process.end()
             self._process = None
 
     def _start(self) -> None:
         self.end()
-        self._process = child_process.start("urdfkit.scan.isolated")
+        self._process = ChildProcess("urdfkit.scan.isolated")
         try:
             problem = self._ask(self._settings)
-        except (EOFError, OSError, pickle.UnpicklingError) as error:
+        except ProcessDied as error:
             raise UrdfkitError("no process can be started within the limit of memory") from error
         if problem:
             raise problem
         self._left = _MODELS
 
     def _ask(self, value: object) -> Any:
-        process = self._process
-        assert process is not None
-        assert process.stdin is not None
-        assert process.stdout is not None
-        _send(process.stdin, value)
-        return pickle.load(process.stdout)
+        assert self._process is not None
+        self._process.send(value)
+        return self._process.receive()
 
     def _death(self, model: Model, seconds: float) -> ModelRow:
-        code = self._process.wait() if self._process else 0  # none: `end` was called meanwhile
+        code = self._process.exit_code() if self._process else 0  # none: `end` was called meanwhile
         self.end()
         limit = self._settings.seconds
         if seconds >= limit:
@@ -110,29 +102,20 @@ def main() -> None:
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the caller hears Ctrl-C, too
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # libraries may print
-    settings: Settings = pickle.load(sys.stdin.buffer)
+    parent = Parent()
+    received = parent.received()
+    settings: Settings = next(received)
     limit_memory(settings.memory)
     try:
         options = settings.options.resolved()
     except UrdfkitError as error:
-        _send(answers, error)
+        parent.send(error)
         return
-    _send(answers, None)
+    parent.send(None)
     resolver = Resolver(options.packages)
-    while True:
-        try:
-            model = pickle.load(sys.stdin.buffer)
-        except EOFError:
-            return
+    for model in received:
         # A thread of C, which no loop in native code holds up.
         faulthandler.dump_traceback_later(settings.seconds, exit=True)
         row = check_model(model, options, resolver)
         faulthandler.cancel_dump_traceback_later()
-        _send(answers, row)
-
-
-def _send(pipe: IO[bytes], value: object) -> None:
-    pickle.dump(value, pipe)
-    pipe.flush()
+        parent.send(row)

@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
 def _links(context: Context) -> Findings:
     known = context.model.links_by_name
     children = {joint.child.value for joint in context.model.joints if joint.child}
-    is_fragment = not context.tree.has_base
+    is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in context.model.joints:

@@ -1,15 +1,9 @@
 """The process that samples: it may crash in native code without taking the caller along.
 
-Standard input brings pickled values: the chain and the bodies, then one task after another. The
-answers go, pickled, to where standard output led; whatever the libraries print goes to standard
-error.
+It is sent the chain and the bodies, then one task after another.
 """
 
-import os
-import pickle
-import sys
-from typing import Any, BinaryIO
-
+from urdfkit.core.child_process import Parent
 from urdfkit.core.limits import limit_memory
 
 #: Bytes that a process may take; a humanoid with large meshes takes a twentieth.
@@ -17,30 +11,18 @@ _MEMORY = 8 * 2**30
 
 
 def main() -> None:
-    """Answer until standard input ends."""
+    """Answer until there are no more tasks."""
     limit_memory(_MEMORY)
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
+    parent = Parent()
     from urdfkit.physics.collision.collision_geometry import form
     from urdfkit.physics.collision.pair_queries import Examiner
 
-    chain, solids = pickle.load(sys.stdin.buffer)
+    received = parent.received()
+    chain, solids = next(received)
     forms = []
     for solid in solids:
         forms.append(form(solid))
-        _send(answers, len(forms))  # the caller learns which one was fatal
+        parent.send(len(forms))  # the caller learns which one was fatal
     examiner = Examiner(chain, forms)
-    while (task := _receive(sys.stdin.buffer)) is not None:
-        _send(answers, task.run(examiner))
-
-
-def _receive(tasks: BinaryIO) -> Any:
-    try:
-        return pickle.load(tasks)
-    except EOFError:
-        return None
-
-
-def _send(answers: BinaryIO, value: object) -> None:
-    pickle.dump(value, answers)
-    answers.flush()
+    for task in received:
+        parent.send(task.run(examiner))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from types import TracebackType
 from typing import Any
 
-from urdfkit.core import child_process
+from urdfkit.core.child_process import ChildProcess, ProcessDied
 from urdfkit.errors import UrdfkitError
 from urdfkit.physics.collision.batch_kinematics import Chain
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
@@ -24,10 +23,6 @@ _MAX_CRASHES = 20
 
 class CollisionError(UrdfkitError):
     """The collisions of a robot cannot be measured."""
-
-
-class _Died(Exception):
-    """A process ended without an answer."""
 
 
 class WorkerPool:
@@ -123,7 +118,7 @@ class WorkerPool:
     def _answer(self, task: Task) -> list[PairFindings | None]:
         try:
             return self._ask(task)
-        except _Died:
+        except ProcessDied:
             self._note_crash()
         parts = task.parts()
         if len(parts) == 1:
@@ -134,7 +129,7 @@ class WorkerPool:
         worker = self._idle.get()
         try:
             answer: list[PairFindings | None] = worker.ask(task)
-        except _Died:
+        except ProcessDied:
             worker.end()
             worker = self._worker()
             raise
@@ -143,26 +138,26 @@ class WorkerPool:
         return answer
 
 
-class _Worker:
+class _Worker(ChildProcess):
     """One process."""
 
     def __init__(self, chain: Chain, solids: Sequence[CollisionArrays]) -> None:
         try:
-            self._process = child_process.start(_MAIN)
+            super().__init__(_MAIN)
         except OSError as error:
             raise CollisionError(f"no process can be started: {error.strerror}") from error
         self._total = self._expected = len(solids)
         try:
-            self._send((chain, list(solids)))
-        except _Died:
+            self.send((chain, list(solids)))
+        except ProcessDied:
             pass  # the result says so
 
     def wait(self) -> int | None:
         """Wait until it has made its bodies; the number of the one that was fatal, if one was."""
         while self._expected:
             try:
-                self._receive()
-            except _Died:
+                self.receive()
+            except ProcessDied:
                 return self._total - self._expected
             self._expected -= 1
         return None
@@ -171,34 +166,9 @@ class _Worker:
         """The answer to a task.
 
         Raises:
-            _Died: the process crashed.
+            ProcessDied: the process crashed.
         """
         if self.wait() is not None:
-            raise _Died
-        self._send(task)
-        return self._receive()
-
-    def end(self) -> None:
-        self._process.kill()
-        self._process.wait()
-        for pipe in (self._process.stdin, self._process.stdout):
-            assert pipe is not None
-            try:
-                pipe.close()
-            except OSError:
-                pass  # what was left in the buffer has no reader
-
-    def _send(self, value: object) -> None:
-        assert self._process.stdin is not None
-        try:
-            pickle.dump(value, self._process.stdin)
-            self._process.stdin.flush()
-        except (OSError, ValueError) as error:
-            raise _Died from error
-
-    def _receive(self) -> Any:
-        assert self._process.stdout is not None
-        try:
-            return pickle.load(self._process.stdout)
-        except (EOFError, OSError, ValueError, pickle.UnpicklingError) as error:
-            raise _Died from error
+            raise ProcessDied
+        self.send(task)
+        return self.receive()
