@@ -8,12 +8,12 @@ from urdfkit.text.source import Source
 
 
 def test_what_was_searched_and_how_to_name_it() -> None:
-    (found,) = reported("XAC011", '<xacro:include filename="$(find arm_description)/arm.xacro"/>')
-    assert found.span.text == "$(find arm_description)"
-    assert found.message.startswith("package 'arm_description' is not found; searched: ")
+    (found,) = reported("XAC011", '<xacro:include filename="$(find lost_description)/arm.xacro"/>')
+    assert found.span.text == "$(find lost_description)"
+    assert found.message.startswith("package 'lost_description' is not found; searched: ")
     assert "AMENT_PREFIX_PATH" in found.message
     assert "ROS_PACKAGE_PATH" in found.message
-    assert found.help == "name its directory: --package arm_description=DIR"
+    assert found.help == "name its directory: --package lost_description=DIR"
 
 
 def test_what_follows_from_it_is_not_told() -> None:

@@ -51,3 +51,12 @@ def test_a_reference_of_gazebo(tmp_path: Path) -> None:
         len(reported(tmp_path, "", f"{P}base", '<gazebo reference="tip"><mu1>1</mu1></gazebo>'))
         == 1
     )
+
+
+def test_a_macro_that_adds_the_prefix_itself(tmp_path: Path) -> None:
+    extra = (
+        f'<xacro:macro name="wheel" params="side"><link name="{P}${{side}}"/>'
+        f'<joint name="{P}${{side}}_joint" type="fixed"><parent link="{P}base"/>'
+        f'<child link="{P}${{side}}"/></joint></xacro:macro><xacro:wheel side="rim"/>'
+    )
+    assert reported(tmp_path, "", f"{P}base", extra) == []

@@ -3,7 +3,9 @@
 It works on the machine where that package happens to be installed. Elsewhere rosdep does not
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
 launch file end with "package not found". In a launch file it is an info. In one of ROS 2 packages
-that come with ROS are reported, too: a smaller installation lacks `xacro` or `ros_gz_sim`.
+that come with ROS are reported, too: a smaller installation lacks `xacro` or `ros_gz_sim`. So are
+the control plugin of Gazebo and the controllers of its robots, if their own packages do not declare
+them either: "class diff_drive_controller/DiffDriveController does not exist".
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -15,6 +17,8 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -50,7 +54,8 @@ _BROUGHT = {
     "nav2_bringup": "nav2_* slam_toolbox",
     "navigation2": "nav2_*",
     "ros2_control": "controller_manager",
-    "ros2_controllers": "controller_manager",
+    "ros2_controllers": "controller_manager ackermann* diff_drive* effort_c* force_t* forward_c* "
+    "gripper_* imu_s* joint_* mecanum* position_c* range_s* tricycle* velocity_c*",
     "ros_base": "robot_state_publisher tf2* launch* ros2*",
     "ros_gz": "ros_gz_*",
     "ros_ign": "ros_ign_*",
@@ -99,6 +104,7 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
         for one in context.launch.descriptions
         if one.path.endswith(".xacro")
     ]
+    used += _loaded(context)
     seen = {manifest.package}
     for name, span in used:
         if name in seen or span.source.path != own or _is_brought(name, manifest.dependencies):
@@ -113,6 +119,23 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
             group_key="undeclared",
             severity=Severity.INFO,
         )
+
+
+def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
+    """The control plugins and controllers of the robots, that their own packages do not declare."""
+    launch = context.launch
+    is_simulated = any(map(spawner_of, (*launch.started, *launch.included)))
+    for description in launch.descriptions if is_simulated else ():
+        robot = context.other_robot(description.path, description.arguments)
+        own = manifest_of(context.resolver, description.path)
+        if robot.reading.document is None or own is None:
+            continue
+        names = [one.kind for one in control_plugins(robot.model)]
+        types = [one.type for _, several in robot.controllers for one in several if one.ros == 2]
+        names += [type.partition("/")[0] for type in types]
+        for name in names if names and "ros2_controllers" not in own.dependencies else ():
+            if comes_with_ros(name) and not _is_brought(name, own.dependencies):
+                yield name, description.frame.call.span
 
 
 def _is_brought(name: str, declared: frozenset[str]) -> bool:

@@ -2,8 +2,11 @@
 
 URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that has no
 parent without a message; sdformat, MuJoCo, Drake and PyBullet reject it, Pinocchio crashes. A
-closed mechanism is written as a tree: leave one joint of the loop out, and close it in the
-simulator. The child of a joint is the link that moves.
+closed mechanism is written as a tree: leave one joint of the loop out, best a passive one, and
+close the loop again where it is simulated. MuJoCo does it by `<connect>` or `<weld>` in
+`<equality>`, PyBullet by `createConstraint`, Drake by `<drake:linear_bushing_rpy>`, Gazebo Classic
+by a `<joint>` of SDF within `<gazebo>`; RViz and MoveIt show the tree alone. The child of a joint
+is the link that moves.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -28,7 +31,11 @@ GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 SHOWN = 8
 
 
-@rule(Severity.ERROR, help="leave one of these joints out")
+@rule(
+    Severity.ERROR,
+    help="leave a passive joint of the loop out, and close it in the simulator: urdfkit explain "
+    "TRE003",
+)
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:

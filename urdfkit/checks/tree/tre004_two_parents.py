@@ -2,7 +2,8 @@
 
 URDF describes trees: every link is the child of one joint. MuJoCo rejects the robot, PyBullet
 crashes, urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two
-places. Mostly one `<child>` is a mistake; a closed mechanism needs one joint left out.
+places. Mostly one `<child>` is a mistake; a closed mechanism needs one joint left out, which the
+simulator closes again: TRE003 says how.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot

@@ -51,25 +51,27 @@ def check(context: Context) -> Findings:
     if not empty or context.is_part:
         return
     prefixed = {name for name, at in _definitions(root) if not at.literal}
-    suspects = [
-        (name, written, element)
+    suspects = {
+        name
         for name, span, element in _references(root, prefixed)
-        if (written := _written(name, span, element.frame))
-    ]
+        if _written(name, span, element.frame)
+    }
     if not suspects:
         return
     arguments = {**context.arguments, **dict.fromkeys(empty, _PREFIX)}
     other = context.other_robot(context.source.path, arguments).reading.document
-    names = {name for name, _ in _definitions(other.root)} if other else set()
-    for name, span, element in suspects:
-        if name not in names and f"{_PREFIX}{name}" in names:
-            yield Finding(
-                Location(span, element.frame),
-                f"'{name}' is called '{_PREFIX}{name}' if {empty[0]} is '{_PREFIX}'; "
-                f"<{element.tag}> names it without",
-                f"write ${{{empty[0]}}}{name}",
-                related=tuple(_defined(root, name)),
-            )
+    if other is None:
+        return
+    names = {name for name, _ in _definitions(other.root)}
+    lost = {name for name in suspects - names if f"{_PREFIX}{name}" in names}
+    for name, span, element in _references(other.root, lost):
+        yield Finding(
+            Location(_written(name, span, element.frame) or span, element.frame),
+            f"'{name}' is called '{_PREFIX}{name}' if {empty[0]} is '{_PREFIX}'; "
+            f"<{element.tag}> names it without",
+            f"write ${{{empty[0]}}}{name}",
+            related=tuple(_defined(root, name)),
+        )
 
 
 def _prefixes(context: Context) -> list[str]:

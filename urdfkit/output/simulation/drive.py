@@ -11,9 +11,9 @@ from urdfkit.robot.model import Joint
 #: Within so many seconds a joint reaches a tenth of its velocity, this one in rad/s or m/s, or an
 #: end of its range. Talos' grippers reach half of theirs.
 DRIVEN, SPEED, PART = 1.0, 0.1, 0.1
-#: A joint that one step takes to so many times its velocity is moved by nothing that has mass.
-#: A sound UR5e has 136.
-FASTEST = 1e4
+#: A joint that one step takes to so many times its velocity, or of this one in rad/s or m/s, is
+#: moved by nothing that has mass. A sound UR5e has 136.
+FASTEST, ROTOR = 1e4, 10.0
 #: A joint that moves by less, in rad or m, is at the end of its range already.
 _LEAST = 1e-3
 
@@ -55,7 +55,7 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
         speed = abs(float(data.qvel[dof]))
-        if diverged(data) is not None or (number == 0 and speed > FASTEST * velocity):
+        if diverged(data) is not None or (number == 0 and speed > FASTEST * max(velocity, ROTOR)):
             text = (
                 f"joint '{joint.name}': its effort of {effort:g} {force} takes it to "
                 f"{speed / velocity:.2g} times its velocity of {velocity:g} {unit}/s in "

@@ -93,7 +93,7 @@ def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
 
 
 def _is_to_stand(robot: SimulatedRobot) -> bool:
-    """True for what stands on wheels that span an area, perhaps with casters."""
+    """True for what stands on wheels and casters; on two wheels it balances."""
     found, tree = standing(robot.robot), robot.robot.tree
     has_wheel = any(one.kind == "continuous" for link in found.links for one in tree.path(link))
-    return found.stability is not None and has_wheel and is_freestanding(tree, found.links)
+    return len(found.links) > 2 and has_wheel and is_freestanding(tree, found.links)
