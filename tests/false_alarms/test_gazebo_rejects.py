@@ -29,6 +29,9 @@ READ = {
     "a bad number in a link": PAIR
     + link("c", BODY, '<visual><geometry><box size="1 1"/></geometry></visual>')
     + joint("a", "c"),
+    "a noise without a type where nothing reads it": PAIR
+    + '<gazebo reference="a"><sensor name="s" type="imu"><imu><angular_velocity><noise>'
+    "<stddev>0.01</stddev></noise></angular_velocity></imu></sensor></gazebo>",
 }
 
 
