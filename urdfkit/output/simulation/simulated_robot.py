@@ -12,8 +12,8 @@ from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_files
-from urdfkit.output.conversion.mjcf import MjcfRobot
-from urdfkit.output.conversion.writing import assembled, assets, compiled, floats
+from urdfkit.output.conversion.mjcf import assembled, assets, compiled, floats
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws, positions
 from urdfkit.robot.model import Joint
 from urdfkit.text.source import Span
