@@ -51,7 +51,7 @@ class MassTable(Record):
 
 
 def mass_properties(context: Context, pose: Mapping[str, float] | None = None) -> MassTable:
-    """The table.
+    """Masses, centres of mass and inertias of the links, and of the whole robot in a pose.
 
     Args:
         context: the robot.
