@@ -42,7 +42,7 @@ def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
             yield from _undefined(key, entry, served, defined)
             continue
         yield from _action(key, entry, same)
-        yield from _other_joints(key, entry, same, _unmoved(context.model))
+        yield from _other_joints(key, entry, same, _unmoved(context.model, srdf))
 
 
 def _undefined(
@@ -62,10 +62,11 @@ def _undefined(
         )
 
 
-def _unmoved(model: RobotModel) -> set[str]:
+def _unmoved(model: RobotModel, srdf: Srdf) -> set[str]:
     """The joints that MoveIt leaves out of the trajectories for its controllers."""
-    joints = model.joints
-    return {one.name for one in joints if one.type == "fixed" or one.mimic is not None}
+    own = {one.name for one in model.joints if one.kind == "fixed" or one.mimic is not None}
+    others = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
+    return own.union(one.get("name") or "" for one in others)
 
 
 def _other_joints(
