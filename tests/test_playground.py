@@ -104,10 +104,9 @@ def printed(directory: Path, named: str = ".") -> list[str]:
         text=True,
     )
     assert done.returncode in {0, 1}, done.stderr
-    return [
-        f"{one['path']}:{one['line']} {one['severity']} {one['code']}"
-        for one in json.loads(done.stdout)["diagnostics"]
-    ]
+    order = ["error", "warning", "info"].index
+    found = sorted(json.loads(done.stdout)["diagnostics"], key=lambda one: order(one["severity"]))
+    return [f"{one['path']}:{one['line']} {one['severity']} {one['code']}" for one in found]
 
 
 def zipped(work: Path) -> Path:

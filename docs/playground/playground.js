@@ -114,8 +114,11 @@ function underline() {
   editor.dispatch(setDiagnostics(editor.state, marks));
 }
 
-function list() {
-  const items = report.diagnostics.map((finding) => {
+const SEVERITIES = ["error", "warning", "info"];
+function list() { // errors first, as on the command line
+  const rank = ({ severity }) => SEVERITIES.indexOf(severity);
+  const sorted = [...report.diagnostics].sort((one, other) => rank(one) - rank(other));
+  const items = sorted.map((finding) => {
     const item = document.createElement("li");
     item.className = finding.severity;
     const place = document.createElement("small");

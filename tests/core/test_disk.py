@@ -46,7 +46,7 @@ WITHOUT_GATE = {
     "mesh/parts": "urdfkit's own",
     "output/bundle/writing.py": "its own output",
     "output/conversion/usd.py": "its own temporary directory",
-    "output/conversion/writing.py": "its own output",
+    "output/conversion/mjcf.py": "its own output",
     "output/comparison/__init__.py": "its own temporary directory",
     "output/report/translations.py": "urdfkit's own",
     "ros/catalog/__init__.py": "urdfkit's own",

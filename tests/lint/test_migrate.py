@@ -68,6 +68,25 @@ def test_patch_takes_what_the_command_prints(
     assert (tmp_path / "robot.xacro").read_bytes() == text
 
 
+def test_the_diff_of_an_included_file_applies(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """GNU patch rejects absolute paths, which $(find ...) leads to."""
+    part = tmp_path / "bot" / "part.xacro"
+    part.parent.mkdir()
+    (tmp_path / "bot" / "package.xml").write_text("<package><name>bot</name></package>")
+    shutil.copy(MODEL, part)
+    (tmp_path / "bot" / "robot.xacro").write_text(
+        '<robot name="bot" xmlns:xacro="http://ros.org/wiki/xacro">'
+        '<xacro:include filename="$(find bot)/part.xacro"/></robot>'
+    )
+    monkeypatch.chdir(tmp_path)
+    assert main(["migrate", "bot/robot.xacro", "--to", "classic-ros2"]) == 1
+    printed = capsys.readouterr().out
+    subprocess.run(["patch", "-p0"], input=printed, text=True, check=True, capture_output=True)
+    assert part.read_bytes() != MODEL.read_bytes()
+
+
 def test_the_command_says_when_there_is_nothing_to_do(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["migrate", str(MODEL), "--to", "classic-ros1"]) == 0
     assert capsys.readouterr().out == "nothing to do for classic-ros1\n"

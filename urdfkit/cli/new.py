@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 
 import click
 
@@ -33,8 +34,8 @@ def command(name: str, kind: str, out: str) -> int:
         (
             *(f"{package}/{file}" for file in files),
             "",
-            f"Check it:      urdfkit check {package}",
-            f"Simulate it:   urdfkit simulate {package}/urdf/{name}.urdf.xacro",
+            f"Check it:      urdfkit check {shlex.quote(package)}",
+            "Simulate it:   urdfkit simulate " + shlex.quote(f"{package}/urdf/{name}.urdf.xacro"),
             f"Start it:      ros2 launch {name} simulation.launch.py",
         )
     )

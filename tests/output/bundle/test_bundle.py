@@ -209,13 +209,12 @@ def test_a_package_for_ros_is_found_by_its_name(robot: Path, tmp_path: Path) -> 
     assert report.diagnostics == ()
 
 
-def test_what_still_leads_elsewhere_is_told(robot: Path, tmp_path: Path) -> None:
-    plugin = (
-        b'<gazebo><plugin name="p"><parameters>package://arm/c.yaml</parameters></plugin></gazebo>'
-    )
-    robot.write_bytes(robot.read_bytes().replace(b"</robot>", plugin + b"</robot>"))
+@pytest.mark.parametrize("file", ["package://arm/c.yaml", "/home/me/my ws/arm/c.yaml"])
+def test_what_still_leads_elsewhere_is_told(robot: Path, tmp_path: Path, file: str) -> None:
+    plugin = f'<gazebo><plugin name="p"><parameters>{file}</parameters></plugin></gazebo></robot>'
+    robot.write_bytes(robot.read_bytes().replace(b"</robot>", plugin.encode()))
     made, _ = bundle(robot, tmp_path / "out")
-    assert made.outside == (("gazebo/plugin/p/parameters", "package://arm/c.yaml"),)
+    assert made.outside == (("gazebo/plugin/p/parameters", file),)
 
 
 def test_a_missing_mesh_is_an_error_at_its_place(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from urdfkit.text.xml_reader import read_xml
 #: What a value in quotes of either kind cannot hold besides ``&`` and ``<``.
 _DECLARATION = rb"^\s*<\?xml[^>]*\?>\s*"
 #: A value that leads to a file of this machine or of a package.
-_OUTSIDE = re.compile(r"(?:package|model|file)://|/[^\s/]+/\S*\.\w+$")
+_OUTSIDE = re.compile(r"(?:package|model|file)://|/[^/]+/.*\.\w+$")
 
 
 class Renamed(Record):

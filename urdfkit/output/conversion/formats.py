@@ -17,7 +17,7 @@ class Format(Record):
 FORMATS = {
     one.name: one
     for one in (
-        Format("mjcf", "writing", "simulate", has_options=True),
+        Format("mjcf", "mjcf", "simulate", has_options=True),
         Format("usd", "usd", "usd"),
         Format("urdf", "urdf", "meshes"),
     )

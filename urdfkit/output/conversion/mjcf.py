@@ -1,293 +1,202 @@
-"""A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
+"""MJCF on disk, with its proof: whole or not at all."""
 
-from collections.abc import Iterator, Mapping
+import ctypes
+import glob
+import os
+import re
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import mujoco
-import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform, vector
+from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.mjcf_geoms import Geoms
-from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.meshes import BundledFile
+from urdfkit.output.bundle.robot import references
+from urdfkit.output.bundle.writing import staged
+from urdfkit.output.conversion.mjcf_devices import add_actuators, add_frictions
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.output.conversion.mjcf_sensors import add_sensors
+from urdfkit.output.conversion.mjcf_srdf import (
+    add_keyframes,
+    exclude_computed,
+    exclude_disabled,
+    exclude_neighbours,
+)
 from urdfkit.output.conversion.options import Options
-from urdfkit.robot.inertia import MassProperties, combined, principal_moments
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
-from urdfkit.robot.model import Joint, Link, Tensor
-from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
-from urdfkit.robot.tree import KinematicTree
-from urdfkit.robot.values import number
-from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.output.conversion.proof import prove
+from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.stability import standing
 
-#: The least range that MuJoCo accepts of a joint, in rad or m.
-NARROWEST = 1e-6
+_DEFAULT = Options()
+_LOST = "MJCF has nothing like it"
+_REASONS = {
+    "plugin": "a plugin is a program of Gazebo",
+    "material": "no geom has it",
+    "update_rate": "MuJoCo measures in every step",
+    "always_on": "MuJoCo measures in every step",
+}
+#: What an error of MuJoCo's compiler is about.
+_ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
-_HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
-_BALL = mujoco.mjtJoint.mjJNT_BALL
-#: Joints that one number moves.
-_ONE_WAY = (*TURNING, *SLIDING)
-_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+def write(robot: Context, out: str, options: Options, *, force: bool) -> Conversion:
+    """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
+    is_free = floats(robot, options.base)
+    bundle = Bundle(robot, CONSUMERS["mujoco"])
+    with staged(assets(bundle), out, force=force, mark=REPORT) as directory:
+        made = assembled(robot, bundle, directory, options, is_free=is_free)
+        exclude_neighbours(made, robot)
+        if options.exclude == "computed":
+            exclude_computed(made, robot)
+        with _rejections(robot):
+            add_keyframes(made, robot)
+        _remove_unused(made, directory)
+        model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
+        proof = prove(model, robot)
+        if not proof.holds:
+            raise UrdfkitError(
+                f"MuJoCo and {proof.engine} do not agree on the robot: {proof.differences}"
+            )
+        entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
+        root = "free" if is_free else "fixed"
+        found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
+        found.write_report(directory)
+    return found
 
 
-class MjcfRobot:
-    """The specification of a robot, built from the model that a check reads.
-
-    Args:
-        robot: with a sound tree.
-        files: where the file of each mesh and texture lies, by the ``id`` of the reference.
-        directory: that the paths of the files begin in.
-        is_free: the root floats, and is not welded to the world.
+def floats(robot: Context, base: str) -> bool:
+    """True if the root of a robot is not welded to the world; ``auto`` asks what it stands on.
 
     Raises:
-        UrdfkitError: a joint or a shape has no meaning.
+        UrdfkitError: links and joints do not form one tree, or the world is to float.
     """
-
-    def __init__(
-        self,
-        robot: Context,
-        files: Mapping[int, str],
-        directory: str,
-        options: Options,
-        *,
-        is_free: bool,
-    ) -> None:
-        tree = robot.tree
-        self.losses = LossTable()  # what became of each part
-        self.spec = _empty(tree.model.name, directory)  # MuJoCo's
-        self.bodies: dict[str, Any] = {}  # of the links; several have one where they are merged
-        self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
-        self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
-        self.devices = FreeNames()  # of sites, sensors and cameras
-        self._tree = tree
-        self._merged = merged(robot) if options.fixed == "merge" else frozenset()
-        self._inertials = dict(_inertials(tree, self._merged))
-        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
-        self._build(tree, is_free)
-        self._couple(tree)
-
-    def _build(self, tree: KinematicTree, is_free: bool) -> None:
-        model = tree.model
-        self.losses.keep(model.root, "model")
-        for name in tree.below(tree.roots[0].name):
-            link = model.links_by_name[name]
-            joint = tree.parents[name][0] if tree.parents[name] else None
-            self.frames[name] = Transform()
-            if joint is not None and joint.name in self._merged:
-                self._merge(link, joint)
-            elif joint is None and name == "world":
-                self.bodies[name] = self.spec.worldbody
-            else:
-                self.bodies[name] = self._body(link, joint)
-            if joint is None and is_free:
-                self.bodies[name].add_freejoint(name=f"{name}_free")
-            self._fill(link)
-
-    def _merge(self, link: Link, joint: Joint) -> None:
-        """A link without a body of its own: a site where its frame is."""
-        assert joint.parent is not None
-        parent = joint.parent.value
-        self.bodies[link.name] = self.bodies[parent]
-        self.frames[link.name] = frame = self.frames[parent] @ joint.origin
-        self.bodies[parent].add_site(
-            name=self.devices.take(link.name), pos=frame.position, quat=quaternion(frame.rotation)
+    if not robot.tree.is_sound:
+        raise UrdfkitError(
+            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
         )
-        what = f"merged into body '{self.bodies[parent].name}'"
-        self.losses.keep(joint.at, what)
-        for tag in ("origin", "parent", "child"):
-            self.losses.keep(joint.at.child(tag), what)
-
-    def _body(self, link: Link, joint: Joint | None) -> Any:
-        parent, frame = self.spec.worldbody, Transform()
-        if joint is not None:
-            assert joint.parent is not None
-            above = joint.parent.value
-            parent, frame = self.bodies[above], self.frames[above] @ joint.origin
-        body = parent.add_body(name=link.name, pos=frame.position, quat=quaternion(frame.rotation))
-        if joint is not None:
-            self._joint(body, joint)
-        return body
-
-    def _joint(self, body: Any, joint: Joint) -> None:
-        keep = self.losses.keep
-        at, what = joint.at, f"joint '{joint.name}'"
-        keep(at, what if joint.kind != "fixed" else "body without a joint")
-        for tag in ("origin", "parent", "child"):
-            keep(at.child(tag), "place of the body")
-        if joint.kind in _ONE_WAY:
-            kind = _SLIDE if joint.kind == "prismatic" else _HINGE
-            made = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
-            keep(at.child("axis"), "axis")
-            self._limits(made, joint)
-            self._damping(made, joint)
-        elif joint.kind == "floating":
-            for number, axis in enumerate(_AXES):
-                body.add_joint(name=f"{joint.name}[{number}]", type=_SLIDE, axis=axis)
-            body.add_joint(name=f"{joint.name}[3]", type=_BALL)
-        elif joint.kind == "planar":
-            first, second, normal = _plane(direction(joint))
-            for number, (kind, axis) in enumerate(
-                ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
-            ):
-                body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
-            keep(at.child("axis"), "axes")
-        elif joint.kind == "fixed":
-            for tag in ("axis", "limit", "dynamics"):
-                self.losses.lose(at.child(tag), "a fixed joint does not move")
-        else:
-            raise UrdfkitError(f"{at.span}: joint '{joint.name}' has the type '{joint.kind}'")
-
-    def _limits(self, made: Any, joint: Joint) -> None:
-        limit = joint.limit
-        if limit is None:
-            return
-        attributes = limit.at.attributes
-        self.losses.keep(limit.at, "range")
-        lower, upper = (one.value if one else 0.0 for one in (limit.lower, limit.upper))
-        if joint.kind == "continuous":
-            reason = "a continuous joint has no range"
-            self.losses.lose(attributes.get("lower"), reason)
-            self.losses.lose(attributes.get("upper"), reason)
-        elif lower > upper:
-            raise UrdfkitError(f"{limit.at.span}: joint '{joint.name}': lower is over upper")
-        else:
-            made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
-            if lower == upper:
-                self.losses.approximate(limit.at, f"range of {NARROWEST:g}")
-        if limit.effort and limit.effort.value > 0:
-            made.actfrclimited, made.actfrcrange = True, (-limit.effort.value, limit.effort.value)
-            self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
-        else:
-            self.losses.lose(attributes.get("effort"), "an effort that is not over 0 is no limit")
-        self.losses.lose(attributes.get("velocity"), "MuJoCo does not limit velocities")
-
-    def _damping(self, made: Any, joint: Joint) -> None:
-        dynamics = joint.at.child("dynamics")
-        if dynamics is None:
-            return
-        self.losses.keep(dynamics, "joint")
-        for name, field in (("damping", "damping"), ("friction", "frictionloss")):
-            attribute = dynamics.attributes.get(name)
-            value = number(attribute.value) if attribute else None
-            if value is not None and value >= 0:
-                # A damping has three coefficients, of which the first is URDF's.
-                setattr(made, field, (value, 0.0, 0.0) if field == "damping" else value)
-                self.losses.keep(attribute, field)
-            else:
-                self.losses.lose(attribute, f"a {name} must be a number from 0 on")
-
-    def _fill(self, link: Link) -> None:
-        """What a link holds, in its body."""
-        body = self.bodies[link.name]
-        is_own = body.name == link.name
-        self.losses.keep(link.at, f"body '{body.name}'" if is_own else f"site of '{body.name}'")
-        if body is self.spec.worldbody:
-            self.losses.lose(link.inertial.at if link.inertial else None, "the world does not move")
-        else:
-            self._inertial(body, link)
-        self.geoms[link.name] = self._geoms.add(body, self.frames[link.name], link)
-
-    def _inertial(self, body: Any, link: Link) -> None:
-        found = self._inertials.get(link.name)
-        if found is not None and (link.inertial or found.mass):
-            moments, axes = _principal(found.tensor)
-            body.explicitinertial = True
-            body.mass, body.ipos, body.inertia = found.mass, found.center, moments
-            body.iquat = quaternion(axes)
-        if link.inertial is None:
-            return
-        what = "inertial" if found else f"part of the inertial of body '{self._top(link.name)}'"
-        self.losses.keep(link.inertial.at, what)
-        for tag in ("mass", "inertia", "origin"):
-            self.losses.keep(link.inertial.at.child(tag), what)
-
-    def _top(self, link: str) -> str:
-        """The link that bears the inertia of another one."""
-        while link not in self._inertials:
-            joint = self._tree.parents[link][0]
-            assert joint.parent is not None
-            link = joint.parent.value
-        return link
-
-    def _couple(self, tree: KinematicTree) -> None:
-        """Equalities for what follows another joint."""
-        joints = tree.model.joints_by_name
-        known = laws(joints)
-        for joint in tree.model.joints:
-            mimic = joint.mimic
-            if mimic is None:
-                continue
-            leader, factor, shift = known[joint.name]
-            if not {joint.kind, joints[leader].kind if leader else ""} <= set(_ONE_WAY):
-                continue
-            made = self.spec.add_equality(
-                name=f"{joint.name}_mimic",
-                type=mujoco.mjtEq.mjEQ_JOINT,
-                objtype=mujoco.mjtObj.mjOBJ_JOINT,
-                name1=joint.name,
-                name2=leader,
-            )
-            made.data[:5] = (shift, factor, 0.0, 0.0, 0.0)
-            self.losses.keep(mimic.at, "equality")
+    if base == "free" and robot.tree.roots[0].name == "world":
+        raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
+    if base != "auto":
+        return base == "free"
+    fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
+    return not fixed.issuperset(standing(robot).links)
 
 
-def merged(robot: Context) -> frozenset[str]:
-    """Names of the fixed joints that need no body of their own, as one does that is measured."""
-    measured = {one.reference for one in sensors(robot.model) if one.type == "force_torque"}
-    fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
-    return frozenset(fixed - measured)
+def assets(bundle: Bundle) -> Iterator[BundledFile]:
+    """The meshes of a bundle, without its URDF and its manifest."""
+    for file in bundle.files():
+        if "/" in file.path:
+            yield file
 
 
-def _inertials(
-    tree: KinematicTree, merged_joints: frozenset[str]
-) -> Iterator[tuple[str, MassProperties]]:
-    """The inertia of each body, about its own frame.
+def assembled(
+    robot: Context,
+    bundle: Bundle,
+    directory: str,
+    options: Options = _DEFAULT,
+    *,
+    is_free: bool,
+) -> MjcfRobot:
+    """The specification of a robot whose assets lie in a directory.
 
-    MuJoCo rejects a tensor that no body has, of a fixed link, too. What is fixed together then
-    has its inertia at its top, where the sum counts.
+    Raises:
+        UrdfkitError: MuJoCo rejects it, or a joint or a shape has no meaning.
     """
-    fixed = {joint.name for joint in tree.model.joints if joint.kind == "fixed"}
-    for group in rigid_bodies(tree, frozenset(fixed - merged_joints if merged_joints else ())):
-        own = {link.name: properties_of(link, Transform()) for link, _ in group.links}
-        top, has_sound_top = group.top.name, _is_physical(own[group.top.name].tensor)
-        summed = [properties_of(group.top, Transform())]
-        for link, frame in group.links[1:]:
-            if not merged_joints and has_sound_top and _is_physical(own[link.name].tensor):
-                yield link.name, own[link.name]
-            else:
-                summed.append(properties_of(link, frame))
-        yield top, combined(summed) if len(summed) > 1 else own[top]
+    files = {
+        id(reference): one.new
+        for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
+    }
+    with _rejections(robot):
+        made = MjcfRobot(robot, files, directory, options, is_free=is_free)
+        add_frictions(made, robot)
+        add_actuators(made, robot)
+        add_sensors(made, robot)
+        exclude_disabled(made, robot)
+    return made
 
 
-def _is_physical(tensor: Tensor) -> bool:
-    least, middle, most = principal_moments(tensor)
-    return least >= 0 and least + middle >= most
+def _remove_unused(made: MjcfRobot, directory: str) -> None:
+    """Files of the bundle that no mesh or texture is read from, such as materials of OBJ."""
+    used = {one.file for one in (*made.spec.meshes, *made.spec.textures)}
+    for at, _, names in list(os.walk(directory, topdown=False)):
+        for name in names:
+            path = os.path.join(at, name)
+            if os.path.relpath(path, directory).replace(os.sep, "/") not in used:
+                os.unlink(path)
+        if at != directory and not os.listdir(at):
+            os.rmdir(at)
 
 
-def _principal(tensor: Tensor) -> tuple[Any, Rotation]:
-    """The principal moments, and their axes as a rotation."""
-    xx, xy, xz, yy, yz, zz = tensor
-    moments, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    axes[:, 0] *= np.sign(np.linalg.det(axes))
-    first, second, third = (vector(row) for row in axes)
-    return moments, (first, second, third)
+def compiled(made: MjcfRobot, robot: Context) -> Any:
+    """MuJoCo's model.
+
+    Raises:
+        UrdfkitError: MuJoCo rejects it.
+    """
+    with _rejections(robot):
+        return made.spec.compile()
 
 
-def _empty(name: str, directory: str) -> Any:
-    spec = mujoco.MjSpec()
-    spec.modelname = name or "robot"
-    spec.modelfiledir = directory
-    spec.compiler.degree = False
-    spec.compiler.saveinertial = True
-    spec.compiler.inertiafromgeom = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_FALSE
-    return spec
+def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
+    """The file, as MuJoCo loads it."""
+    compiled(made, robot)
+    _write_all_digits()
+    atomic.make_directory(os.path.dirname(path))  # of a robot without files
+    with _rejections(robot):
+        atomic.write(path, made.spec.to_xml().encode(), durable=False)
+        return mujoco.MjModel.from_xml_path(path)
 
 
-def _plane(normal: tuple[float, float, float]) -> tuple[Any, Any, Any]:
-    """Two unit vectors across a third, right-handed, and that."""
-    least = np.eye(3)[np.argmin(np.abs(normal))]
-    first = np.cross(normal, least)
-    first /= np.linalg.norm(first)
-    return first, np.cross(normal, first), np.array(normal)
+@contextmanager
+def _rejections(robot: Context) -> Iterator[None]:
+    """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check."""
+    mujoco.set_mju_user_warning(_ignore)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    except (ValueError, mujoco.FatalError) as error:
+        raise _explained(str(error), robot) from error
+
+
+def _ignore(warning: str) -> None:
+    """MuJoCo writes what it warns of to a file in the current directory otherwise."""
+
+
+def _write_all_digits() -> None:
+    """Let MuJoCo write numbers as they are: it writes six digits, and has no public switch."""
+    library = glob.glob(os.path.join(os.path.dirname(mujoco.__file__), "*mujoco.*"))[0]
+    ctypes.CDLL(library)._mjPRIVATE__set_xml_precision(15)
+
+
+def _explained(text: str, robot: Context) -> UrdfkitError:
+    """An error of MuJoCo's compiler, at the link or joint that it names."""
+    what = " ".join(text.split()).removeprefix("Error: ")
+    what = what.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
+    named = _ELEMENT.search(what)
+    name = named.group(1) if named else ""
+    what = f"{what[: named.start()].strip()} ('{name}')" if named else what
+    part = robot.model.links_by_name.get(name) or robot.model.joints_by_name.get(name)
+    where = f"{part.at.span}: " if part else ""
+    return UrdfkitError(
+        f"{where}MuJoCo rejects the robot: {what}; see urdfkit check --target mujoco"
+    )
+
+
+def _counts(model: Any) -> dict[str, int]:
+    return {
+        "link": int(model.nbody) - 1,
+        "joint": int(model.njnt),
+        "geom": int(model.ngeom),
+        "actuator": int(model.nu),
+        "sensor": int(model.nsensor),
+        "camera": int(model.ncam),
+        "keyframe": int(model.nkey),
+    }

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import mujoco
 
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.mjcf import MjcfRobot
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.values import text_of

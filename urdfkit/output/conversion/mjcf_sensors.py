@@ -10,8 +10,8 @@ import numpy as np
 from urdfkit.core.spatial import Rotation, Transform, basis, from_rpy, multiply, transposed
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.mjcf import MjcfRobot
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.values import numbers
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element

@@ -6,7 +6,7 @@ from typing import Any
 import mujoco
 
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.mjcf import MjcfRobot
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.kinematics import positions
 from urdfkit.robot.values import number
 from urdfkit.text.document import Element

@@ -61,8 +61,8 @@ def _require_name(name: str, files: list[BundledFile]) -> None:
     """Also rejects the names of packages that the new one depends on."""
     if len(name) < 2 or not _NAME.fullmatch(name):
         raise UrdfkitError(
-            f"'{name}' is not a valid package name: small letters and digits, with single "
-            "underscores between them, and a letter first"
+            f"'{name}' is not a valid package name: two or more lowercase letters, digits and "
+            "single underscores, with a letter first and no underscore last"
         )
     manifest = next(file.data for file in files if file.path == "package.xml")
     if f"depend>{name}<".encode() in manifest:

@@ -12,7 +12,8 @@ def overlap(robot: SimulatedRobot) -> Iterator[Verdict]:
     found = robot.overlaps(robot.started())
     for names, depth in sorted(found.items(), key=lambda pair: -pair[1]):
         links = " and ".join(f"'{name}'" for name in names)
-        text = f"links {links} overlap by {depth * 1e3:.3g} mm at the start"
+        what = "convex hulls of links" if any(map(robot.has_mesh, names)) else "links"
+        text = f"{what} {links} overlap by {depth * 1e3:.3g} mm at the start"
         if frozenset(names) in robot.neighbours:  # whom MuJoCo leaves out elsewhere
             text += "; MuJoCo collides them, since the parent is welded to the world"
         yield Verdict("overlap", False, text, depth, OVERLAP, names, robot.collision(names[0]))

@@ -8,9 +8,15 @@ import mujoco
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
-from urdfkit.core.words import listed
-from urdfkit.output.simulation.simulated_robot import FINE_STEP, STEP, SimulatedRobot, diverged
+from urdfkit.output.simulation.simulated_robot import (
+    FINE_STEP,
+    STEP,
+    SimulatedRobot,
+    diverged,
+    unit_of,
+)
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.values import number
 from urdfkit.text.source import Span
 
 #: A robot may gain the energy that lifts it by so much, and a part of its largest kinetic energy.
@@ -33,6 +39,7 @@ class _Release(Record):
 
 def release(robot: SimulatedRobot) -> Iterator[Verdict]:
     """Whether a robot gains energy or diverges, with the cause."""
+    yield from _driven_by_damping(robot)
     found = _released(robot, STEP)
     if found.is_calm:
         text = (
@@ -54,14 +61,22 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
     yield Verdict("stability", False, text, found.gain, found.bound, names or (joint,), place)
 
 
+def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """Joints that are driven by what should slow them down; MuJoCo has no such damping."""
+    for joint in robot.leaders:
+        dynamics = joint.at.child("dynamics")
+        written = dynamics.attributes.get("damping") if dynamics else None
+        damping = number(written.value) if written else None
+        if written and damping is not None and damping < 0:
+            position, force = unit_of(joint)
+            text = (
+                f"joint '{joint.name}' is driven by its damping of {damping:g} {force}·s/{position}"
+            )
+            yield Verdict("energy", False, text, damping, 0.0, (joint.name,), written.span)
+
+
 def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
     """Why a robot gains energy, and what is to blame."""
-    if robot.negative_damping:
-        names = tuple(joint.name for joint in robot.negative_damping)
-        dynamics = robot.robot.model.joints_by_name[names[0]].at.child("dynamics")
-        quoted = listed([f"'{name}'" for name in names])
-        text = f"; negative damping drives {quoted}"
-        return text, names, dynamics.span if dynamics else None
     is_of_contacts = _released(robot, STEP, contacts=False).is_calm
     robot.set_up()
     overlaps = robot.overlaps(robot.started())
@@ -97,8 +112,8 @@ def moments(robot: SimulatedRobot, images: int) -> Iterator[dict[str, Transform]
     """
     robot.set_up()
     data, steps = robot.started(), round(RELEASED / STEP)
-    for number in range(steps + 1):
-        if number % (steps // (images - 1)) == 0:
+    for step in range(steps + 1):
+        if step % (steps // (images - 1)) == 0:
             yield robot.frames(data)
         mujoco.mj_step(robot.model, data)
         if diverged(data) is not None:

@@ -1,6 +1,6 @@
 """A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import mujoco
@@ -12,11 +12,10 @@ from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_files
-from urdfkit.output.conversion.mjcf import MjcfRobot
-from urdfkit.output.conversion.writing import assembled, assets, compiled, floats
+from urdfkit.output.conversion.mjcf import assembled, assets, compiled, floats
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws, positions
 from urdfkit.robot.model import Joint
-from urdfkit.robot.values import number
 from urdfkit.text.source import Span
 
 #: Seconds of a step, and of a finer one: where that is calm, the coarser is at fault.
@@ -44,7 +43,6 @@ class SimulatedRobot:
     leaders: list[Joint]  # the joints that one number moves and that follow none
     followers: dict[str, str]  # the joints that follow another one, with that one
     neighbours: set[frozenset[str]]  # pairs of links with a joint between them
-    negative_damping: list[Joint]  # joints that are driven by what should slow them down
 
     def __init__(self, robot: Context, base: str) -> None:
         mujoco.set_mju_user_warning(_ignore)
@@ -63,7 +61,6 @@ class SimulatedRobot:
         self.model = self._compiled()
         self.model.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
         self.model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
-        self.negative_damping = list(self._apply_negative_damping())
         self.set_up()
 
     def _compiled(self) -> Any:
@@ -81,16 +78,6 @@ class SimulatedRobot:
                 plane = mujoco.mjtGeom.mjGEOM_PLANE
                 made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
             return compiled(made, self.robot)
-
-    def _apply_negative_damping(self) -> Iterator[Joint]:
-        """As written: MJCF has no such value."""
-        for joint in self.leaders:
-            dynamics = joint.at.child("dynamics")
-            written = dynamics.attributes.get("damping") if dynamics else None
-            value = number(written.value) if written else None
-            if value is not None and value < 0:
-                self.model.dof_damping[self.dof(joint.name)] = value
-                yield joint
 
     def set_up(self, step: float = STEP, *, gravity: bool = True, contacts: bool = True) -> None:
         """What holds for all steps from here on; drives are never simulated."""
@@ -168,6 +155,12 @@ class SimulatedRobot:
             for name in self.robot.tree.below(self.robot.tree.roots[0].name)
             for index in [self.model.body(name).id]
         }
+
+    def has_mesh(self, link: str) -> bool:
+        """True for a link that collides by the convex hull of a mesh."""
+        found = self.robot.model.links_by_name.get(link)
+        bodies = found.collisions if found else ()
+        return any(body.shape is not None and body.shape.kind == "mesh" for body in bodies)
 
     def collision(self, link: str) -> Span | None:
         """Where the collision of a link is written."""

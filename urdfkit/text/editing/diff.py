@@ -6,6 +6,8 @@ import difflib
 import io
 from array import array
 
+from urdfkit.text.source import shown
+
 #: Deletions and insertions up to which the smallest diff is looked for.
 _MAX_EDITS = 2000
 
@@ -14,14 +16,16 @@ def diff(path: str, before: bytes, after: bytes) -> str:
     """What changes of a file, as a unified diff that ``patch -p0`` takes.
 
     Args:
-        path: of the file, as a user would type it.
+        path: of the file. It is relative in the diff if the file lies in the current directory:
+            ``patch`` rejects absolute paths.
         before: its text, in UTF-8.
     """
     old, new = _lines(before), _lines(after)
     matcher = difflib.SequenceMatcher(None, old, new)
     if common := _common(old, new):
         vars(matcher)["matching_blocks"] = common  # which it would look for otherwise
-    lines = [f"--- {path}\n", f"+++ {path}\n"] if before != after else []
+    name = shown(path)
+    lines = [f"--- {name}\n", f"+++ {name}\n"] if before != after else []
     for group in matcher.get_grouped_opcodes():
         lines.append(f"@@ -{_range(group, 1)} +{_range(group, 3)} @@\n")
         for tag, start, end, at, to in group:
