@@ -55,6 +55,16 @@ def test_readme_leads_to_every_command() -> None:
     assert missing == []
 
 
+@pytest.mark.parametrize("page", [transcripts.README, transcripts.CHINESE])
+def test_the_counts_in_readme_are_true(page: Path) -> None:
+    from tests.test_planted import PLANTS
+
+    text = page.read_text(encoding="utf-8")
+    counts = [int(number) for number in re.findall(r"^\| (\d+) ", text, re.MULTILINE)]
+    assert counts == [len(rule_index.codes()), len(PLANTS)]
+    assert f" {len(PLANTS)} " in (transcripts.ROOT / "docs" / "comparison.md").read_text("utf-8")
+
+
 def test_the_road_in_readme_mends_the_robot(tmp_path: Path) -> None:
     """The commands of the story, one after the other, in a shell."""
     pytest.importorskip("trimesh")
