@@ -39,3 +39,12 @@ def test_what_cannot_be_written_gives_2(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 0
     assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 2
     assert "--force replaces it" in capsys.readouterr().err
+
+
+def test_there_is_no_standard_output_for_a_directory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["bundle", str(ARM), "-o", "-"]) == 2
+    assert "'-' is no directory" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

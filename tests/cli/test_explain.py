@@ -29,7 +29,7 @@ def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_page_of_a_rule() -> None:
     page = render(rule_index.get("TRE003"))
     assert page.startswith("TRE003 cycle (error, without a fix)\n\nJoints form a closed")
-    assert "\n\nNeeds: a readable robot model\n\nHelp: leave one" in page
+    assert "\n\nNeeds: a readable robot model\n\nHelp: leave a passive joint" in page
     assert '\n\nBad:\n\n    <link name="base"/>\n' in page
     assert '\n\nGood:\n\n    <link name="base"/>\n' in page
     assert "Fixed:" not in page

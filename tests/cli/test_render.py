@@ -228,3 +228,16 @@ def test_two_states_side_by_side(tmp_path: Path) -> None:
     assert main(["render", "--diff", ARM, ARM, "-o", str(path), "--size", "300x100"]) == 0
     with Image.open(path) as image:
         assert image.size == (300, 100)
+
+
+def test_a_mesh_of_one_point_has_a_ground(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "point.obj").write_text("v 0 0 0\nf 1 1 1\n")
+    robot = tmp_path / "r.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><visual><geometry><mesh filename="point.obj"/></geometry>'
+        "</visual></link></robot>"
+    )
+    assert main(["render", str(robot), "-o", str(tmp_path / "r.png"), "--size", "64x64"]) == 0
+    assert capsys.readouterr().err == ""

@@ -108,3 +108,18 @@ def test_the_hint_of_a_speller() -> None:
 )
 def test_a_word_in_front_changes_the_meaning(word: str, known: str, suggested: str) -> None:
     assert Suggester([known]).suggested(word) == suggested
+
+
+@pytest.mark.parametrize(
+    ("word", "suggested"),
+    [
+        ("robot_1/mouse_jont", "robot_1/mouse_joint"),
+        ("robot_1/imu_joint", ""),  # what is like is the namespace
+        ("robot_1/plate_joint", "plate_joint"),
+        ("robot_1/", ""),
+    ],
+)
+def test_a_namespace_makes_no_names_alike(word: str, suggested: str) -> None:
+    """Interbotix' locobots: `imu_joint` has no namespace, and is not the joint of the mouse."""
+    known = ["robot_1/mouse_joint", "plate_joint"]
+    assert Suggester(known).suggested(word) == suggested

@@ -81,3 +81,17 @@ def test_one_attribute(tmp_path: Path) -> None:
 def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:
     robot = ROBOT.replace("${limit.lower}", "1").replace("${limit.upper}", "-1")
     assert notes(tmp_path, "JNT003", robot) == []
+
+
+def test_data_of_a_package_that_is_not_there(tmp_path: Path) -> None:
+    """Robots around a UR, whose `ur_description` is installed elsewhere."""
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="file" default="$(find ur_description)/config/initial.yaml"/>'
+        '<xacro:property name="file" default="$(arg file)"/>'
+        '<xacro:macro name="arm" params="p"><link name="l${p[\'a\']}"/></xacro:macro>'
+        '<xacro:arm p="${xacro.load_yaml(file)}"/></robot>'
+    )
+    (tmp_path / "r.urdf.xacro").write_text(robot)
+    report = check(tmp_path / "r.urdf.xacro", select=["XAC001", "XAC011"])
+    assert [one.code for one in report.diagnostics] == ["XAC011"]

@@ -247,3 +247,22 @@ def test_the_marker_of_a_package_with_another_name(tmp_path: Path) -> None:
     found = check(path, select=["PKG005"]).diagnostics
     assert not any("resource/" in one.message for one in found)
     assert any("differs from the package name" in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("path", "severities"),
+    [("/tmp/robot.urdf", []), ("/none/r.urdf", ["warning"]), ("{}/arm/r.urdf", ["error"])],
+)
+def test_a_robot_that_the_launch_file_writes(
+    tmp_path: Path, path: str, severities: list[str]
+) -> None:
+    """jhj1111's rescue robot: the launch file expands the xacro into /tmp."""
+    program = (
+        "import launch, launch_ros.actions\n"
+        "def generate_launch_description():\n"
+        "    return launch.LaunchDescription([launch_ros.actions.Node(package='gazebo_ros', "
+        "executable='spawn_entity.py', arguments=['-entity', 'r', "
+        f"'-file', '{path.format(tmp_path)}'])])\n"
+    )
+    found = reported(tmp_path / "arm", "LAU016", "a.launch.py", program)
+    assert [one.severity.value for one in found] == severities

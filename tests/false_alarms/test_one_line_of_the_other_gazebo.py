@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
+from tests.gazebos import BASE, plugin
+from tests.reported import reported
 from urdfkit import check
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
@@ -70,3 +74,19 @@ def test_a_package_for_both_generations_of_ros(tmp_path: Path) -> None:
     manifest = manifest_of(Resolver(environment={}), str(tmp_path / "r.urdf"))
     assert manifest is not None
     assert manifest.ros is None
+
+
+@pytest.mark.parametrize(
+    ("targets", "count"), [(("classic-ros1", "classic-ros2"), 0), (("classic-ros2",), 1)]
+)
+def test_a_plugin_that_is_complete_for_one_of_the_gazebos(
+    targets: tuple[str, ...], count: int
+) -> None:
+    """Interbotix' locobot of ROS 1, with one plugin of ROS 2 left: required is `<bodyName>`."""
+    tags = "<bodyName>base</bodyName><topicName>pose</topicName><frameName>map</frameName>"
+    more = (
+        "<update_rate>9</update_rate><xyz_offset>0 0 0</xyz_offset><rpy_offset>0 0 0</rpy_offset>"
+    )
+    own = "<gaussian_noise>0</gaussian_noise>"
+    robot = BASE + plugin("libgazebo_ros_p3d.so", tags + more + own)
+    assert len(reported("GAZ017", robot, targets=targets)) == count

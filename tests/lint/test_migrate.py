@@ -92,6 +92,21 @@ def test_the_command_says_when_there_is_nothing_to_do(capsys: pytest.CaptureFixt
     assert capsys.readouterr().out == "nothing to do for classic-ros1\n"
 
 
+def test_of_macros_that_nothing_calls_it_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "lidar.xacro"
+    plugin = '<gazebo><plugin name="p" filename="libgazebo_ros_laser.so"/></gazebo>'
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">'
+        f'<xacro:macro name="lidar">{plugin}</xacro:macro></robot>'
+    )
+    assert main(["migrate", str(file), "--to", "gz-harmonic"]) == 0
+    assert capsys.readouterr().err == (
+        f"note: {file}: has no links; macros change with the robot that calls them\n"
+    )
+
+
 def test_an_unknown_target_is_refused() -> None:
     with pytest.raises(UnknownTarget):
         migrate(MODEL, "gazebo")

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import OUT, limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -24,9 +24,7 @@ from urdfkit.text.source import shown
     "urdfkit bundle robot.urdf.xacro -o robot.zip --for mujoco",
 )
 @one_robot
-@click.option(
-    "-o", "--output", "out", metavar="OUT", required=True, help="Directory or .zip to write."
-)
+@OUT
 @click.option(
     "--for",
     "consumer",

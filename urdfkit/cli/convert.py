@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import OUT, in_formats, limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -31,9 +31,7 @@ if TYPE_CHECKING:
 )
 @one_robot
 @click.option("--to", type=click.Choice(list(FORMATS)), required=True, help="Format to write.")
-@click.option(
-    "-o", "--output", "out", metavar="OUT", required=True, help="Directory or .zip to write."
-)
+@OUT
 @click.option(
     "--base",
     type=click.Choice(BASES),

@@ -48,6 +48,22 @@ def to_file(name: str, help: str) -> Callable[[Command], Command]:
     )
 
 
+def _no_stream(context: click.Context, option: click.Parameter, out: str) -> str:
+    """Rejects '-', of which other commands make standard output."""
+    if out == "-":
+        raise click.BadParameter("'-' is no directory; pass './-' for one of that name")
+    return out
+
+
+OUT = click.option(
+    "-o",
+    "--output",
+    "out",
+    metavar="OUT",
+    required=True,
+    help="Directory or .zip to write.",
+    callback=_no_stream,
+)
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )

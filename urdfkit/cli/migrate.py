@@ -9,6 +9,7 @@ import click
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
+from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.terminal import printable
@@ -29,7 +30,17 @@ def command(asked: dict[str, Any], target: str) -> int:
     """
     file = only_file(asked)
     how = reading(asked, file)
-    migration = migrate(stdin.opened(file), target, how.arguments, how.packages, how.trust)
+    source = stdin.opened(file)
+    migration = migrate(source, target, how.arguments, how.packages, how.trust)
+    if not any(migration):
+        robot = read(source, arguments=how.arguments, packages=how.packages, trust=how.trust)
+        if not robot.is_readable or not robot.model.links:
+            print(
+                printable(
+                    f"note: {file}: has no links; macros change with the robot that calls them"
+                ),
+                file=sys.stderr,
+            )
     for file, reason in migration.unread.items():
         print(printable(f"error: {file}: {reason}; see 'urdfkit check {file}'"), file=sys.stderr)
     output.write("".join(render(migration, target)))

@@ -119,9 +119,18 @@ class Suggester:
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:
                 return ""
-            found = nearest(word, self._known, self._cutoff) or ""
-            self._found[word] = "" if found and _are_siblings(word, found) else found
+            self._found[word] = self._likely(word)
         return self._found[word]
+
+    def _likely(self, word: str) -> str:
+        """The known name; a namespace that both have in front makes no names alike."""
+        space, slash, name = word.rpartition("/")
+        if slash and name in self._known:
+            return name
+        space += slash
+        inside = [one.removeprefix(space) for one in self._known if one.startswith(space)]
+        found = nearest(name, inside, self._cutoff)
+        return space + found if found and not _are_siblings(name, found) else ""
 
 
 def _are_siblings(word: str, other: str) -> bool:

@@ -37,7 +37,10 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
-        now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
+        launched = _launched(job, values)
+        now = job._replace(frame=one.frame, launched=launched, arguments=arguments)
+        if one.frame is None:
+            now = now._replace(assumed=_named(one.arguments))
         pair = (now, read(now))
         if pair[1].reading.missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
@@ -87,7 +90,8 @@ def _as_found(
     sets = list(combinations(names, xacro, context.resolver))
     offered = [{name: value for name, (value, _) in values.items()} for values in sets]
     for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
-        now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
+        arguments, launched = {**given, **job.arguments}, _launched(job, values)
+        now = job._replace(arguments=arguments, launched=launched, assumed=_named(given))
         pair = (now, read(now))
         if pair[1].reading.document is not None:
             found.append(pair)
@@ -96,6 +100,8 @@ def _as_found(
         more += pair[1].reading.missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
+    if len(found) == 1:  # there is nothing to choose from
+        return [(found[0][0]._replace(assumed=""), found[0][1])]
     if found or set(more) <= set(names):
         return found
     return _as_found(job, read, context, tuple(dict.fromkeys((*names, *more))))
@@ -136,6 +142,10 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
     return tuple(Launched(job.path, *one) for one in origins.items())
+
+
+def _named(arguments: Mapping[str, str]) -> str:
+    return ", ".join(f"{name}={value}" for name, value in arguments.items())
 
 
 def unknown_arguments(context: Context, given: Iterable[str]) -> dict[str, str]:

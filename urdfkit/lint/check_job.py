@@ -13,7 +13,7 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -56,14 +56,46 @@ def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Ch
 
 def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
     try:
-        return [
-            (launched, check_context(launched, context, options))
-            for launched, context in as_launched(job, reader(options, resolver))
-        ]
+        return with_assumed(
+            [
+                (launched, check_context(launched, context, options))
+                for launched, context in as_launched(job, reader(options, resolver))
+            ]
+        )
     except UrdfkitError:
         raise
     except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
         return [(job, failed(job, error))]
+
+
+def with_assumed(checked: list[Checked]) -> list[Checked]:
+    """The results of one robot, in which no error depends on values that nobody may start it with.
+
+    An error that only assumed values show is a warning that names them, unless several sets of them
+    show it, and none does not: then it does not depend on the values.
+    """
+    sets = [job.assumed for job, _ in checked if job.assumed]
+    found_in: dict[object, list[str]] = {}
+    for job, result in checked:
+        for one in result.diagnostics:
+            found_in.setdefault(_identity(one), []).append(job.assumed)
+
+    def lowered(one: Diagnostic) -> Diagnostic:
+        own = tuple(dict.fromkeys(found_in[_identity(one)]))
+        if one.severity is not Severity.ERROR or "" in own or len(own) == len(sets) > 1:
+            return one
+        return one._replace(
+            severity=Severity.WARNING, confidence=Confidence.GUESSED, variants=own, fix=None
+        )
+
+    return [
+        (job, result._replace(diagnostics=tuple(map(lowered, result.diagnostics))))
+        for job, result in checked
+    ]
+
+
+def _identity(one: Diagnostic) -> object:
+    return one.code, one.span.source.path, *one.span[1:], one.message
 
 
 def failed(job: Job, error: Exception) -> FileResult:

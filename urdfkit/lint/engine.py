@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader
+from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader, with_assumed
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked, merged_report
@@ -116,9 +116,13 @@ def check_robots(
         UrdfkitError: as of ``check``.
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
-    robots = [pair for job in plan.jobs for pair in as_launched(job, read)]
-    checked = [(job, check_context(job, context, options)) for job, context in robots]
-    return merged_report(plan, checked, ()), [context for _, context in robots]
+    robots = [as_launched(job, read) for job in plan.jobs]
+    checked = [
+        result
+        for sets in robots
+        for result in with_assumed([(job, check_context(job, one, options)) for job, one in sets])
+    ]
+    return merged_report(plan, checked, ()), [context for sets in robots for _, context in sets]
 
 
 def contexts(

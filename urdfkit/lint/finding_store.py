@@ -53,7 +53,12 @@ class FindingStore:
         of_file = self._memory[file] = self._of_file(file)
         key = (one.code, *one.span[1:], one.message)
         if key in of_file:
-            of_file[key][1].extend(found_in)
+            first, others = of_file[key]
+            if one.severity.rank < first.severity.rank:  # with other arguments it is an error
+                self.counts[first.severity] -= 1
+                self.counts[one.severity] += 1
+                first = one
+            of_file[key] = (first, others + found_in)
             return
         of_file[key] = (one, found_in)
         self.counts[one.severity] += 1

@@ -39,6 +39,8 @@ class Job(Record):
     parameters: tuple[FileUse, ...] = ()  # the files of parameters that this launch file loads
     #: The arguments that it lacks by itself, and where their values are from.
     launched: tuple[Launched, ...] = ()
+    #: Those of them that no launch file starts this robot with, as ``name=value``; else empty.
+    assumed: str = ""
     codes: frozenset[str] = frozenset()  # of the rules that are asked; all if empty
     #: The text, if it was read already. That of a robot in a directory is read when its turn comes:
     #: there may be thousands.

@@ -28,6 +28,8 @@ LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
 LINE, WIDTH = 0.13, 1.3
 #: The grid fades from squares of the first number of pixels to squares of the second one.
 DENSE, SPARSE = 3, 9
+#: The least size of a robot in m: all of its vertices may be at one point.
+LEAST = 1e-9
 
 
 class Ground(NamedTuple):
@@ -123,7 +125,7 @@ def ground(
     """
     lowest, highest = extent(points, pieces)
     height = float(lowest[2]) if level is None else level
-    size = float((highest - lowest).max())
+    size = max(float((highest - lowest).max()), LEAST)
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
     middle = (lowest + highest)[:2] / 2
     origin = (float(middle[0] - edge / 2), float(middle[1] - edge / 2))

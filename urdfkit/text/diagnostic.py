@@ -116,7 +116,8 @@ class Diagnostic(Record):
         fix: as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
         group_key: the same for findings of one rule that are shown as one where they are many.
-        variants: names of the variants of the robot that it is found in; empty if it is in all.
+        variants: names of the variants of the robot that it is found in, or its assumed arguments;
+            empty if it is in all.
     """
 
     code: str

@@ -156,6 +156,8 @@ class ExpansionRun:
 
         xacro = self.xacro
         filename = xacro.abs_filename_spec(filename)
+        if FAILED in filename:  # it is in a package that is not there, say
+            raise DependsOnError(filename)
         source = self.reader.yaml(filename)
         self.budget.charge(10 * len(source.data))  # it takes so much longer than other text
         xacro.filestack.append(filename)

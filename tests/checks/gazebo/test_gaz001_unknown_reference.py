@@ -35,3 +35,17 @@ def test_a_frame_is_not_the_link_that_it_is_on() -> None:
     assert found.help == "name a link or a joint of this robot"
     (found,) = reported("GAZ001", '<link name="base_link"/>' + block.format("lnk"))
     assert found.help == "did you mean 'base_link'?"
+
+
+@pytest.mark.parametrize(
+    ("tag", "reference", "severity"),
+    [
+        ("<material>Gazebo/Black</material>", "plate_2", "warning"),
+        ("<mu1>1</mu1>", "baase", "error"),
+        ('<sensor name="imu" type="imu"/>', "plate_2", "error"),
+    ],
+)
+def test_properties_of_a_link_of_another_robot(tag: str, reference: str, severity: str) -> None:
+    """Jupiter's `jupiter2_gazebo.xacro`, which holds the plates of the larger robot."""
+    (found,) = reported("GAZ001", BASE + block(tag, reference))
+    assert found.severity.value == severity

@@ -40,6 +40,7 @@ def test_what_the_bridge_passes_on(tmp_path: Path, word: str) -> None:
     ("word", "help"),
     [
         ("/imu@sensor_msgs/msg/Imu[gz.msgs.Pose", "write gz.msgs.IMU"),
+        ("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock]", "write gz.msgs.Clock"),
         ("/imu@sensor_msgs/msg/Imu[gz.msgs.Imu", "write gz.msgs.IMU"),
         ("/imu@sensor_msgs/msg/Imu[gazebo.msgs.IMU", "write gz.msgs.IMU"),
         ("/imu@sensor_msgs/Imu[gz.msgs.IMU", "write sensor_msgs/msg/Imu"),

@@ -325,9 +325,17 @@ def test_only_a_bundle_is_replaced_and_only_on_request(robot: Path, tmp_path: Pa
     assert contents(out) == before
     bundle(robot, out, consumer="web", force=True)
     assert "meshes/meshes_tip.dae" in contents(out)
-    for other in (tmp_path, robot):
+    text, archive, pipe = (tmp_path / name for name in ("text.zip", "archive.zip", "pipe.zip"))
+    text.write_text("not a zip")
+    with zipfile.ZipFile(archive, "w") as written:
+        written.writestr("thesis.tex", "my own")
+    os.mkfifo(pipe)
+    for other in (tmp_path, robot, text, archive, pipe):
         with pytest.raises(UnwritableFile, match="is a"):
             bundle(robot, other, force=True)
+    assert text.read_text() == "not a zip"
+    for force in (False, True):
+        bundle(robot, tmp_path / "new.zip", force=force)
 
 
 def test_equal_bundles_have_equal_zips(robot: Path, tmp_path: Path) -> None:

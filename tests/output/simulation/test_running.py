@@ -165,6 +165,14 @@ def test_a_joint_is_moved_by_its_effort_and_not_thrown(source: Source, fails: bo
     assert found == ({"drive": ("a",)} if fails else {})
 
 
+def test_a_joint_whose_simulation_diverges_has_no_speed() -> None:
+    found = simulate(read(pendulum(effort=1e300)))
+    (verdict,) = [one for one in found.verdicts if one.test == "drive"]
+    assert verdict.message == (
+        "joint 'a': driven by its effort of 1e+300 N·m, its simulation diverges"
+    )
+
+
 def test_negative_damping_drives_a_joint_even_at_its_equilibrium() -> None:
     arm = link("a", at="0 0 0"), joint("a", "world", "0 0 0", more='<dynamics damping="-1"/>')
     found = simulate(read(robot(*arm)))

@@ -2,8 +2,11 @@
 
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
-usual cause. A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the
-tags can stand in that link. A joint added in this way must name links that are there.
+usual cause. Properties of a link whose name is like no other are a warning: a file that several
+robots include may hold those of all their links.
+
+A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the tags can
+stand in that link. A joint added in this way must name links that are there.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -19,6 +22,9 @@ from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
 FIXED = GOOD = BAD.replace("whel", "wheel")
+
+#: What the robot lacks without the block; the rest is about a link that the robot does not have.
+_THINGS = frozenset(("sensor", "plugin"))
 
 
 @rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)
@@ -36,7 +42,8 @@ def check(context: Context) -> Findings:
             return
         if not block.children:
             continue
-        lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
+        tags = {child.tag: None for child in block.children}
+        lost = ", ".join(f"<{tag}>" for tag in tags)
         if reference.value in added:
             yield Finding(
                 reference,
@@ -46,7 +53,9 @@ def check(context: Context) -> Findings:
                 severity=Severity.WARNING,
             )
         else:
-            yield _unknown(reference, suggester.suggested(reference.value), lost)
+            found = _unknown(reference, suggester.suggested(reference.value), lost)
+            is_left_over = not found.help and _THINGS.isdisjoint(tags)
+            yield found._replace(severity=Severity.WARNING) if is_left_over else found
     if context.is_part or not any(block.all("joint") for block in model.gazebo):
         return
     for joint, end, into in context.gazebo.lost_joint_ends():

@@ -27,9 +27,10 @@ GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
     for use in context.plugins:
-        found = list(_missing(use, use.plugin, context)) if use.plugin else []
-        if found and not _is_of_another(use):
-            yield from found
+        loaded = use.candidates
+        found = [list(_missing(use, plugin, context)) for plugin in loaded]
+        if use.plugin in loaded and all(found) and not _is_of_another(use):
+            yield from found[loaded.index(use.plugin)]
 
 
 def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:

@@ -4,7 +4,8 @@ The scripts of gazebo_ros stop at an unknown option: the name of the robot is `-
 `spawn_entity.py`, and `-model` in ROS 1's `spawn_model`. `create` of ros_gz_sim, where it is
 `-name`, ignores an unknown option with its value (warning). All stop where a required option is
 missing. A file that does not exist, or a xacro, which is not expanded there, gives no robot; with a
-misspelt topic they wait for ever.
+misspelt topic they wait for ever. A missing file outside the workspace is a warning, as it may be
+on the robot's computer, and one in `/tmp` is not reported: the launch file may write it.
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -61,20 +62,26 @@ def check(context: Context) -> Findings:
                     severity=None if spawner.is_strict else Severity.WARNING,
                 )
             else:
-                yield from _value(option, word, place)
+                yield from _value(context, option, word, place)
         if is_known and started.words and not started.parameters.values:
             yield from _missing(started, spawner, given)
 
 
-def _value(option: str, word: Word, place: Location) -> Findings:
+def _value(context: Context, option: str, word: Word, place: Location) -> Findings:
     """The value of an option, if it is invalid."""
     text = word.text or ""
     if option == "file" and text.endswith(".xacro"):
         message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
-        if not disk.exists(text):
-            yield Finding(place, f"file not found: {text}", "create the file, or fix its name")
+        is_inside = context.resolver.allows(text, context.source.path)
+        if not disk.exists(text) and (is_inside or not text.startswith("/tmp/")):
+            yield Finding(
+                place,
+                f"file not found: {text}",
+                "create the file, or fix its name",
+                severity=None if is_inside else Severity.WARNING,
+            )
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3

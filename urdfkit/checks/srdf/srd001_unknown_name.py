@@ -17,8 +17,9 @@
   can actuate the specified joints".
 - `moveit_controllers.yaml` of ROS 2 with a controller that no parameter file of ros2_control in the
   workspace defines, while another one commands its joints; or that has other joints there, so that
-  it rejects each trajectory ("Joints on incoming trajectory don't match the controller joints"); or
-  with another type or action than the controller has ("Action client not connected").
+  it rejects each trajectory ("Joints on incoming trajectory don't match the controller joints"),
+  where fixed, mimic, passive and virtual joints do not count, which are in no trajectory; or with
+  another type or action than the controller has ("Action client not connected").
 
 The SRDF is out of date, or the name is misspelt.
 

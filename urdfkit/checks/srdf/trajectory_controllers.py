@@ -6,6 +6,7 @@ from itertools import islice
 from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
@@ -41,7 +42,7 @@ def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
             yield from _undefined(key, entry, served, defined)
             continue
         yield from _action(key, entry, same)
-        yield from _other_joints(key, entry, same)
+        yield from _other_joints(key, entry, same, _unmoved(context.model, srdf))
 
 
 def _undefined(
@@ -61,7 +62,16 @@ def _undefined(
         )
 
 
-def _other_joints(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
+def _unmoved(model: RobotModel, srdf: Srdf) -> set[str]:
+    """The joints that MoveIt leaves out of the trajectories for its controllers."""
+    own = {one.name for one in model.joints if one.kind == "fixed" or one.mimic is not None}
+    others = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
+    return own.union(one.get("name") or "" for one in others)
+
+
+def _other_joints(
+    key: Key, entry: dict[str, Node], same: list[Controller], unmoved: set[str]
+) -> Findings:
     """A trajectory controller with other joints, which rejects each trajectory."""
     joints = _joints(entry)
     known = [one for one in same if one.type == _TRAJECTORY and _commanded(one)]
@@ -71,10 +81,11 @@ def _other_joints(key: Key, entry: dict[str, Node], same: list[Controller]) -> F
         or any(_commanded(one) >= joints for one in same if _is_partial(one))
     ):
         return
-    if any(_commanded(one) == joints or _is_open(one) for one in known):
+    moved = joints - unmoved
+    if any(_commanded(one) in (joints, moved) or _is_open(one) for one in known):
         return
     own = _commanded(known[0])
-    differing = few([*sorted(joints - own), *sorted(own - joints)], 4)
+    differing = few([*sorted(moved - own), *sorted(own - joints)], 4)
     yield Finding(
         Location(key.span),
         f"controller '{key}' has other joints here than in ros2_control: {differing}",

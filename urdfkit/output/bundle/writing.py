@@ -46,7 +46,7 @@ def bundle(
         robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
         out: a directory, or a file that ends in ``.zip``; whole or not at all.
         consumer: a name of `CONSUMERS`; meshes that this program cannot read are converted.
-        force: replace what is there, if it is a zip or a bundle.
+        force: replace what is there, if it is a bundle.
 
     Returns:
         What was written, and why the program will reject it all the same.
@@ -84,7 +84,7 @@ def staged(
 
     Args:
         out: a directory, or a file that ends in ``.zip``.
-        force: replace what is there, if it is a zip or a bundle.
+        force: replace what is there, if it is a bundle.
         mark: the file that tells such a directory from others.
 
     Raises:
@@ -139,13 +139,25 @@ def _is_zip(out: str) -> bool:
 def _require_free(out: str, mark: str, *, force: bool) -> None:
     if not os.path.lexists(out) or (os.path.isdir(out) and not os.listdir(out)):
         return
-    is_bundle = os.path.isfile(os.path.join(out, mark)) and not os.path.islink(out)
-    if os.path.isdir(out) and (_is_zip(out) or not is_bundle):
-        raise UnwritableFile(f"{out}: is a directory that is no bundle; pass another one")
-    if not os.path.isdir(out) and not _is_zip(out):
+    is_file = not os.path.isdir(out)
+    if is_file and not _is_zip(out):
         raise UnwritableFile(f"{out}: is a file; pass a directory, or a name that ends in .zip")
+    if is_file != _is_zip(out) or os.path.islink(out) or not _holds(out, mark):
+        what = "file" if is_file else "directory"
+        raise UnwritableFile(f"{out}: is a {what} that is no bundle; pass another one")
     if not force:
         raise UnwritableFile(f"{out}: exists; --force replaces it")
+
+
+def _holds(out: str, file: str) -> bool:
+    """True if a directory or a zip has a file."""
+    if not os.path.isfile(out):  # to open a pipe would wait for a writer
+        return os.path.isfile(os.path.join(out, file))
+    try:
+        with zipfile.ZipFile(out) as archive:
+            return file in archive.namelist()
+    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile):
+        return False
 
 
 def write_files(files: Iterable[BundledFile], directory: str) -> None:

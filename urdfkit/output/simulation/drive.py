@@ -55,7 +55,13 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
         speed = abs(float(data.qvel[dof]))
-        if diverged(data) is not None or (number == 0 and speed > FASTEST * max(velocity, ROTOR)):
+        if diverged(data) is not None:
+            text = (
+                f"joint '{joint.name}': driven by its effort of {effort:g} {force}, its simulation "
+                "diverges"
+            )
+            return Verdict("drive", False, text, float("inf"), FASTEST, (joint.name,), place)
+        if number == 0 and speed > FASTEST * max(velocity, ROTOR):
             text = (
                 f"joint '{joint.name}': its effort of {effort:g} {force} takes it to "
                 f"{speed / velocity:.2g} times its velocity of {velocity:g} {unit}/s in "

@@ -52,19 +52,19 @@ class PluginUse:
         self.block = block  # the ``<gazebo>`` that it is in
         #: What its file name means, one plugin of each generation; empty if unknown.
         self.known = find((at.get("filename") or "").strip())
-        #: The one of them that the Gazebo which the robot is for loads, or None.
-        self.plugin = self._loaded(wanted)
-
-    def _loaded(self, wanted: Collection[str]) -> Plugin | None:
-        """The plugin of a wanted generation that reads most of the tags."""
-        candidates = [
+        #: Those of them that the Gazebo which the robot is for loads; a robot may be for several.
+        self.candidates = [
             plugin
             for plugin in self.known
             if not plugin.removed and (plugin.generation in wanted or not wanted)
         ]
-        if len(candidates) < 2:
-            return candidates[0] if candidates else None
-        return min(candidates, key=lambda plugin: len(self.unread(plugin)))
+        #: The one of these that reads most of the tags, or None.
+        self.plugin = self._best()
+
+    def _best(self) -> Plugin | None:
+        if len(self.candidates) < 2:
+            return self.candidates[0] if self.candidates else None
+        return min(self.candidates, key=lambda plugin: len(self.unread(plugin)))
 
     @property
     def filename(self) -> str:

@@ -83,7 +83,7 @@ def _of_word(word: Word) -> BridgedTopic | None:
     if text is None or "@" not in text or "/srv/" in text:
         return None
     topic, _, types = text.partition("@")
-    sign = next((one for one in "][@" if one in types), "")
+    sign = next((one for one in types if one in _SIGNS), "")
     ros_type, _, rest = types.partition(sign) if sign else (types, "", "")
     gz_type, _, other = rest.partition("@")
     return BridgedTopic(word.span, other or topic, topic, ros_type, gz_type, _SIGNS.get(sign, ""))
