@@ -56,10 +56,10 @@ def convert(
     if options != Options() and not FORMATS[to].has_options:
         raise UrdfkitError(f"base, fixed, collision and exclude are not of the format '{to}'")
     try:
-        module = import_module(f"{__name__}.{FORMATS[to].module}")
+        module = import_module(f"{__name__}.{to}")
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to convert a robot needs {error.name}: {install_command(FORMATS[to].extra)}"
+            f"to convert to {to} needs {error.name}: {install_command(FORMATS[to].extra)}"
         ) from error
     context = robot if isinstance(robot, Context) else read(robot)
     found: Conversion = module.write(context, os.path.abspath(out), options, force=force)

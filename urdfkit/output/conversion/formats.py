@@ -1,4 +1,7 @@
-"""The formats that a robot can be converted to; each has a module with a function ``write``."""
+"""The formats that a robot can be converted to.
+
+Each has a module of its name here with a function ``write``, loaded when it is asked for.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,6 @@ class Format(Record):
     """A format."""
 
     name: str  # as --to takes it
-    module: str  # below this package; loaded when the format is asked for, since it is heavy
     extra: str  # of urdfkit, with the libraries that it needs
     has_options: bool = False  # those of `urdfkit.output.conversion.options`
 
@@ -17,8 +19,8 @@ class Format(Record):
 FORMATS = {
     one.name: one
     for one in (
-        Format("mjcf", "mjcf", "simulate", has_options=True),
-        Format("usd", "usd", "usd"),
-        Format("urdf", "urdf", "meshes"),
+        Format("mjcf", "simulate", has_options=True),
+        Format("usd", "usd"),
+        Format("urdf", "meshes"),
     )
 }

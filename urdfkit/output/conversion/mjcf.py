@@ -79,7 +79,8 @@ def floats(robot: Context, base: str) -> bool:
     """
     if not robot.tree.is_sound:
         raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
+            f"{robot.source.path}: links and joints do not form one tree; "
+            f"see 'urdfkit check {robot.source.path}'"
         )
     if base == "free" and robot.tree.roots[0].name == "world":
         raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")

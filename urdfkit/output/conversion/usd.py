@@ -47,7 +47,8 @@ def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
         raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
+            f"{robot.source.path}: links and joints do not form one tree; "
+            f"see 'urdfkit check {robot.source.path}'"
         )
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
