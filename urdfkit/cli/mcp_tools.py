@@ -196,7 +196,7 @@ class Tools:
         except ValueError as error:  # a NUL in an argument
             raise ToolError(str(error)) from error
         if done.returncode not in (0, 1) and not done.stdout:
-            raise ToolError(done.stderr[-MAX_BYTES:].decode("utf-8", "replace").strip())
+            raise ToolError(done.stderr[:MAX_BYTES].decode("utf-8", "replace").strip())
         return done.stdout.decode("utf-8", "replace")
 
 
