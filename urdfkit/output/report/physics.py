@@ -9,6 +9,9 @@ from urdfkit.robot.stability import standing as standing_of
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
+#: Pairs of links, times samples, that take about half a minute: of robots with more pairs fewer
+#: configurations are sampled, but some always.
+WORK, FEWEST = 3_000_000, 50
 #: Torques in N·m, and forces in N, under this are rounding.
 NOISE = 1e-9
 
@@ -58,6 +61,12 @@ def standing(context: Context) -> Row:
     return standing_of(context).facts()
 
 
+def samples(context: Context) -> int:
+    """How many configurations are sampled for collisions."""
+    links = sum(bool(link.collisions) for link in context.model.links)
+    return max(FEWEST, min(SAMPLES, WORK // max(links * (links - 1) // 2, 1)))
+
+
 def collisions(context: Context, progress: Progress | None = None) -> Row:
     """Which links can collide with which, as sampling shows it.
 
@@ -69,7 +78,7 @@ def collisions(context: Context, progress: Progress | None = None) -> Row:
         Unavailable: coal is not installed, or the robot is beyond it.
     """
     try:
-        matrix = context.collisions.matrix(samples=SAMPLES, progress=progress)
+        matrix = context.collisions.matrix(samples=samples(context), progress=progress)
     except UrdfkitError as error:
         raise Unavailable(str(error)) from error
     names = dict.fromkeys(name for pair in matrix.pairs for name in (pair.first, pair.second))
