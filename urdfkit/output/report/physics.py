@@ -9,9 +9,8 @@ from urdfkit.robot.stability import standing as standing_of
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
-#: Pairs of links, times samples, that take about half a minute: of robots with more pairs fewer
-#: configurations are sampled, but some always.
-WORK, FEWEST = 3_000_000, 50
+#: Pairs of links that a report compares; more take minutes, in which nobody waits for a page.
+MAX_PAIRS = 10_000
 #: Torques in N·m, and forces in N, under this are rounding.
 NOISE = 1e-9
 
@@ -61,12 +60,6 @@ def standing(context: Context) -> Row:
     return standing_of(context).facts()
 
 
-def samples(context: Context) -> int:
-    """How many configurations are sampled for collisions."""
-    links = sum(bool(link.collisions) for link in context.model.links)
-    return max(FEWEST, min(SAMPLES, WORK // max(links * (links - 1) // 2, 1)))
-
-
 def collisions(context: Context, progress: Progress | None = None) -> Row:
     """Which links can collide with which, as sampling shows it.
 
@@ -75,10 +68,13 @@ def collisions(context: Context, progress: Progress | None = None) -> Row:
         progress: called with the number of samples done and of all.
 
     Raises:
-        Unavailable: coal is not installed, or the robot is beyond it.
+        Unavailable: coal is not installed, or the robot has too many pairs of links.
     """
+    links = sum(bool(link.collisions) for link in context.model.links)
+    if links * (links - 1) // 2 > MAX_PAIRS:
+        raise Unavailable(f"too many pairs of {links} links; see 'urdfkit collisions'")
     try:
-        matrix = context.collisions.matrix(samples=samples(context), progress=progress)
+        matrix = context.collisions.matrix(samples=SAMPLES, progress=progress)
     except UrdfkitError as error:
         raise Unavailable(str(error)) from error
     names = dict.fromkeys(name for pair in matrix.pairs for name in (pair.first, pair.second))
