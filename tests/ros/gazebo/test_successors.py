@@ -117,6 +117,14 @@ def test_two_pairs_of_wheels_of_two_sizes_are_left_to_a_person() -> None:
             ["<topic>front/image_raw</topic>", "<gz_frame_id>eye</gz_frame_id>"],
         ),
         (
+            "camera",
+            (
+                '"libgazebo_ros_camera.so"><ros><remapping>/s/image_raw:=/view</remapping></ros>'
+                "<frame_name>eye</frame_name>"
+            ),
+            ["<topic>/view</topic>", "<gz_frame_id>eye</gz_frame_id>"],
+        ),
+        (
             "ray",
             (
                 '"libgazebo_ros_ray_sensor.so"><ros><remapping>~/out:=scan</remapping></ros>'
@@ -133,6 +141,39 @@ def test_a_sensor_has_the_topic_and_the_frame_of_its_plugin(
         f'<sensor name="s" type="{type}">\n<plugin name="p" filename={plugin}</plugin>\n</sensor>'
     )
     assert migrated(block)[1:-1] == expected
+
+
+def test_expressions_are_copied_whole_and_topics_are_in_the_namespace() -> None:
+    block = """<sensor name="${'front'}" type="camera">
+      <plugin name="p" filename="libgazebo_ros_camera.so">
+        <ros><namespace>${'a' + 'b'}</namespace></ros>
+        <frame_name>${'eye' + '_link'}</frame_name>
+      </plugin>
+    </sensor>"""
+    assert migrated(block)[1:-1] == [
+        "<topic>${'a' + 'b'}/${'front'}/image_raw</topic>",
+        "<gz_frame_id>${'eye' + '_link'}</gz_frame_id>",
+    ]
+    plugin = """<plugin name="d" filename="libgazebo_ros_diff_drive.so">
+      <ros><namespace>/ns</namespace><remapping>odom:=odom/${'raw'}</remapping></ros>
+      <left_joint>left</left_joint><right_joint>right</right_joint>
+      <wheel_separation>0.4</wheel_separation><wheel_diameter>${radius * 2}</wheel_diameter>
+    </plugin>"""
+    found = migrated(plugin, robot=DRIVE)
+    assert "<wheel_radius>${(radius * 2)/2}</wheel_radius>" in found
+    assert "<topic>/ns/cmd_vel</topic>" in found
+    assert "<odom_topic>/ns/odom/${'raw'}</odom_topic>" in found
+
+
+def test_the_names_of_a_list_are_tags_of_their_own() -> None:
+    plugin = """<plugin name="j" filename="libgazebo_ros_joint_state_publisher.so">
+      <jointName>left, right</jointName>
+    </plugin>"""
+    found = migrated(plugin, robot=DRIVE)
+    assert [line for line in found if "joint_name" in line] == [
+        "<joint_name>left</joint_name>",
+        "<joint_name>right</joint_name>",
+    ]
 
 
 def test_the_topic_of_the_sensor_itself_stays() -> None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import Plugin, find
-from urdfkit.ros.gazebo.plugins import PluginUse
+from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, remove_element, replace
@@ -51,7 +51,7 @@ def _systems(
     for file, tags in systems.items():
         lines.append("<plugin {} {}>".format(*_attributes(file, target)))
         for tag, names in tags.items():
-            values = list(_values(use, plugin, names))
+            values = list(_values(use, plugin, tag, names))
             if tag == "wheel_radius":
                 values = [_half(value) for value in values]
             is_single = not tag.endswith(("joint", "joint_name"))
@@ -85,7 +85,7 @@ def _sensor(use: PluginUse, plugin: Plugin, tags: Mapping[str, str], target: str
                 continue
             edits = remove_element(topic)
         name = _FORTRESS.get(tag, tag) if target == "gz-fortress" else tag
-        lines += [f"<{name}>{value}</{name}>" for value in _values(use, plugin, names)]
+        lines += [f"<{name}>{value}</{name}>" for value in _values(use, plugin, tag, names)]
     if not lines:
         return None
     system = " ".join(_attributes(tags["system"], target))
@@ -93,34 +93,58 @@ def _sensor(use: PluginUse, plugin: Plugin, tags: Mapping[str, str], target: str
     return Fix.of(title, edits + replace(use.at.tag_at.whole_span, lines))
 
 
-def _values(use: PluginUse, plugin: Plugin, names: str) -> Iterator[str]:
+def _values(use: PluginUse, plugin: Plugin, tag: str, names: str) -> Iterator[str]:
     """What a plugin of one generation has for a tag, as it is written, or its defaults."""
     for name in re.split(r"[ +]", names):
         if name.startswith("~"):
-            if plugin.generation == "classic-ros2":
-                yield _remapped(use).get(name[1:], name[1:].removeprefix("~/"))
+            values = _remapped(use, name[1:]) if plugin.generation == "classic-ros2" else []
         elif "/" in name:
-            yield from _below(use, plugin, *name.split("/"))
-        elif written := [item.at for item in use.values(name) if isinstance(item.at, Element)]:
-            for element in written:
-                yield from filter(None, re.split(r"[,\s]+", element.tag_at.inner_span.text))
-        elif (parameter := plugin.parameters.get(name)) and parameter.default is not None:
-            yield parameter.default
+            values = _below(use, plugin, *name.split("/"))
+        else:
+            values = _parameter(use, plugin, name)
+        yield from (
+            _in_namespace(use, value) if tag.endswith("topic") else value for value in values
+        )
 
 
-def _below(use: PluginUse, plugin: Plugin, above: str, name: str) -> Iterator[str]:
+def _parameter(use: PluginUse, plugin: Plugin, name: str) -> list[str]:
+    """The values of a parameter, expressions as they are; else its default."""
+    known = plugin.parameters.get(name)
+    if written := list(filter(None, map(_written, use.values(name)))):
+        is_list = known is not None and known.type == "joints"
+        return re.findall(r"[^,\s]+", written[0]) if is_list else written
+    return [known.default] if known and known.default is not None else []
+
+
+def _written(item: PluginParameter) -> str:
+    return item.at.tag_at.inner_span.text.strip() if isinstance(item.at, Element) else ""
+
+
+def _below(use: PluginUse, plugin: Plugin, above: str, name: str) -> list[str]:
     """A topic below a name, if a plugin reads that, or the one that begins with a slash."""
-    if above in plugin.parameters:
-        sensor = use.at.parent.get("name") if use.at.parent else ""
-        topic = next(_values(use, plugin, name), name)
-        first = next(_values(use, plugin, above), sensor or "")
-        yield topic if topic.startswith("/") else f"{first.rstrip('/')}/{topic}"
+    if above not in plugin.parameters:
+        return []
+    assert use.at.parent is not None
+    sensor = use.at.parent.attributes.get("name")
+    (topic, *_) = _parameter(use, plugin, name) or [name]
+    (first, *_) = _parameter(use, plugin, above) or [sensor.span.text if sensor else ""]
+    whole = topic if topic.startswith("/") else f"{first.rstrip('/')}/{topic}"
+    return _remapped(use, whole)
 
 
-def _remapped(use: PluginUse) -> dict[str, str]:
-    """The topics of a node of ROS 2 by the names that its plugin gives them."""
-    pairs = (item.text.partition(":=") for item in use.values("ros/remapping"))
-    return {name.strip(): topic.strip() for name, _, topic in pairs if topic}
+def _remapped(use: PluginUse, name: str) -> list[str]:
+    """The topic that a node of ROS 2 has for the one of its plugin."""
+    pairs = (_written(item).partition(":=") for item in use.values("ros/remapping"))
+    wanted = name.lstrip("/")
+    topics = [new.strip() for old, _, new in pairs if old.strip().lstrip("/") == wanted and new]
+    return topics[:1] or [name.removeprefix("~/")]
+
+
+def _in_namespace(use: PluginUse, topic: str) -> str:
+    """A topic in the namespace of the node, unless it begins with a slash."""
+    given = (*use.values("ros/namespace"), *use.values("robotNamespace"))
+    namespace = next(filter(None, map(_written, given)), "").rstrip("/")
+    return topic if topic.startswith("/") or not namespace else f"{namespace}/{topic}"
 
 
 def _half(value: str) -> str:
