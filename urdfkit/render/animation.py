@@ -17,10 +17,10 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, CameraOptions, place_camera
-from urdfkit.render.draw import DrawingOptions, draw
-from urdfkit.render.labels import opaque, write
+from urdfkit.render.draw import DrawingOptions
+from urdfkit.render.image import drawn
+from urdfkit.render.labels import opaque
 from urdfkit.render.pixels import STUDIO
-from urdfkit.render.scale import write_scale
 from urdfkit.render.scene import Scene
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import bounds
@@ -126,10 +126,7 @@ def animated(
     has_background = drawing.get("background", STUDIO) is not None
     images = []
     for number, (scene, camera) in enumerate(shots):
-        image = Image.fromarray(draw(scene, camera, level=level, **drawing))
-        write(image, scene, camera)
-        if has_background and drawing.get("floor", True):
-            write_scale(image, camera, level)
+        image = drawn(scene, camera, level, drawing)
         images.append(image.convert("RGB") if has_background else image)
         if progress is not None:
             progress(number + 1, len(shots))

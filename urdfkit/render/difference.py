@@ -10,6 +10,7 @@ from PIL import Image
 from urdfkit.render.arrays import Bytes
 from urdfkit.render.camera import CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
+from urdfkit.render.image import drawn
 from urdfkit.render.labels import caption, write_legend
 from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
@@ -52,7 +53,7 @@ def difference(
     bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
         bare.append(draw(scene, camera, quality="draft", background=None, floor=False))
-        image = Image.fromarray(draw(scene, camera, level=level, **drawing))
+        image = drawn(scene, camera, level, drawing)
         caption(image, name)
         whole.paste(image, (number * cell[0], 0))
     image = Image.fromarray(_compared(*bare))

@@ -65,14 +65,30 @@ def render_image(
     cameras = _cameras(scene, views, (cell[0] - gap, cell[1] - gap), camera_options or {})
     for number, (view, camera) in enumerate(zip(views, cameras, strict=True)):
         part = _part(progress, number, len(views))
-        image = Image.fromarray(draw(scene, camera, progress=part, level=level, **drawing))
-        write(image, scene, camera)
-        if has_background and drawing.get("floor", True):
-            write_scale(image, camera, level)
+        image = drawn(scene, camera, level, drawing, part)
         if len(views) > 1:
             caption(image, view)
         whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
     return whole.convert("RGB") if has_background else whole
+
+
+def drawn(
+    scene: Scene,
+    camera: Camera,
+    level: float,
+    drawing: DrawingOptions,
+    progress: Progress | None = None,
+) -> Image.Image:
+    """One view of a scene, with its labels, its legend and its scale.
+
+    Args:
+        level: height of the ground in m.
+    """
+    image = Image.fromarray(draw(scene, camera, level=level, progress=progress, **drawing))
+    write(image, scene, camera)
+    if drawing.get("background", STUDIO) is not None and drawing.get("floor", True):
+        write_scale(image, camera, level)
+    return image
 
 
 def _cameras(
