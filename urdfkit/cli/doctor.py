@@ -100,7 +100,7 @@ def _installed() -> Iterator[str]:
             yield f"  {name:<21}{version(name):<14}{purpose}"
         except PackageNotFoundError:
             yield f"  {name:<21}{'missing':<14}{purpose}"
-            yield f"  {'':<35}{install_command(extra)}"
+            yield f"  {'':<21}{install_command(extra)}"
     for name, purpose in _PROGRAMS.items():
         yield f"  {name:<21}{'found' if shutil.which(name) else 'missing':<14}{purpose}"
     for name, module in sorted(installed().items()):
