@@ -78,10 +78,7 @@ def floats(robot: Context, base: str) -> bool:
         UrdfkitError: links and joints do not form one tree, or the world is to float.
     """
     if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; "
-            f"see 'urdfkit check {robot.source.path}'"
-        )
+        raise UrdfkitError(robot.tree.unsound)
     if base == "free" and robot.tree.roots[0].name == "world":
         raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
     if base != "auto":
@@ -186,9 +183,8 @@ def _explained(text: str, robot: Context) -> UrdfkitError:
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what
     part = robot.model.links_by_name.get(name) or robot.model.joints_by_name.get(name)
     where = f"{part.at.span}: " if part else ""
-    return UrdfkitError(
-        f"{where}MuJoCo rejects the robot: {what}; see urdfkit check --target mujoco"
-    )
+    see = f"see 'urdfkit check {robot.source.path} --target mujoco'"
+    return UrdfkitError(f"{where}MuJoCo rejects the robot: {what}; {see}")
 
 
 def _counts(model: Any) -> dict[str, int]:

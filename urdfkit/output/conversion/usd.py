@@ -46,10 +46,7 @@ class Warned(Record):
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; "
-            f"see 'urdfkit check {robot.source.path}'"
-        )
+        raise UrdfkitError(robot.tree.unsound)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
         atomic.make_directory(directory)
