@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -31,6 +32,8 @@ def urdfdom(text: str, directory: Path) -> tuple[int, str]:
             stderr=subprocess.STDOUT,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (ENOUGH, ENOUGH)),
             timeout=60,
+            # The limit would cut the bytecode of Python's own modules: pip's check_urdf is a script.
+            env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
         )
         answer.seek(0)
         return done.returncode, answer.read()

@@ -38,14 +38,7 @@ if TYPE_CHECKING:
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
 
-__all__ = [
-    "MAX_BODIES",
-    "Context",
-    "NotApplicable",
-    "Reading",
-    "RunState",
-    "Unavailable",
-]
+__all__ = ["MAX_BODIES", "Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
 
 #: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
