@@ -16,10 +16,15 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
+from tests import libsdformat
 from urdfkit.workspace import search_root
 
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
+
+# Without bytecode each worker rewrites 600 files of tests, and each process compiles urdfkit.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 # How long an example takes is the machine's affair.
 settings.register_profile("default", deadline=None, max_examples=25, derandomize=True)
@@ -236,6 +241,12 @@ def corpus() -> Path:
     return CORPUS
 
 
+@pytest.fixture(scope="session")
+def sdformat(pytestconfig: pytest.Config) -> Path:
+    """A program for ``tests.libsdformat.convert``."""
+    return libsdformat.build(pytestconfig.cache.mkdir("libsdformat"))
+
+
 @pytest.fixture
 def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few points of surfaces, few voxels: for tests that do not depend on how exact meshes are."""
@@ -269,7 +280,4 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
         shared = search_root._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
         patch.setattr(search_root, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
-        if sys.dont_write_bytecode:  # each process would compile all of urdfkit
-            patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
-            patch.setenv("PYTHONPYCACHEPREFIX", str(base / "bytecode"))
         yield
