@@ -83,6 +83,7 @@ def build(directory: Path) -> Path:
         pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
     program = directory / sha256(DUMP.encode()).hexdigest()
     if not program.exists():
+        directory.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=directory) as scratch:  # another process may, too
             built = Path(scratch) / "dump"
             built.with_suffix(".cc").write_text(DUMP)
