@@ -88,7 +88,10 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
     [
         (["no.urdf"], "no.urdf"),
         ([ARM, ARM], "one file"),
-        ([ARM, "--view", "above"], "unknown view 'above'"),
+        (
+            [ARM, "--view", "above"],
+            "unknown view; expected iso, front, back, left, right, top, bottom or all",
+        ),
         ([ARM, "--size", "big"], "--size big"),
         ([ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--size", "1x1"], "16x16"),

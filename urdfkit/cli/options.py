@@ -10,10 +10,10 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
+from urdfkit.core.typing import TYPE_CHECKING, Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
 from urdfkit.workspace.config_file import nearest
@@ -110,7 +110,7 @@ CHECK = (
     Option("--xacro-megabytes", "Memory of one expansion. [default: 512]", "N"),
     Option(
         "--color",
-        "Colours on standard output; auto: on a terminal.",
+        "Colours on standard output: auto, always or never.",
         "WHEN",
         ("auto", "always", "never"),
         default="auto",

@@ -2,7 +2,8 @@
 
 import json
 from math import isfinite
-from typing import Any
+
+from urdfkit.core.typing import Any
 
 
 def dumped(document: object) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
+from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
 from urdfkit.lint.requirements import need_coal, without_pinocchio
 from urdfkit.text.document import CallFrame
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.controllers import Controller, ParameterFile
-    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.gazebo.conversion import SdfConversion
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse
@@ -216,11 +216,11 @@ class Context(DescriptionFile):
         return joint_pairs(self.tree)
 
     @cached_property
-    def gazebo(self) -> Conversion:
+    def gazebo(self) -> SdfConversion:
         """What Gazebo makes of the model: merged, dropped and renamed links."""
-        from urdfkit.ros.gazebo.conversion import Conversion
+        from urdfkit.ros.gazebo.conversion import SdfConversion
 
-        return Conversion(self.tree)
+        return SdfConversion(self.tree)
 
     def imported(self, importer: str) -> Imported:
         """What a program makes of the model: bodies, masses and the order of its joints.

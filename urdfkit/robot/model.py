@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
+from urdfkit.core.typing import Generic, TypeVar
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step
@@ -125,6 +125,11 @@ class Link(Record):
     def mass(self) -> float:
         """In kg; 0 where none is written or it cannot be read."""
         return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
+
+    @property
+    def is_frame(self) -> bool:
+        """True if it has neither mass nor shape."""
+        return not (self.inertial or self.visuals or self.collisions)
 
 
 class Limit(Record):

@@ -11,12 +11,12 @@ from tests.conftest import MODELS, manifest
 from tests.growth import executed_lines
 from tests.libsdformat import Simulated, convert
 from urdfkit.lint.context import Context
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, Converter
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Converter, SdfConversion
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 
-def compare(conversion: Conversion, expected: Simulated) -> None:
+def compare(conversion: SdfConversion, expected: Simulated) -> None:
     """Links with their mass properties, joints, and names of shapes are the same."""
     links = {link.name: link for link in conversion.links}
     assert set(links) == set(expected.links) - conversion.added
@@ -56,7 +56,7 @@ def test_every_robot_of_the_corpus_is_converted_as_libsdformat_does(
     expected = convert(sdformat, tmp_path, text)
     if not expected.links:
         pytest.skip("libsdformat refuses it")
-    compare(Conversion(robot.tree, OLD), expected)
+    compare(SdfConversion(robot.tree, OLD), expected)
 
 
 LINK = (
@@ -136,7 +136,7 @@ CASES = {
 
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES)
 def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text):
-    compare(Conversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
+    compare(SdfConversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
 
 
 def _context(text: str) -> Context:
@@ -145,15 +145,17 @@ def _context(text: str) -> Context:
 
 def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
     tree = _context(CASES["a merged massless link loses what moves on it"]).tree
-    assert [link.name for link in Conversion(tree, OLD).links] == ["a"]
-    assert [link.name for link in Conversion(tree, NEW).links] == ["a", "c"]
-    assert Conversion(tree, OLD).dropped == {"c": "child of 'b', which is merged and has no mass"}
+    assert [link.name for link in SdfConversion(tree, OLD).links] == ["a"]
+    assert [link.name for link in SdfConversion(tree, NEW).links] == ["a", "c"]
+    assert SdfConversion(tree, OLD).dropped == {
+        "c": "child of 'b', which is merged and has no mass"
+    }
 
 
 def test_newer_versions_keep_a_tiny_mass():
     tree = _context(CASES["a millionth of a kilogram counts as nothing"]).tree
-    assert Conversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
-    assert Conversion(tree, NEW).dropped == {}
+    assert SdfConversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
+    assert SdfConversion(tree, NEW).dropped == {}
 
 
 def test_the_mission_model():
@@ -173,7 +175,7 @@ def test_a_loop_of_fixed_joints_ends():
     body = '<inertial><mass value="1"/></inertial><collision name="of {0}"/>'
     text = "".join(f'<link name="{name}">{body.format(name)}</link>' for name in "abc")
     text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
-    (link,) = Conversion(_context(f'<robot name="r">{text}</robot>').tree).links
+    (link,) = SdfConversion(_context(f'<robot name="r">{text}</robot>').tree).links
     assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]
 
 
@@ -190,7 +192,7 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
 <joint name="w" type="continuous"><parent link="omni_base"/><child link="wheel"/></joint>
 </robot>"""
     context = Context(Source("rosie.urdf", text), Resolver())
-    assert set(Conversion(context.tree, converter).dropped) == {"wheel"}
+    assert set(SdfConversion(context.tree, converter).dropped) == {"wheel"}
 
 
 def test_its_work_grows_with_the_robot() -> None:
@@ -208,6 +210,6 @@ def test_its_work_grows_with_the_robot() -> None:
         text = f'<robot name="r">{"".join(made)}</robot>'
         context = Context(Source("r.urdf", text.encode()), Resolver({}, environment={}))
         tree = context.tree
-        return executed_lines(lambda: Conversion(tree))
+        return executed_lines(lambda: SdfConversion(tree))
 
     assert lines(400) < 5 * lines(100)

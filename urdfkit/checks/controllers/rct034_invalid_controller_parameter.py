@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
-    Parameters,
+    ControllerParameters,
     classes,
     of_manager,
     parameters_of,
@@ -159,7 +159,7 @@ def _missing(
             yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"
 
 
-def _invalid_values(known: Parameters, section: Section) -> Iterator[_Problem]:
+def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
     for name, node in section.given.items():
         expected, actual = known.type_of(name), type_of(node)
         span = section.places[name] if isinstance(node, list) else node.span

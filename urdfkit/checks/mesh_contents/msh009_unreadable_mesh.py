@@ -37,7 +37,7 @@ _HELP = {
     DefectKind.NOT_A_MESH: "get the file itself: the raw link of the page, or git lfs pull",
     DefectKind.TRUNCATED: "download or export the mesh again",
 }
-_HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
+_HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE -o NEW.dae"
 
 
 @rule(

@@ -56,7 +56,7 @@ class Dynamics:
         payload: Mapping[str, float] | None = None,
     ) -> None:
         if not tree.is_sound:
-            raise Unsuitable("links and joints do not form one tree; see urdfkit check")
+            raise Unsuitable(tree.unsound)
         self.tree = tree
         self.payload = dict(payload or {})
         self._joints = [joint for joint in _downwards(tree) if joint.kind in _KINDS]

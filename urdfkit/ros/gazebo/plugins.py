@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.ros.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
-    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.gazebo.conversion import SdfConversion
     from urdfkit.ros.targets import Targets
     from urdfkit.text.document import Attribute, Element
 
@@ -177,7 +177,7 @@ def generations(use: PluginUse) -> set[str]:
     return found
 
 
-def conversion_result(conversion: Conversion, kind: str, name: str) -> str:
+def conversion_result(conversion: SdfConversion, kind: str, name: str) -> str:
     """What becomes of a link or joint in Gazebo.
 
     Returns:
