@@ -15,8 +15,9 @@ Sources:
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.spatial import Vector, dot, length, minus
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import controllers as catalogue

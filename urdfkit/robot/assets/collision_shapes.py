@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
+from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link

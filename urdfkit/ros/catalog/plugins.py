@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import chain
+from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import is_typo
-from urdfkit.core.typing import Any
 from urdfkit.ros.catalog import data, record
 
 #: The generations whose plugins a target loads.
