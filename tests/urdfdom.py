@@ -32,7 +32,7 @@ def urdfdom(text: str, directory: Path) -> tuple[int, str]:
             stderr=subprocess.STDOUT,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (ENOUGH, ENOUGH)),
             timeout=60,
-            # The limit would cut the bytecode of Python's own modules: pip's check_urdf is a script.
+            # pip's check_urdf is a script: the limit would cut the bytecode of modules.
             env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
         )
         answer.seek(0)
