@@ -28,13 +28,13 @@ from urdfkit.output.conversion.mjcf_srdf import (
     exclude_disabled,
     exclude_neighbours,
 )
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.proof import prove
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import standing
 
-_DEFAULT = Options()
+_DEFAULT = ConversionOptions()
 _LOST = "MJCF has nothing like it"
 _REASONS = {
     "plugin": "a plugin is a program of Gazebo",
@@ -46,7 +46,7 @@ _REASONS = {
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
 
-def write(robot: Context, out: str, options: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
@@ -98,7 +98,7 @@ def assembled(
     robot: Context,
     bundle: Bundle,
     directory: str,
-    options: Options = _DEFAULT,
+    options: ConversionOptions = _DEFAULT,
     *,
     is_free: bool,
 ) -> MjcfRobot:
