@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output
-from urdfkit.core.typing import TYPE_CHECKING, Any
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings

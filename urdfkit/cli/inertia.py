@@ -78,12 +78,7 @@ def command(
         density = DENSITIES[material]
     with progress.shown("mesh files") as bar:
         proposals = propose(
-            robot(asked, bar),
-            source=source,
-            mass=mass,
-            density=density,
-            links=links,
-            lump=lump,
+            robot(asked, bar), source=source, mass=mass, density=density, links=links, lump=lump
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
     if write or diff:
@@ -179,8 +174,4 @@ def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
 def _properties(values: MassProperties | None) -> dict[str, Any] | None:
     if values is None:
         return None
-    return {
-        "mass": values.mass,
-        "center": list(values.center),
-        "inertia": values.tensor._asdict(),
-    }
+    return {"mass": values.mass, "center": list(values.center), "inertia": values.tensor._asdict()}

@@ -98,11 +98,7 @@ def _payload(context: Context, words: tuple[str, ...]) -> dict[str, float]:
 
 
 def _statics(
-    context: Context,
-    given: dict[str, float],
-    payload: dict[str, float],
-    samples: int,
-    seed: int,
+    context: Context, given: dict[str, float], payload: dict[str, float], samples: int, seed: int
 ) -> Statics:
     bare = context.dynamics
     from urdfkit.physics.dynamics.robot import Dynamics

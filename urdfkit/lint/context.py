@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
 from urdfkit.lint.requirements import need_coal, without_pinocchio
 from urdfkit.text.document import CallFrame
@@ -38,14 +38,7 @@ if TYPE_CHECKING:
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
 
-__all__ = [
-    "MAX_BODIES",
-    "Context",
-    "NotApplicable",
-    "Reading",
-    "RunState",
-    "Unavailable",
-]
+__all__ = ["MAX_BODIES", "Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
 
 #: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.

@@ -11,9 +11,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import RuleError
 from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING, TypeVar
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, NotApplicable, RunState, Unavailable
@@ -54,9 +54,7 @@ class FileResult(Record):
 
 
 def run_rules(
-    context: Context,
-    chosen: Sequence[str],
-    options: Options = Options(preview=True),
+    context: Context, chosen: Sequence[str], options: Options = Options(preview=True)
 ) -> FileResult:
     """Run rules over a description.
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.package_directories import (
     PackageDirectories,

@@ -50,10 +50,7 @@ _YAML = controller_yaml(
     "state_interfaces: [position]",
     "action_monitor_rate: 20.0",
 )
-FILES = {
-    "config/bad.yaml": _YAML.replace(b"20.0", b"20"),
-    "config/good.yaml": _YAML,
-}
+FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _YAML}
 
 _TYPES = {
     "bool": "true or false",

@@ -15,8 +15,9 @@ Sources:
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.spatial import Vector, dot, length, minus
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, rolling, wheels
@@ -36,10 +37,7 @@ SAME_PLACE = 1e-3
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-FILES = {
-    "config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"),
-    "config/good.yaml": DRIVE,
-}
+FILES = {"config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"), "config/good.yaml": DRIVE}
 
 _MEASURED = {
     "diameter": "the wheels have a diameter of",

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.located_yaml import Key, Node, Value, load
 
