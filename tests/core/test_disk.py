@@ -47,6 +47,7 @@ WITHOUT_GATE = {
     "output/bundle/writing.py": "its own output",
     "output/conversion/usd.py": "its own temporary directory",
     "output/conversion/mjcf.py": "its own output",
+    "output/conversion/sdf.py": "its own output",
     "output/comparison/__init__.py": "its own temporary directory",
     "output/report/translations.py": "urdfkit's own",
     "ros/catalog/__init__.py": "urdfkit's own",
