@@ -24,7 +24,7 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.sdf_proof import Sdf, prove
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.values import numbers
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion
+from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
@@ -163,7 +163,7 @@ def require_equal(robot: Context, directory: Path) -> None:
     path, version = program()
     model = convert(robot, directory / "o", to="sdf")
     if version < FRAMES:
-        old, new = (Conversion(robot.tree, one) for one in (OLD, NEW))
+        old, new = (SdfConversion(robot.tree, one) for one in (OLD, NEW))
         if [one.name for one in old.links] != [one.name for one in new.links]:
             pytest.skip("this version drops other links")
         if any(joint.parent or joint.child("parent") for joint in new.added_joints):
@@ -405,7 +405,7 @@ def test_a_wrong_file_does_not_hold(old: str, new: str, tmp_path: Path) -> None:
 
     def holds(changed: str) -> bool:
         sdf = Sdf(Source("m.sdf", changed.encode()))
-        return prove(sdf, made, Conversion(made.tree, NEW)).holds
+        return prove(sdf, made, SdfConversion(made.tree, NEW)).holds
 
     assert holds(written)
     assert not holds(written.replace(old, new, 1))

@@ -20,15 +20,14 @@ from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.output.conversion.sdf_extensions import set_value
 from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, tell
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
 from urdfkit.output.conversion.sdf_proof import Sdf, prove
 from urdfkit.output.conversion.sdf_refusal import require
-from urdfkit.ros.gazebo.conversion import NEW
-from urdfkit.ros.gazebo.conversion import Conversion as GazeboConversion
+from urdfkit.ros.gazebo.conversion import NEW, SdfConversion
 from urdfkit.text.source import Source
 
 _CONSUMER = Consumer("sdf", "Gazebo", CONSUMERS["ros"].reads, ".dae")
@@ -36,14 +35,14 @@ _CONSUMER = Consumer("sdf", "Gazebo", CONSUMERS["ros"].reads, ".dae")
 MODEL, CONFIG = "model.sdf", "model.config"
 
 
-def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
         raise UrdfkitError(
             f"{robot.source.path}: links and joints do not form one tree; "
             f"see 'urdfkit check {robot.source.path}'"
         )
-    conversion = GazeboConversion(robot.tree, NEW)
+    conversion = SdfConversion(robot.tree, NEW)
     require(robot, conversion)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory:

@@ -239,7 +239,7 @@ def _put_parts(tag: Tag, parts: list[Tag], single: str) -> None:
 def _move(tag: Tag, at: Element, frame: Transform) -> None:
     """Give a sensor, light or projector its pose in the link that its own is merged into."""
     pose = child_of(tag, "pose")
-    values = (0.0,) * 6
+    values: tuple[float, ...] = (0.0,) * 6
     if pose is not None:
         if pose.get("relative_to") is not None:
             return
@@ -249,10 +249,10 @@ def _move(tag: Tag, at: Element, frame: Transform) -> None:
                 f"{at.span}: the <pose> of <{tag.tag}> has no six numbers: "
                 "Gazebo cannot move it with its link"
             )
-        values = read[:6]
+        values = read
         tag.remove(pose)
-    x, y, z, *rpy = values
-    found = frame @ Transform(from_rpy(*rpy), (x, y, z))
+    x, y, z, roll, pitch, yaw = values[:6]
+    found = frame @ Transform(from_rpy(roll, pitch, yaw), (x, y, z))
     set_value(tag, "pose", pose_text(found.position, snapped_rpy(found.rotation)))
 
 

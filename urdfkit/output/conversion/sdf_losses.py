@@ -12,8 +12,8 @@ from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
-from urdfkit.ros.gazebo.conversion import Conversion
-from urdfkit.text.document import Element
+from urdfkit.ros.gazebo.conversion import SdfConversion
+from urdfkit.text.document import Attribute, Element
 
 #: Of what is not marked, by the tag.
 OTHERWISE = "sdformat does not read it"
@@ -31,7 +31,7 @@ _FOR = {"visual": "a visual", "collision": "a collision", "link": "a link", "joi
 _TURNED = 1e-9
 
 
-def tell(losses: LossTable, conversion: Conversion, model: SdfModel, bundle: Bundle) -> None:
+def tell(losses: LossTable, conversion: SdfConversion, model: SdfModel, bundle: Bundle) -> None:
     """Mark what became of a robot.
 
     Args:
@@ -51,7 +51,7 @@ def tell(losses: LossTable, conversion: Conversion, model: SdfModel, bundle: Bun
     changes = {one.path: one.change for one in bundle.contents}
     references = mesh_references(conversion.model)
     for reference, renamed in zip(references, bundle.renamed, strict=False):
-        if _is_kept(reference.at.element, conversion):
+        if isinstance(reference.at, Attribute) and _is_kept(reference.at.element, conversion):
             losses.keep(reference.at, f"copied as {renamed.new}")
             if changes[renamed.new]:
                 losses.approximate(reference.at, changes[renamed.new])
@@ -61,14 +61,14 @@ def tell(losses: LossTable, conversion: Conversion, model: SdfModel, bundle: Bun
             losses.approximate(by_path[path], f"'{value}' leads to a file that is not copied")
 
 
-def _is_kept(element: Element | None, conversion: Conversion) -> bool:
+def _is_kept(element: Element | None, conversion: SdfConversion) -> bool:
     """True for a part of a link that Gazebo does not drop."""
     while element is not None and element.tag != "link":
         element = element.parent
     return element is not None and element.get("name") not in conversion.dropped
 
 
-def _link(losses: LossTable, link: Link, conversion: Conversion) -> None:
+def _link(losses: LossTable, link: Link, conversion: SdfConversion) -> None:
     into = conversion.merged.get(link.name, "")
     if link.name in conversion.dropped:
         losses.lose(link.at, f"Gazebo drops the link: {conversion.dropped[link.name]}")
@@ -85,7 +85,7 @@ def _link(losses: LossTable, link: Link, conversion: Conversion) -> None:
         _origin(losses, inertial.at, inertial.origin, what, is_turned=bool(into))
 
 
-def _shapes(losses: LossTable, conversion: Conversion, model: SdfModel) -> None:
+def _shapes(losses: LossTable, conversion: SdfConversion, model: SdfModel) -> None:
     colours = Colours(conversion.model)
     for link in conversion.links:
         names = {id(at): name for name, at in (*link.collisions, *link.visuals)}
@@ -130,7 +130,7 @@ def _apart(one: Rotation, other: Rotation) -> float:
     return max(abs(a - b) for row in rows for a, b in zip(*row, strict=True))
 
 
-def _joint(losses: LossTable, joint: Joint, conversion: Conversion) -> None:
+def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
     assert joint.child is not None
     if joint.child.value in conversion.dropped:
         losses.lose(joint.at, f"Gazebo drops '{joint.child.value}'")
@@ -157,7 +157,7 @@ def _joint(losses: LossTable, joint: Joint, conversion: Conversion) -> None:
                 losses.lose(part.attributes.get(name), "a continuous joint has no range")
 
 
-def _extension(losses: LossTable, one: Extension, conversion: Conversion) -> None:
+def _extension(losses: LossTable, one: Extension, conversion: SdfConversion) -> None:
     """What ``<gazebo>`` holds, each child in what took it."""
     block, reference = one.block, one.block.get("reference") or ""
     joint = conversion.model.joints_by_name.get(reference)
@@ -182,7 +182,7 @@ def _extension(losses: LossTable, one: Extension, conversion: Conversion) -> Non
                     losses.keep(attribute, "as written")
 
 
-def _nothing(reference: str, joint: Joint | None, conversion: Conversion) -> str:
+def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:
     """Why nothing takes a block."""
     if joint is not None and reference not in conversion.joint_names:
         return f"joint '{reference}' is merged or dropped"

@@ -19,7 +19,7 @@ from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Limit, Material, Shape
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number, vector
-from urdfkit.ros.gazebo.conversion import WORLD, Conversion, SimulatedJoint, SimulatedLink
+from urdfkit.ros.gazebo.conversion import WORLD, SdfConversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.values import is_true
 
 #: The version that sdformat 14 to 16 write for a URDF.
@@ -37,7 +37,7 @@ class SdfModel:
         UrdfkitError: sdformat would compute numbers that are none.
     """
 
-    def __init__(self, conversion: Conversion, uris: Mapping[int, str]) -> None:
+    def __init__(self, conversion: SdfConversion, uris: Mapping[int, str]) -> None:
         self._conversion = conversion
         self._uris = uris
         self._colours = Colours(conversion.model)
@@ -142,7 +142,7 @@ class SdfModel:
         return tag
 
 
-def is_merged(joint: Joint, conversion: Conversion) -> bool:
+def is_merged(joint: Joint, conversion: SdfConversion) -> bool:
     """True if sdformat merges the child of a joint into the parent."""
     return (
         joint.kind == "fixed"
@@ -152,7 +152,7 @@ def is_merged(joint: Joint, conversion: Conversion) -> bool:
     )
 
 
-def is_hinge(joint: Joint, conversion: Conversion) -> bool:
+def is_hinge(joint: Joint, conversion: SdfConversion) -> bool:
     """True for a fixed joint that an old tag makes a revolute one without a range."""
     tags = {
         child.tag
@@ -179,7 +179,7 @@ def in_order(tree: KinematicTree) -> Iterator[str]:
         stack += [joint.child.value for joint in reversed(joints) if joint.child]
 
 
-def merged_joints(conversion: Conversion) -> Iterator[Joint]:
+def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
     """The joints that vanish as sdformat merges their links: those furthest out first."""
     tree = conversion.tree
     stack: list[tuple[str, Joint | None, bool]] = [(tree.roots[0].name, None, False)]

@@ -28,7 +28,7 @@ from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number, numbers, vector
-from urdfkit.ros.gazebo.conversion import Conversion
+from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
@@ -167,7 +167,7 @@ def _pose(element: Element) -> tuple[str, Transform]:
     return pose.get("relative_to") or "", Transform(from_rpy(roll, pitch, yaw), (x, y, z))
 
 
-def prove(sdf: Sdf, robot: Context, conversion: Conversion) -> SdfProof:
+def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
     """Compare an SDF with a robot.
 
     Args:
@@ -276,7 +276,7 @@ def _different(ours: MassProperties, theirs: MassProperties) -> tuple[float, flo
     return mass, away, max(abs(a - b) for a, b in tensors) / largest
 
 
-def _joints(sdf: Sdf, robot: Context, conversion: Conversion) -> Iterator[float]:
+def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[float]:
     """How much the joints differ: in their ends and kind by 1, in limits by a part."""
     for joint in robot.model.joints:
         assert joint.child is not None

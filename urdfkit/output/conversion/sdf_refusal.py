@@ -9,7 +9,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.output.conversion.sdf_model import merged_joints
 from urdfkit.robot.model import Link
-from urdfkit.ros.gazebo.conversion import JOINT_TYPES, Conversion
+from urdfkit.ros.gazebo.conversion import JOINT_TYPES, SdfConversion
 from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
@@ -20,7 +20,7 @@ _FOLLOWED = "GAZ067"
 _SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
 
 
-def require(robot: Context, conversion: Conversion) -> None:
+def require(robot: Context, conversion: SdfConversion) -> None:
     """Raise an error at the first place for which no SDF can be written.
 
     Raises:
@@ -39,7 +39,7 @@ def require(robot: Context, conversion: Conversion) -> None:
         raise UrdfkitError(f"{span}: {message}")
 
 
-def _defects(conversion: Conversion) -> Iterator[tuple[Span, str]]:
+def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
     for link in conversion.model.links:
         yield from _of_link(link)
     for joint in conversion.joints:
@@ -63,7 +63,7 @@ def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
             yield shape.at.span, f"{what}: <{shape.kind}> needs {_SHAPES[shape.kind]}"
 
 
-def _of_frames(conversion: Conversion) -> Iterator[tuple[Span, str]]:
+def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
     """Frames of merged links that hang in the air, or have the name of something else."""
     taken = {link.name for link in conversion.links} | conversion.joint_names
     taken |= conversion.added
