@@ -15,7 +15,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.ros_control import hardware as simulators
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
@@ -115,7 +115,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
     be those of another variant of the robot.
     """
     hardware = [component.hardware for component in components(description.model)]
-    is_real = bool(hardware) and simulators().keys().isdisjoint(hardware)
+    is_real = bool(hardware) and simulated_hardware().keys().isdisjoint(hardware)
     return bool(description.parameters) and is_real
 
 
