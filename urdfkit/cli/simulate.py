@@ -50,7 +50,7 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
     """
     with progress_bar() as bar:
         context = robot(asked, bar)
-    with progress("tests") as bar:
+    with progress_bar("tests") as bar:
         found = simulate(context, base=base, progress=bar)
     if gif or png:
         _draw(context, base, gif, png)
