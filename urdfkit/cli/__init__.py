@@ -153,11 +153,18 @@ def _no_memory() -> str:
 
 def fail(code: int, error: str, *more: str) -> int:
     """Print an error on standard error, and return the exit code."""
+    from urdfkit.text.source import shown_text
     from urdfkit.text.terminal import printable
 
     try:
         if sys.stderr is not None:
-            print(f"error: {printable(error)}", *more, sep="\n", file=sys.stderr, flush=True)
+            print(
+                f"error: {printable(shown_text(error))}",
+                *more,
+                sep="\n",
+                file=sys.stderr,
+                flush=True,
+            )
     except OSError:
         pass  # nobody reads it
     return code

@@ -171,7 +171,7 @@ def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
     findings = [one for one in report.diagnostics if one.severity.rank <= least.rank]
     added = add_ignores(findings, files, chosen, force=values["force"])
     if values["diff"]:
-        output.write("".join(file.diff() for file in added.files))
+        output.write_diff("".join(file.diff() for file in added.files), values["color"])
         return int(bool(added.files))
     rewriting.write(added.files)
     if not values["quiet"]:
@@ -224,7 +224,7 @@ def apply_fixes(
             *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
         )
         if values["diff"]:
-            output.write(fixes.diff())
+            output.write_diff(fixes.diff(), values["color"])
             return fixes
         if values.get("check"):
             return fixes

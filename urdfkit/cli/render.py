@@ -35,8 +35,10 @@ _NAMED = 5
     "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
 )
 @one_robot
-@click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
-@click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
+@click.option("-o", "--output", metavar="FILE", help="Image to write: .png, .webp, .jpg ...")
+@click.option(
+    "--view", "views", multiple=True, metavar="NAMES", help=f"{', '.join(VIEWS)}, or all."
+)
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
 @click.option(
     "--findings", is_flag=True, help="Colour links with errors red, with warnings orange."
@@ -49,17 +51,24 @@ _NAMED = 5
 @click.option(
     "--diff", is_flag=True, help="Draw two files, or REVISION:FILE, and their difference."
 )
-@click.option("--thumbnail", is_flag=True, help=f"{THUMBNAIL}, transparent.")
+@click.option(
+    "--thumbnail", is_flag=True, help=f"Image of {THUMBNAIL} pixels with a transparent background."
+)
 @click.option(
     "--azimuth", type=float, help="Camera azimuth in degrees, from the front to the left."
 )
 @click.option("--elevation", type=float, help="Camera elevation in degrees above the horizon.")
 @click.option("--distance", type=float, help="Camera distance in m. [default: fit the robot]")
 @click.option("--orthographic", is_flag=True, help="Orthographic projection.")
-@click.option("--size", metavar="WIDTHxHEIGHT", help=f"[default: {SIZE}]")
+@click.option("--size", metavar="WIDTHxHEIGHT", help=f"Size in pixels. [default: {SIZE}]")
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="Do not draw the ground.")
-@click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
+@click.option(
+    "--quality",
+    type=click.Choice(["draft", "default", "high"]),
+    default="default",
+    help="Antialiasing, and what it takes.",
+)
 @limited
 def command(asked: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
@@ -114,14 +123,14 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
 def _picture(scene: Scene, values: dict[str, Any]) -> None:
     from urdfkit import render
 
-    named = options.words(values, "views") or ["iso"]
+    named = _views(values)
     if values["thumbnail"]:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
     with progress.shown() as bar:
         image = render.render_image(
             scene,
-            VIEWS if named == ["all"] else named,
+            named,
             size=_size(values["size"] or SIZE),
             camera_options=_camera(values),
             progress=bar,
@@ -192,9 +201,19 @@ def _drawing(values: dict[str, Any]) -> DrawingOptions:
     }
 
 
-def _one_view(values: dict[str, Any]) -> str:
+def _views(values: dict[str, Any]) -> Sequence[str]:
     named = options.words(values, "views") or ["iso"]
-    if len(named) != 1 or named == ["all"]:
+    for view in named:
+        if view not in (*VIEWS, "all"):
+            raise options.UsageError(
+                f"--view {view}: unknown view; expected {', '.join(VIEWS)} or all"
+            )
+    return VIEWS if "all" in named else named
+
+
+def _one_view(values: dict[str, Any]) -> str:
+    named = _views(values)
+    if len(named) != 1:
         raise options.UsageError("--view: only one view here")
     return named[0]
 

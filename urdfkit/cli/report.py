@@ -30,12 +30,7 @@ from urdfkit.text.diagnostic import Severity
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 @limited
 def command(
-    output_file: str | None,
-    lang: str,
-    quick: bool,
-    table: str,
-    fail_on: str | None,
-    **values: Any,
+    output_file: str | None, lang: str, quick: bool, table: str, fail_on: str | None, **values: Any
 ) -> int:
     """Write a report of a robot to one file.
 

@@ -41,8 +41,10 @@ MAX_SAMPLES = 1_000_000
 @click.option(
     "--payload", multiple=True, metavar="KG@LINK", help="Payload mass at the origin of a link."
 )
-@click.option("--samples", type=click.IntRange(0, MAX_SAMPLES), default=200)
-@click.option("--seed", type=click.IntRange(0), default=0)
+@click.option(
+    "--samples", type=click.IntRange(0, MAX_SAMPLES), default=200, help="Sampled configurations."
+)
+@click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
 @click.option(
     "--contact",
     multiple=True,
@@ -96,11 +98,7 @@ def _payload(context: Context, words: tuple[str, ...]) -> dict[str, float]:
 
 
 def _statics(
-    context: Context,
-    given: dict[str, float],
-    payload: dict[str, float],
-    samples: int,
-    seed: int,
+    context: Context, given: dict[str, float], payload: dict[str, float], samples: int, seed: int
 ) -> Statics:
     bare = context.dynamics
     from urdfkit.physics.dynamics.robot import Dynamics

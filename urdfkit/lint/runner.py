@@ -54,9 +54,7 @@ class FileResult(Record):
 
 
 def run_rules(
-    context: Context,
-    chosen: Sequence[str],
-    options: Options = Options(preview=True),
+    context: Context, chosen: Sequence[str], options: Options = Options(preview=True)
 ) -> FileResult:
     """Run rules over a description.
 

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
-    Parameters,
+    ControllerParameters,
     classes,
     of_manager,
     parameters_of,
@@ -50,10 +50,7 @@ _YAML = controller_yaml(
     "state_interfaces: [position]",
     "action_monitor_rate: 20.0",
 )
-FILES = {
-    "config/bad.yaml": _YAML.replace(b"20.0", b"20"),
-    "config/good.yaml": _YAML,
-}
+FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _YAML}
 
 _TYPES = {
     "bool": "true or false",
@@ -159,7 +156,7 @@ def _missing(
             yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"
 
 
-def _invalid_values(known: Parameters, section: Section) -> Iterator[_Problem]:
+def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
     for name, node in section.given.items():
         expected, actual = known.type_of(name), type_of(node)
         span = section.places[name] if isinstance(node, list) else node.span

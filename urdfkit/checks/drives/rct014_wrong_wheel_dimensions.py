@@ -38,10 +38,7 @@ SAME_PLACE = 1e-3
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-FILES = {
-    "config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"),
-    "config/good.yaml": DRIVE,
-}
+FILES = {"config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"), "config/good.yaml": DRIVE}
 
 _MEASURED = {
     "diameter": "the wheels have a diameter of",

@@ -38,7 +38,7 @@ FILES = {
 }
 FIXED_FILES = {
     "bot_description/package.xml": b"<package><name>bot_description</name>"
-    b"<run_depend>bot_meshes</run_depend></package>",
+    b"<run_depend>bot_meshes</run_depend></package>"
 }
 
 #: colcon and catkin reject cyclic dependencies of packages.

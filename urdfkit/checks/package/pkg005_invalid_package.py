@@ -50,10 +50,7 @@ _MANIFEST = b"""\
   <run_depend>xacro</run_depend>
 </package>
 """
-FILES = {
-    "package.xml": _MANIFEST,
-    "meshes/base.stl": PLATE,
-}
+FILES = {"package.xml": _MANIFEST, "meshes/base.stl": PLATE}
 
 #: The codes of XML that is not well-formed.
 _BROKEN = ("XML001", "XML002")

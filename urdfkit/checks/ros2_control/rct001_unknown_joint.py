@@ -39,10 +39,7 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
 
-BAD = robot_xml(
-    SHOULDER,
-    control_xml("mock_components/GenericSystem", driven_xml("sholder")),
-)
+BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
 FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 

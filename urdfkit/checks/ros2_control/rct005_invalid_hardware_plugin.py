@@ -28,10 +28,7 @@ from urdfkit.ros.ros_control import Component, ControlPlugin, called, components
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
-BAD = robot_xml(
-    SHOULDER,
-    control_xml("mock_component/GenericSystem", driven_xml("shoulder")),
-)
+BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
 FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
 #: A plugin, or all of the hardware, within a condition.

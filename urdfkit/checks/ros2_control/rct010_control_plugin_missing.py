@@ -19,10 +19,7 @@ from urdfkit.text.document import Element
 
 BAD = ARM + control_xml("gazebo_ros2_control/GazeboSystem", driven_xml("shoulder"))
 _PARAMETERS = "<parameters>/home/student/arm_description/config/controllers.yaml</parameters>"
-GOOD = robot_xml(
-    BAD,
-    gazebo_xml(plugin_xml("control", "libgazebo_ros2_control.so", _PARAMETERS)),
-)
+GOOD = robot_xml(BAD, gazebo_xml(plugin_xml("control", "libgazebo_ros2_control.so", _PARAMETERS)))
 FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
 }

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 )
 @one_robot
 @posed
-@click.option("--samples", type=click.IntRange(0), default=10_000)
-@click.option("--seed", type=click.IntRange(0), default=0)
+@click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
+@click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @click.option(
     "--srdf", metavar="FILE", help="Write the matrix to FILE, or update the matrix in it."

@@ -9,6 +9,7 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import shown
 from urdfkit.core.strict_json import dumped
+from urdfkit.core.words import spaced
 from urdfkit.mesh.describe import MeshDescription, describe
 from urdfkit.mesh.geometry import MeshPart
 
@@ -66,6 +67,6 @@ def _part(part: MeshPart) -> str:
     text = f"{len(part.faces)} triangles"
     if part.material is None:
         return text
-    color = " ".join(f"{value:.3g}" for value in part.material.rgba)
+    color = spaced(part.material.rgba, 3)
     texture = ", with a texture" if part.material.texture else ""
     return f"{text}, {part.material.name or 'unnamed'} ({color}){texture}"

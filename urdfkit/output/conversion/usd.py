@@ -21,7 +21,7 @@ from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.output.conversion.usd_losses import OTHERWISE, tell
 from urdfkit.output.conversion.usd_proof import Stage, prove
@@ -43,13 +43,10 @@ class Warned(Record):
     text: str
 
 
-def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; "
-            f"see 'urdfkit check {robot.source.path}'"
-        )
+        raise UrdfkitError(robot.tree.unsound)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
         atomic.make_directory(directory)

@@ -94,11 +94,7 @@ class Stage:
             if prim:
                 self.links[name] = prim
         meshes = sum(prim.IsA(UsdGeom.Gprim) for prim in Usd.PrimRange(root))
-        self.counts = {
-            "link": len(self.links),
-            "joint": len(self.joints),
-            "geom": meshes,
-        }
+        self.counts = {"link": len(self.links), "joint": len(self.joints), "geom": meshes}
 
     def _child(self, parent: Any, name: str, at: Transform) -> Any:
         """The prim of a link; a visual may have the same name."""

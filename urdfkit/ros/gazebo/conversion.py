@@ -95,7 +95,7 @@ class SimulatedJoint(Record):
     child: str
 
 
-class Conversion:
+class SdfConversion:
     """A robot after Gazebo's conversion.
 
     Attributes:
