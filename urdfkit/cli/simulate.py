@@ -50,7 +50,8 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
     """
     with progress() as bar:
         context = robot(asked, bar)
-    found = simulate(context, base=base)
+    with progress("tests") as bar:
+        found = simulate(context, base=base, progress=bar)
     if gif or png:
         _draw(context, base, gif, png)
     if form == "junit":

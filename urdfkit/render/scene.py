@@ -254,7 +254,7 @@ def _target_bounds(
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
     # A speck stands for no collision rather than for the mesh.
-    if known := next((half for half in halves if half and max(half) > SPECK * least), None):
+    if known := next((half for half in halves if half and SPECK * least < max(half) < LIMIT), None):
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
     extents = (_extent(context, other) for other in bodies)
@@ -262,8 +262,8 @@ def _target_bounds(
         lowest, highest = around
         edges = highest - lowest
     else:
-        joints = [joint.origin.position for joint in context.tree.children[link.name]]
-        ends = np.array([(0.0, 0.0, 0.0), *joints])
+        origins = (joint.origin for joint in context.tree.children[link.name])
+        ends = np.array([(0.0, 0.0, 0.0), *(one.position for one in origins if _is_near(one))])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
     (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
@@ -283,7 +283,7 @@ def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
 
 def _reach(scene: Scene) -> float:
     """The size of what is known of a robot, in m."""
-    places = arrays.single([frame.position for frame in scene.frames.values()])
+    places = arrays.single([one.position for one in scene.frames.values() if _is_near(one)])
     points = np.concatenate((scene.points(), places))
     reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
     return reach or 1.0
