@@ -202,7 +202,7 @@ def _same_expressions(link: LinkInertia) -> list[str]:
 
     Many tutorials have ``m*(y*y+z*z)/12``, ``m*(x*x+z*z)/12`` and ``m*(x*x+z*z)/12``.
     """
-    keys = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
+    keys: list[str] = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
     texts = {key: link.at.attributes[key].span.text for key in keys}
     alike = {re.sub(r"[A-Za-z_]\w*", "v", text) for text in texts.values()}
     twice = [key for key in keys if list(texts.values()).count(texts[key]) == 2]
