@@ -22,7 +22,6 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.gazebo.successors import successor
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
@@ -122,6 +121,8 @@ def _fix(use: PluginUse, target: str) -> Fix | None:
     """What gz-sim has instead; of its own plugins, their names in Fortress."""
     plugin = next((one for one in use.known if one.generation == "gz"), None)
     if plugin is None:
+        from urdfkit.ros.gazebo.successors import successor
+
         return successor(use, target)
     if target != "gz-fortress" or not plugin.fortress_files or not plugin.fortress_class:
         return None

@@ -24,7 +24,6 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import (
@@ -126,6 +125,6 @@ def _is_prefixed(name: str, known: set[str]) -> bool:
 
 def _joints(controller: Controller) -> list[Value]:
     """The names of joints; those with a slash are interfaces of other controllers."""
-    kind = catalogue().get(controller.type)
+    kind = controller.kind
     values = controller.values(kind.joints) if kind else []
     return [v for v in values if v.text and "/" not in v.text and not is_expression(v.text)]
