@@ -15,7 +15,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.ros_control import simulated_hardware
+from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
@@ -70,6 +70,11 @@ class Controller(Record):
     type_at: Span  # where the type is written
     ros: int  # 1 or 2
     section: Section  # its parameters as they are written
+
+    @property
+    def kind(self) -> ControllerType | None:
+        """What the catalogue says of its type; None if it does not know it."""
+        return controller_types().get(self.type)
 
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""

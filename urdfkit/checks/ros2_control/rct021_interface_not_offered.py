@@ -23,7 +23,7 @@ Sources:
 from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
-from urdfkit.ros.catalog.ros_control import controller_types, simulated_hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
@@ -67,7 +67,7 @@ def check(context: Context) -> Findings:
     states = _offered(context, "state")
     free = _free(context)
     for file, controller in read:
-        kind = controller_types().get(controller.type)
+        kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
         yield from _lacking(controller, file, joints, _states(controller), states, free, "state")
