@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import limited, to_file, with_examples
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.report.csv import COLUMNS
@@ -46,7 +46,7 @@ def command(
     chosen, source = check_options(values, file), stdin.opened(file)
     variants = chosen.config.entries(file, chosen.arguments, chosen.variant)
     for variant in variants:
-        with shown() as bar:
+        with progress_bar() as bar:
             text, document = report(
                 source,
                 form_of(output_file) if output_file else "markdown",

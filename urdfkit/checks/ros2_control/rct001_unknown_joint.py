@@ -6,7 +6,8 @@
 - A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
   in the list of available interfaces"). A controller none of whose joints is in the robot is taken
   for one of another variant, if other controllers fit, or if the names differ in a prefix only.
-  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware.
+  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware and
+  the controller has other joints of the robot, or a misspelt one.
 
 Correct the name.
 
@@ -95,7 +96,7 @@ def _of_controllers(context: Context) -> Findings:
     for component in components(context.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
-    own = None if control_plugins(context.model) else Severity.WARNING
+    in_gazebo = bool(control_plugins(context.model))
     for file, found in context.controllers:
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
@@ -105,6 +106,7 @@ def _of_controllers(context: Context) -> Findings:
                 if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
                     continue
                 hint = suggester.hint(value.text)
+                is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
                 if is_of_robot or hint or not any_known:
                     yield Finding(
                         Location(value.span),
@@ -112,7 +114,7 @@ def _of_controllers(context: Context) -> Findings:
                         "fix the name in the parameter file",
                         related=(file.note,),
                         group_key="" if hint else file.path,
-                        severity=own if controller.ros == 1 else None,
+                        severity=None if is_certain else Severity.WARNING,
                     )
 
 
