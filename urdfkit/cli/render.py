@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import options, output, progress
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
@@ -128,7 +129,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
     if values["thumbnail"]:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         image = render.render_image(
             scene,
             named,
@@ -156,7 +157,7 @@ def _animation(
     else:
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         images = render.animated(shots, progress=bar, **_drawing(values))
     render.save_animation(images, path)
     output.page([f"wrote {shown(path)}"])

@@ -6,8 +6,9 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import output, progress, stdin
+from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import limited, to_file, with_examples
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.report.csv import COLUMNS
@@ -46,7 +47,7 @@ def command(
     chosen, source = check_options(values, file), stdin.opened(file)
     variants = chosen.config.entries(file, chosen.arguments, chosen.variant)
     for variant in variants:
-        with progress.shown() as bar:
+        with progress_bar() as bar:
             text, document = report(
                 source,
                 form_of(output_file) if output_file else "markdown",
