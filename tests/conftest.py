@@ -16,10 +16,15 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
+from tests import libsdformat
 from urdfkit.workspace import search_root
 
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
+
+# Without bytecode each worker rewrites 600 files of tests, and each process compiles urdfkit.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 # How long an example takes is the machine's affair.
 settings.register_profile("default", deadline=None, max_examples=25, derandomize=True)
@@ -141,7 +146,11 @@ SAMPLED = {
     "tests/integration/test_action.py::test_gitlab": 0,
     "tests/integration/test_action.py::test_python_imports": 0,
     "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
+    "tests/integration/test_action.py::test_each_robot_gets": 0,
     "tests/test_docs.py::test_the_road_in_readme": 0,
+    "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm": 0,
+    "tests/lint/test_formatting.py::test_real_robots": 0,
+    "tests/lint/test_rule_packages.py::test_the_tests_of_the_example": 0,
     "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 12,
     "tests/cli/test_special_files.py": 3,
     "tests/mesh/test_warnings.py": 8,
@@ -236,6 +245,12 @@ def corpus() -> Path:
     return CORPUS
 
 
+@pytest.fixture(scope="session")
+def sdformat() -> Path:
+    """A program for ``tests.libsdformat.convert``."""
+    return libsdformat.build(ROOT / ".pytest_cache" / "libsdformat")
+
+
 @pytest.fixture
 def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few points of surfaces, few voxels: for tests that do not depend on how exact meshes are."""
@@ -269,7 +284,4 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
         shared = search_root._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
         patch.setattr(search_root, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
-        if sys.dont_write_bytecode:  # each process would compile all of urdfkit
-            patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
-            patch.setenv("PYTHONPYCACHEPREFIX", str(base / "bytecode"))
         yield

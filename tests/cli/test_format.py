@@ -1,6 +1,7 @@
 """``urdfkit format``: what it writes, says and exits with."""
 
 import io
+import re
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,19 @@ def test_checking_writes_nothing(
     captured = capsys.readouterr()
     assert captured.err == f"would be reformatted: {robot}\n1 would be reformatted, 0 unchanged\n"
     assert ('+  <link name="a"/>\n' in captured.out) is (option == "--diff")
+
+
+def test_a_diff_has_colours_where_it_is_no_patch(
+    robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")  # as CI servers do
+    assert main(["format", str(robot), "--diff"]) == 1
+    plain = capsys.readouterr().out
+    assert "\x1b" not in plain
+    assert main(["format", str(robot), "--diff", "--color", "always"]) == 1
+    colored = capsys.readouterr().out
+    assert '\x1b[32m+  <link name="a"/>\x1b[0m\n' in colored
+    assert re.sub(r"\x1b\[\d+m", "", colored) == plain
 
 
 def test_one_bad_file_does_not_hide_the_others(

@@ -16,8 +16,10 @@ from tests.conftest import MODELS, ROOT
 from urdfkit.cli import checking, main, output
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.lint import rule_index
+from urdfkit.text.source import shown
 
 GOOD = str(MODELS / "good" / "gripper.urdf")
+SHOWN = shown(GOOD)
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
 
 
@@ -399,7 +401,7 @@ def test_the_width_is_that_of_the_variable(
     ("word", "message"),
     [
         ("chekc", "unknown command 'chekc'; did you mean 'check'?"),
-        (GOOD, f"unknown command '{GOOD}'; to check that file: urdfkit check {GOOD}"),
+        (GOOD, f"unknown command '{SHOWN}'; to check that file: urdfkit check {SHOWN}"),
         ("nothing", "unknown command 'nothing'"),
     ],
 )

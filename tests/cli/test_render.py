@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ import numpy as np
 from PIL import Image
 
 from tests.conftest import MODELS, ROOT
+from urdfkit import render
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
@@ -27,7 +29,7 @@ def test_a_picture_is_written_and_a_missing_mesh_is_named(
     path = tmp_path / "robot.png"
     assert main(["render", MODEL, "-o", str(path), *SMALL]) == 0
     captured = capsys.readouterr()
-    assert captured.out == ""
+    assert captured.out == f"wrote {path}\n"
     assert captured.err.startswith("note: drawn as a striped box: the visual mesh of 'laser_frame'")
     with Image.open(path) as image:
         assert image.size == (160, 90)
@@ -86,7 +88,10 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
     [
         (["no.urdf"], "no.urdf"),
         ([ARM, ARM], "one file"),
-        ([ARM, "--view", "above"], "unknown view 'above'"),
+        (
+            [ARM, "--view", "above"],
+            "unknown view; expected iso, front, back, left, right, top, bottom or all",
+        ),
         ([ARM, "--size", "big"], "--size big"),
         ([ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--size", "1x1"], "16x16"),
@@ -206,12 +211,14 @@ def test_layers_findings_and_a_sheet_go_together(tmp_path: Path) -> None:
         assert image.size == (160, 90)
 
 
-def test_a_turntable_and_a_sweep(tmp_path: Path) -> None:
+def test_a_turntable_and_a_sweep(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("orbit", "sweep"):
+        monkeypatch.setattr(render, name, partial(getattr(render, name), frames=6))
     assert main(["render", ARM, "--turntable", str(tmp_path / "t.webp"), *FEW]) == 0
     assert main(["render", ARM, "--sweep", "elbow", "-o", str(tmp_path / "s.gif"), *FEW]) == 0
     for name in ("t.webp", "s.gif"):
         with Image.open(tmp_path / name) as image:
-            assert (getattr(image, "n_frames", 1), image.size) == (48, (48, 32))
+            assert (getattr(image, "n_frames", 1), image.size) == (6, (48, 32))
     with Image.open(tmp_path / "s.gif") as image:
         assert min(np.asarray(image.convert("RGB"))[0, 0]) > 245, "it knows no transparency"
 

@@ -102,7 +102,7 @@ COMMANDS = {
     ".txt": ["scan {} -o out"],
     ".stl": [
         "mesh info {}",
-        "mesh convert {} made.obj",
+        "mesh convert {} -o made.obj",
         "mesh repair {} -o made.stl",
         "mesh simplify {} --triangles 9 -o made.stl",
         "mesh hull {} -o made.stl",

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.libsdformat import convert
 from tests.massive import inertial, joint, link
-from tests.ros.gazebo.test_conversion import convert, sdformat  # noqa: F401
 from urdfkit.cli import main
 from urdfkit.lint.rule_examples import whole_robot
 
@@ -56,12 +56,12 @@ def test_what_does_not(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 @pytest.mark.parametrize("text", [text for text, _ in REJECTED.values()], ids=REJECTED)
-def test_libsdformat_rejects_them(text: str, sdformat: Path, tmp_path: Path) -> None:  # noqa: F811
+def test_libsdformat_rejects_them(text: str, sdformat: Path, tmp_path: Path) -> None:
     assert not convert(sdformat, tmp_path, whole_robot(text)).links
 
 
 @pytest.mark.parametrize("text", READ.values(), ids=READ)
-def test_libsdformat_reads_them(text: str, sdformat: Path, tmp_path: Path) -> None:  # noqa: F811
+def test_libsdformat_reads_them(text: str, sdformat: Path, tmp_path: Path) -> None:
     assert convert(sdformat, tmp_path, whole_robot(text)).links
 
 

@@ -71,6 +71,14 @@ def test_what_concerns_the_whole_file_is_left(
     assert robot.read_text() == '<robot name="r"></robot>'
 
 
+def test_a_file_that_is_not_xml(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "robot.urdf").write_text("robot")
+    assert main(["check", "--add-ignore", str(tmp_path / "robot.urdf")]) == 0
+    out = capsys.readouterr().out
+    assert "XML001 left: the file is not XML that can be read" in out
+    assert (tmp_path / "robot.urdf").read_text() == "robot"
+
+
 def test_a_generated_file_is_left_unless_forced(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

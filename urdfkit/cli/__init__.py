@@ -49,6 +49,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.set_threshold(100_000)
     # Nor do processes that multiprocessing starts import from the current directory.
     os.environ["PYTHONSAFEPATH"] = "1"
+    # With threads, OpenBLAS asks for memory in vain for ever where it is limited.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_apart
@@ -153,11 +155,18 @@ def _no_memory() -> str:
 
 def fail(code: int, error: str, *more: str) -> int:
     """Print an error on standard error, and return the exit code."""
+    from urdfkit.text.source import shown_text
     from urdfkit.text.terminal import printable
 
     try:
         if sys.stderr is not None:
-            print(f"error: {printable(error)}", *more, sep="\n", file=sys.stderr, flush=True)
+            print(
+                f"error: {printable(shown_text(error))}",
+                *more,
+                sep="\n",
+                file=sys.stderr,
+                flush=True,
+            )
     except OSError:
         pass  # nobody reads it
     return code

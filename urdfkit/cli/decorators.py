@@ -33,7 +33,9 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
 
 def in_formats(*names: str) -> Callable[[Command], Command]:
     """Give a command the option ``--format``, as ``form``; the first format is the default."""
-    return click.option("--format", "form", type=click.Choice(names), default=names[0])
+    return click.option(
+        "--format", "form", type=click.Choice(names), default=names[0], help="Output format."
+    )
 
 
 def to_file(name: str, help: str) -> Callable[[Command], Command]:
@@ -75,10 +77,21 @@ CONFIG = click.option(
     "--config", metavar="FILE", help="Configuration file. [default: the nearest one]"
 )
 VARIANT = click.option(
-    "--variant", default="", metavar="NAME", help="Variant in the configuration."
+    "--variant",
+    default="",
+    show_default=False,
+    metavar="NAME",
+    help="Variant in the configuration.",
 )
 TARGET = click.option(
     "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
+COLOR = click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    metavar="WHEN",
+    help="Colours on standard output: auto, always or never.",
 )
 RULES = click.option(
     "--rules",
@@ -92,7 +105,7 @@ limited = with_options(
     click.option(
         "--memory",
         type=click.FloatRange(0.1),
-        default=8.0,
+        default=8,
         metavar="GIB",
         expose_value=False,
         callback=lambda context, option, size: limits.begin_memory(int(size * 2**30)),
@@ -100,8 +113,8 @@ limited = with_options(
     ),
     click.option(
         "--timeout",
-        type=click.FloatRange(0.01, 1e6),
-        default=300.0,
+        type=click.FloatRange(0.01, 1_000_000),
+        default=300,
         metavar="SECONDS",
         expose_value=False,
         callback=lambda context, option, seconds: limits.begin_time(seconds),

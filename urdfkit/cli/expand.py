@@ -48,7 +48,7 @@ _IGNORED = partial(
     default=os.curdir,
     help="Directory that relative paths start from.",
 )
-@click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
+@click.option("-q", "--quiet", is_flag=True, help="Do not print warnings.")
 @_IGNORED("-v", count=True)
 @click.option("--verbosity", type=int, metavar="LEVEL", help="0 is the same as -q, as in xacro.")
 @_IGNORED("-i", "--inorder", is_flag=True)

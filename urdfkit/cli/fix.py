@@ -16,7 +16,7 @@ from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
-    "quiet unsafe-fixes diff force select ignore rules preview min-confidence fail-on target "
+    "quiet unsafe-fixes diff force select ignore rules preview min-confidence target color "
     "package trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
@@ -51,6 +51,12 @@ command = click.Command(
         ),
         click.Option(
             ["--check"], is_flag=True, help="Write nothing; exit with 1 if a file would change."
+        ),
+        click.Option(
+            ["--fail-on"],
+            type=click.Choice(["error", "warning", "info"]),
+            metavar="SEVERITY",
+            help="Exit with 1 if findings of this severity or above are left.",
         ),
         *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
     ],

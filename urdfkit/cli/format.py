@@ -6,7 +6,7 @@ import sys
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.decorators import CONFIG, ISOLATED, with_examples, with_options
+from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, with_examples, with_options
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
@@ -30,7 +30,7 @@ from urdfkit.text.terminal import printable
     is_flag=True,
     help="Also format files that are generated, read-only or ignored by git.",
 )
-@with_options(ISOLATED, CONFIG)
+@with_options(COLOR, ISOLATED, CONFIG)
 def command(
     files: tuple[str, ...],
     check: bool,
@@ -40,6 +40,7 @@ def command(
     force: bool,
     config: str | None,
     isolated: bool,
+    color: str,
 ) -> int:
     """Format URDF and xacro files without changing the model.
 
@@ -53,10 +54,10 @@ def command(
     settings = options.config(values, os.curdir if is_stdin else files[0])
     width = width or (settings.width if settings else 0)
     if is_stdin:
-        return _standard_input(width or WIDTH, check=check, diff=diff)
+        return _standard_input(width or WIDTH, check=check, diff=diff, color=color)
     result = format_files(*files, width=width, force=force, check=check or diff, config=settings)
     if diff:
-        output.write(result.diff())
+        output.write_diff(result.diff(), color)
     elif not check:
         result.write()
     _print_result(result, "would be reformatted" if check or diff else "reformatted", quiet=quiet)
@@ -65,11 +66,11 @@ def command(
     return int(bool(result.files) and (check or diff))
 
 
-def _standard_input(width: int, *, check: bool, diff: bool) -> int:
+def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
     source = stdin.read("<stdin>")
     rewrite = Rewrite(source.path, source.data, formatted(source, width))
     if diff:
-        output.write(rewrite.diff())
+        output.write_diff(rewrite.diff(), color)
     elif not check:
         output.write(rewrite.after.decode())
     return int((check or diff) and rewrite.after != rewrite.before)

@@ -10,7 +10,7 @@ from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedJoint, SimulatedLink
+from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
 from urdfkit.text.source import shown
@@ -42,7 +42,7 @@ def show(context: Context, form: str, *, old: bool) -> int:
         form: ``text`` or ``json``.
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """
-    conversion = Conversion(context.tree, OLD if old else NEW)
+    conversion = SdfConversion(context.tree, OLD if old else NEW)
     rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
     output.json_or_page(form, as_json(conversion, rejected), lines)
@@ -62,7 +62,7 @@ def _rejection(rejected: list[Rejection]) -> Iterator[str]:
         yield "Without these errors:"
 
 
-def render(conversion: Conversion) -> Iterator[str]:
+def render(conversion: SdfConversion) -> Iterator[str]:
     """The lines of the report: a table of links before and after, then joints and shapes."""
     model = conversion.model
     links = len(conversion.links) + len(conversion.added_links)
@@ -93,7 +93,7 @@ def _mass(link: Element) -> str:
     return mass.text.strip() if mass else ""
 
 
-def _row(conversion: Conversion, name: str, mass: float) -> str:
+def _row(conversion: SdfConversion, name: str, mass: float) -> str:
     if name in conversion.dropped:
         result = f"dropped: {conversion.dropped[name]}"
     elif name not in conversion.survivor:
@@ -116,7 +116,7 @@ def _link(link: SimulatedLink) -> Iterator[str]:
         yield f"  collision {name}"
 
 
-def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]:
+def as_json(conversion: SdfConversion, rejected: list[Rejection]) -> dict[str, Any]:
     return {
         "version": VERSION,
         "converter": conversion.converter.name,

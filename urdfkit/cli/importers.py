@@ -39,9 +39,9 @@ STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
 def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, form: str) -> int:
     """Show what simulators make of a robot.
 
-    NAMES are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints), isaac-sim (Isaac
-    Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and yourdfpy. Errors that
-    a program stops at come first. Nothing of the programs need be installed.
+    The programs are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints),
+    isaac-sim (Isaac Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and
+    yourdfpy; none need be installed. Errors that a program stops at come first.
 
     Exit codes: 0 done, 2 the file cannot be read, or two programs have different joints.
     """

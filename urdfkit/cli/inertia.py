@@ -6,8 +6,9 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli import options, output
+from urdfkit.cli.decorators import COLOR, in_formats, limited, with_examples
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
@@ -45,6 +46,7 @@ VERSION = 1
 @click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")
 @click.option("--write", is_flag=True, help="Write the suggested values into the source files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
+@COLOR
 @in_formats("text", "json")
 @one_robot
 @limited
@@ -58,6 +60,7 @@ def command(
     lump: bool,
     write: bool,
     diff: bool,
+    color: str,
     form: str,
 ) -> int:
     """Compare inertias with those of the geometry; suggest values.
@@ -74,28 +77,23 @@ def command(
         raise options.UsageError("--mass and --density must be more than 0, and finite")
     if material is not None:
         density = DENSITIES[material]
-    with progress.shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         proposals = propose(
-            robot(asked, bar),
-            source=source,
-            mass=mass,
-            density=density,
-            links=links,
-            lump=lump,
+            robot(asked, bar), source=source, mass=mass, density=density, links=links, lump=lump
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
     if write or diff:
-        return _write(chosen, is_diff=diff)
+        return _write(chosen, color, is_diff=diff)
     output.json_or_page(form, as_json(proposals), [*table(proposals), *proposed(chosen)])
     return 0
 
 
-def _write(chosen: Sequence[InertiaProposal], *, is_diff: bool) -> int:
+def _write(chosen: Sequence[InertiaProposal], color: str, *, is_diff: bool) -> int:
     """Write suggested values, or show them as a diff; 1 if one cannot be written."""
     lines: list[str] = []
     files, left = rewrites(chosen)
     if is_diff:
-        output.write("".join(file.diff() for file in files))
+        output.write_diff("".join(file.diff() for file in files), color)
     else:
         rewriting.write(files)
         lines += [f"wrote {shown(file.path)}" for file in files]
@@ -177,8 +175,4 @@ def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
 def _properties(values: MassProperties | None) -> dict[str, Any] | None:
     if values is None:
         return None
-    return {
-        "mass": values.mass,
-        "center": list(values.center),
-        "inertia": values.tensor._asdict(),
-    }
+    return {"mass": values.mass, "center": list(values.center), "inertia": values.tensor._asdict()}

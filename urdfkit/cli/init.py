@@ -28,7 +28,7 @@ _FILE = "urdfkit.toml"
 @click.argument("directory", default=os.curdir)
 @click.option("--print", "only_print", is_flag=True, help="Print the configuration; write nothing.")
 def command(directory: str, only_print: bool) -> int:
-    """Write a first urdfkit.toml for the robots in DIR.
+    """Write a first urdfkit.toml for the robots in DIRECTORY.
 
     It lists every robot found, the arguments that it needs, and the detected targets. An existing
     configuration is not changed.

@@ -4,11 +4,7 @@ import click
 
 from urdfkit.cli.decorators import with_examples
 from urdfkit.core.installation import install_command
-from urdfkit.errors import UrdfkitError
-
-
-class NotInstalled(UrdfkitError):
-    """The extra that brings the protocol is not installed."""
+from urdfkit.errors import MissingLibrary
 
 
 @with_examples("lsp", "urdfkit lsp --stdio")
@@ -31,6 +27,6 @@ def command(stdio: bool) -> int:
     except ModuleNotFoundError as error:
         if error.name not in ("lsprotocol", "pygls"):
             raise
-        raise NotInstalled(f"urdfkit lsp needs pygls: {install_command('lsp')}") from error
+        raise MissingLibrary(f"urdfkit lsp needs pygls: {install_command('lsp')}") from error
     serve(make())
     return 0

@@ -6,11 +6,7 @@ import click
 
 from urdfkit.cli.decorators import with_examples
 from urdfkit.core.installation import install_command
-from urdfkit.errors import UnreadableFile, UrdfkitError
-
-
-class NotInstalled(UrdfkitError):
-    """The extra that brings the protocol is not installed."""
+from urdfkit.errors import MissingLibrary, UnreadableFile
 
 
 @with_examples("mcp", "urdfkit mcp", "urdfkit mcp ~/robot_ws/src --write")
@@ -31,6 +27,6 @@ def command(directory: str, write: bool) -> int:
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] != "mcp":
             raise
-        raise NotInstalled(f"urdfkit mcp needs mcp: {install_command('mcp')}") from error
+        raise MissingLibrary(f"urdfkit mcp needs mcp: {install_command('mcp')}") from error
     server(directory, may_write=write).run("stdio")
     return 0

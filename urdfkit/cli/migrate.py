@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import COLOR, with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
@@ -20,7 +20,8 @@ from urdfkit.text.terminal import printable
 @click.option(
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
 )
-def command(asked: dict[str, Any], target: str) -> int:
+@COLOR
+def command(asked: dict[str, Any], target: str, color: str) -> int:
     """Show the changes that a model needs for another Gazebo.
 
     What has a successor is printed as a diff for 'patch -p0'; nothing is written. Changes that need
@@ -43,7 +44,7 @@ def command(asked: dict[str, Any], target: str) -> int:
             )
     for file, reason in migration.unread.items():
         print(printable(f"error: {file}: {reason}; see 'urdfkit check {file}'"), file=sys.stderr)
-    output.write("".join(render(migration, target)))
+    output.write_diff("".join(render(migration, target)), color)
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 
 

@@ -110,7 +110,7 @@ CHECK = (
     Option("--xacro-megabytes", "Memory of one expansion. [default: 512]", "N"),
     Option(
         "--color",
-        "Colours on standard output; auto: on a terminal.",
+        "Colours on standard output: auto, always or never.",
         "WHEN",
         ("auto", "always", "never"),
         default="auto",

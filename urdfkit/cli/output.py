@@ -5,10 +5,13 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
+from urdfkit.text.source import shown_text
 from urdfkit.text.terminal import columns, printable, wrap
 
 #: How units are written where the terminal has no letters for them, such as kg m^2.
 _ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
+#: The colours of a line in a diff, by how it begins.
+_DIFF = {"---": 1, "+++": 1, "@@": 36, "-": 31, "+": 32}
 
 
 def has_color(when: str) -> bool:
@@ -66,6 +69,24 @@ def write(text: str) -> bytes:
     except OSError as error:
         give_up(error)
     return data
+
+
+def write_diff(text: str, when: str) -> None:
+    """Write a diff, with the colours of git if there are to be any (`has_color`).
+
+    In a file it stays a patch whatever FORCE_COLOR says, which CI servers set.
+
+    Raises:
+        UnwritableFile: standard output is closed, or its disk is full.
+    """
+    if has_color(when) and (_is_terminal() or when == "always"):
+        text = "\n".join(map(_colored, text.split("\n")))
+    write(text)
+
+
+def _colored(line: str) -> str:
+    code = next((code for start, code in _DIFF.items() if line.startswith(start)), 0)
+    return f"\x1b[{code}m{line}\x1b[0m" if code else line
 
 
 def give_up(error: OSError) -> None:
@@ -156,7 +177,7 @@ def page(lines: Iterable[str]) -> None:
 def note(text: str) -> None:
     """Say on standard error what is not part of the result."""
     if sys.stderr is not None:
-        print(f"note: {printable(text)}", file=sys.stderr)
+        print(f"note: {printable(shown_text(text))}", file=sys.stderr)
 
 
 def json_or_page(form: str, document: object, lines: Iterable[str]) -> None:

@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import options, output, progress
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
+from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
@@ -35,8 +37,10 @@ _NAMED = 5
     "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
 )
 @one_robot
-@click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
-@click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
+@click.option("-o", "--output", metavar="FILE", help="Image to write: .png, .webp, .jpg ...")
+@click.option(
+    "--view", "views", multiple=True, metavar="NAMES", help=f"{', '.join(VIEWS)}, or all."
+)
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
 @click.option(
     "--findings", is_flag=True, help="Colour links with errors red, with warnings orange."
@@ -49,17 +53,24 @@ _NAMED = 5
 @click.option(
     "--diff", is_flag=True, help="Draw two files, or REVISION:FILE, and their difference."
 )
-@click.option("--thumbnail", is_flag=True, help=f"{THUMBNAIL}, transparent.")
+@click.option(
+    "--thumbnail", is_flag=True, help=f"Image of {THUMBNAIL} pixels with a transparent background."
+)
 @click.option(
     "--azimuth", type=float, help="Camera azimuth in degrees, from the front to the left."
 )
 @click.option("--elevation", type=float, help="Camera elevation in degrees above the horizon.")
 @click.option("--distance", type=float, help="Camera distance in m. [default: fit the robot]")
 @click.option("--orthographic", is_flag=True, help="Orthographic projection.")
-@click.option("--size", metavar="WIDTHxHEIGHT", help=f"[default: {SIZE}]")
+@click.option("--size", metavar="WIDTHxHEIGHT", help=f"Size in pixels. [default: {SIZE}]")
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="Do not draw the ground.")
-@click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
+@click.option(
+    "--quality",
+    type=click.Choice(["draft", "default", "high"]),
+    default="default",
+    help="Antialiasing, and what it takes.",
+)
 @limited
 def command(asked: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
@@ -100,10 +111,10 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     from urdfkit.lint.engine import check_with
     from urdfkit.lint.options import Options
 
-    shown = options.words(values, "layers") or ["visual"]
-    roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
+    layers = options.words(values, "layers") or ["visual"]
+    roles = tuple(layer for layer in layers if layer in ("visual", "collision"))
     scene = render.build(robot, pose, roles)
-    scene = render.explained(scene, robot, [name for name in shown if name not in roles], pose)
+    scene = render.explained(scene, robot, [name for name in layers if name not in roles], pose)
     if not values["findings"]:
         return scene
     as_read = Options(arguments=robot.arguments, trust=robot.trust)
@@ -114,20 +125,21 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
 def _picture(scene: Scene, values: dict[str, Any]) -> None:
     from urdfkit import render
 
-    named = options.words(values, "views") or ["iso"]
+    named = _views(values)
     if values["thumbnail"]:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         image = render.render_image(
             scene,
-            VIEWS if named == ["all"] else named,
+            named,
             size=_size(values["size"] or SIZE),
             camera_options=_camera(values),
             progress=bar,
             **_drawing(values),
         )
     render.save(image, values["output"])
+    output.page([f"wrote {shown(values['output'])}"])
 
 
 def _animation(
@@ -145,9 +157,10 @@ def _animation(
     else:
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         images = render.animated(shots, progress=bar, **_drawing(values))
     render.save_animation(images, path)
+    output.page([f"wrote {shown(path)}"])
 
 
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
@@ -172,6 +185,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
             **_drawing(values),
         )
     render.save(image, values["output"])
+    output.page([f"wrote {shown(values['output'])}"])
     return after
 
 
@@ -192,9 +206,19 @@ def _drawing(values: dict[str, Any]) -> DrawingOptions:
     }
 
 
-def _one_view(values: dict[str, Any]) -> str:
+def _views(values: dict[str, Any]) -> Sequence[str]:
     named = options.words(values, "views") or ["iso"]
-    if len(named) != 1 or named == ["all"]:
+    for view in named:
+        if view not in (*VIEWS, "all"):
+            raise options.UsageError(
+                f"--view {view}: unknown view; expected {', '.join(VIEWS)} or all"
+            )
+    return VIEWS if "all" in named else named
+
+
+def _one_view(values: dict[str, Any]) -> str:
+    named = _views(values)
+    if len(named) != 1:
         raise options.UsageError("--view: only one view here")
     return named[0]
 

@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import examples
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic
 from urdfkit.core.installation import install_command
 from urdfkit.lint.options import Options
@@ -48,13 +48,36 @@ class _Scan(click.Command):
     ),
 )
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
-@click.option("-o", "--output", "directory", required=True, metavar="DIR", help="Of the results.")
-@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@click.option("--seconds", type=click.FloatRange(0.01), default=60.0, help="Limit for a model.")
-@click.option("--memory", type=click.FloatRange(0.1), default=4.0, help="Limit in GiB.")
-@click.option("--engine", type=click.Choice(["local", "dask"]), default="local")
 @click.option(
-    "--address", default="", metavar="URL", show_default=False, help="Of a Dask scheduler."
+    "-o", "--output", "directory", required=True, metavar="DIR", help="Directory of the results."
+)
+@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
+@click.option(
+    "--timeout",
+    type=click.FloatRange(0.01),
+    default=60,
+    metavar="SECONDS",
+    help="Limit of time for a model.",
+)
+@click.option(
+    "--memory",
+    type=click.FloatRange(0.1),
+    default=4,
+    metavar="GIB",
+    help="Limit of memory for a model.",
+)
+@click.option(
+    "--engine",
+    type=click.Choice(["local", "dask"]),
+    default="local",
+    help="Who runs the processes.",
+)
+@click.option(
+    "--address",
+    default="",
+    metavar="URL",
+    show_default=False,
+    help="Address of the Dask scheduler.",
 )
 @click.option("--select", multiple=True, metavar="CODES", help="Run only these rules.")
 @click.option("--ignore", multiple=True, metavar="CODES", help="Do not run these rules.")
@@ -64,7 +87,7 @@ def command(
     sources: tuple[str, ...],
     directory: str,
     jobs: int | None,
-    seconds: float,
+    timeout: float,
     memory: float,
     engine: str,
     address: str,
@@ -89,11 +112,11 @@ def command(
     )
     if address and engine != "dask":
         raise options.UsageError("--address needs --engine dask")
-    with shown("models", rated=True) as bar:
+    with progress_bar("models", rated=True) as bar:
         count = scan(
             sources,
             directory,
-            Settings(chosen, seconds, int(memory * 2**30)),
+            Settings(chosen, timeout, int(memory * 2**30)),
             engine=engine,
             address=address,
             jobs=jobs or os.cpu_count() or 1,

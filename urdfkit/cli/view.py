@@ -15,7 +15,13 @@ from urdfkit.viewer.server import serve
 
 @with_examples("view", "urdfkit view robot.urdf.xacro prefix:=left_")
 @with_robot_and_targets()
-@click.option("--port", type=click.IntRange(0, 65535), default=0, help="[default: a free one]")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    show_default=False,
+    help="[default: a free one]",
+)
 @click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
 def command(port: int, no_open: bool, lang: str, **values: Any) -> int:

@@ -71,6 +71,8 @@ class _Places:
     def why_not(self, finding: Diagnostic) -> str:
         """Why there can be no comment for a finding; empty if there can."""
         source, places = self._file(finding.span.source)
+        if not places.has_root:
+            return "the file is not XML that can be read, and takes no comment; fix it first"
         if places.element(finding.span.start) is None:
             return "only a comment for the whole file would do"
         return "" if self._force else self._ownership.why_protected(source)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.controllers import Controller, ParameterFile
-    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.gazebo.conversion import SdfConversion
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse
@@ -38,14 +38,7 @@ if TYPE_CHECKING:
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
 
-__all__ = [
-    "MAX_BODIES",
-    "Context",
-    "NotApplicable",
-    "Reading",
-    "RunState",
-    "Unavailable",
-]
+__all__ = ["MAX_BODIES", "Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
 
 #: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
@@ -216,11 +209,11 @@ class Context(DescriptionFile):
         return joint_pairs(self.tree)
 
     @cached_property
-    def gazebo(self) -> Conversion:
+    def gazebo(self) -> SdfConversion:
         """What Gazebo makes of the model: merged, dropped and renamed links."""
-        from urdfkit.ros.gazebo.conversion import Conversion
+        from urdfkit.ros.gazebo.conversion import SdfConversion
 
-        return Conversion(self.tree)
+        return SdfConversion(self.tree)
 
     def imported(self, importer: str) -> Imported:
         """What a program makes of the model: bodies, masses and the order of its joints.
@@ -251,9 +244,15 @@ class Context(DescriptionFile):
         return uses(self.model, self.targets)
 
     @cached_property
+    def names_parameters(self) -> bool:
+        """True if a launch file or a plugin names a parameter file of controllers."""
+        plugins = (plugin for block in self.model.gazebo for plugin in block.all("plugin"))
+        return bool(self.parameters) or any(plugin.child("parameters") for plugin in plugins)
+
+    @cached_property
     def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
         """The controllers in the parameter files of the robot."""
-        if not (self.parameters or self.model.gazebo):
+        if not self.names_parameters:
             return ()
         from urdfkit.ros.controllers import controllers
 

@@ -72,7 +72,9 @@ class CommentPlaces:
 
     def __init__(self, source: Source) -> None:
         self._source = source
-        self._elements = _elements(source)[1:]  # before the root it would be for the whole file
+        elements = _elements(source)
+        self.has_root = bool(elements)
+        self._elements = elements[1:]  # before the root it would be for the whole file
         self._known = {comment.start: comment for comment in ignores(source) if comment.codes}
 
     def element(self, offset: int) -> int | None:

@@ -61,12 +61,8 @@ def mass_properties(context: Context, pose: Mapping[str, float] | None = None) -
     found = composite_body(context.tree, frames(context.tree, pose or {}))
     body = found.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
-    rows = [_row(context, link) for link in links if _has_geometry_or_mass(link)]
+    rows = [_row(context, link) for link in links if not link.is_frame]
     return MassTable(tuple(rows), found, moments, axes)
-
-
-def _has_geometry_or_mass(link: Link) -> bool:
-    return bool(link.inertial or link.collisions or link.visuals)
 
 
 def _row(context: Context, link: Link) -> MassRow:

@@ -126,6 +126,11 @@ class Link(Record):
         """In kg; 0 where none is written or it cannot be read."""
         return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
 
+    @property
+    def is_frame(self) -> bool:
+        """True if it has neither mass nor shape."""
+        return not (self.inertial or self.visuals or self.collisions)
+
 
 class Limit(Record):
     """``<limit>``: position in rad or m, effort in N·m or N, velocity in rad/s or m/s."""

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.model import Joint, Link, RobotModel
+from urdfkit.text.source import shown
 
 #: Loops that are listed; a hostile graph has as many as joints, each as long as the robot.
 MAX_LOOPS = 20
@@ -51,6 +52,12 @@ class KinematicTree:
             and len(self.roots) == 1
             and len(self.below(self.roots[0].name)) == links
         )
+
+    @property
+    def unsound(self) -> str:
+        """What is said where a computation needs one tree."""
+        path = shown(self.model.root.span.source.path)
+        return f"{path}: links and joints do not form one tree; see 'urdfkit check {path}'"
 
     @cached_property
     def roots(self) -> tuple[Link, ...]:

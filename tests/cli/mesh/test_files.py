@@ -50,14 +50,14 @@ def test_info(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_convert(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = ball.with_suffix(".dae")
-    assert main(["mesh", "convert", str(ball), str(out), "--scale", "2"]) == 0
+    assert main(["mesh", "convert", str(ball), "-o", str(out), "--scale", "2"]) == 0
     assert trimesh.load_mesh(out).bounds[1] == pytest.approx([0.2] * 3)
-    assert main(["mesh", "convert", str(ball), str(out)]) == 2
+    assert main(["mesh", "convert", str(ball), "-o", str(out)]) == 2
     assert "--force replaces it" in capsys.readouterr().err
-    assert main(["mesh", "convert", str(ball), str(out), "--force"]) == 0
-    assert main(["mesh", "convert", str(out), str(ball), "--force"]) == 0
+    assert main(["mesh", "convert", str(ball), "-o", str(out), "--force"]) == 0
+    assert main(["mesh", "convert", str(out), "-o", str(ball), "--force"]) == 0
     assert "this format cannot hold: materials" in capsys.readouterr().out
-    assert main(["mesh", "convert", str(ball), str(out), "--scale", "0"]) == 2
+    assert main(["mesh", "convert", str(ball), "-o", str(out), "--scale", "0"]) == 2
 
 
 def test_convert_applies_the_unit_and_turns_if_asked_to(tmp_path: Path) -> None:
@@ -69,7 +69,7 @@ def test_convert_applies_the_unit_and_turns_if_asked_to(tmp_path: Path) -> None:
     source.write_bytes(data.replace(b"Z_UP", b"Y_UP"))
     for words, size in (([], (1, 2, 3)), (["--upright"], (1, 3, 2))):
         out = tmp_path / "out.stl"
-        assert main(["mesh", "convert", str(source), str(out), "--force", *words]) == 0
+        assert main(["mesh", "convert", str(source), "-o", str(out), "--force", *words]) == 0
         edges = np.ptp(trimesh.load_mesh(out).vertices, axis=0)
         assert edges == pytest.approx(np.array(size) * 0.0254)
 

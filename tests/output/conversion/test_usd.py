@@ -88,6 +88,7 @@ def test_a_wrong_stage_does_not_hold(tmp_path: Path) -> None:
     assert holds(tip, "physics:mass", 2.0)
     assert not holds(tip, "physics:mass", 2.001)
     assert not holds(tip, "physics:diagonalInertia", (0.1, 0.1, 0.11))
+    assert not holds(tip, "physics:diagonalInertia", (float("inf"), 0.1, 0.1))
     assert not holds(tip, "physics:centerOfMass", (0, 0, 0.001))
     assert not holds(tip, "xformOp:translate", (0, 0, 0.501))
     assert not holds(turn, "physics:upperLimit", 100.0)

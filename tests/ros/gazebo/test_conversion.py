@@ -2,117 +2,21 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
 from tests.conftest import MODELS, manifest
 from tests.growth import executed_lines
+from tests.libsdformat import Simulated, convert
 from urdfkit.lint.context import Context
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, Converter
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Converter, SdfConversion
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-DUMP = r"""
-#include <sdf/sdf.hh>
-#include <iomanip>
-#include <iostream>
-using std::cout, std::string;
-static void names(const sdf::ElementPtr &link, const string &kind) {
-  if (!link->HasElement(kind)) return;
-  for (auto e = link->GetElement(kind); e; e = e->GetNextElement(kind))
-    cout << kind << "\t" << e->Get<string>("name") << "\n";
-}
-int main(int count, char **files) {
-  sdf::Console::Instance()->SetQuiet(true);
-  cout << std::setprecision(15);
-  for (int i = 1; i < count; ++i) {
-    sdf::SDFPtr robot(new sdf::SDF());
-    sdf::init(robot);
-    sdf::Errors errors;
-    cout << "file\t" << files[i] << "\n";
-    if (!sdf::readFile(files[i], robot, errors) || !robot->Root()->HasElement("model")) continue;
-    auto model = robot->Root()->GetElement("model");
-    if (model->HasElement("link"))
-      for (auto l = model->GetElement("link"); l; l = l->GetNextElement("link")) {
-        cout << "link\t" << l->Get<string>("name");
-        if (l->HasElement("inertial")) {
-          auto inertial = l->GetElement("inertial");
-          auto at = inertial->Get<ignition::math::Pose3d>("pose").Pos();
-          auto moments = inertial->GetElement("inertia");
-          cout << "\t" << inertial->Get<double>("mass") << "\t" << at.X() << "\t" << at.Y() << "\t"
-               << at.Z() << "\t"
-               << moments->Get<double>("ixx") + moments->Get<double>("iyy") +
-                      moments->Get<double>("izz");
-        }
-        cout << "\n";
-        names(l, "collision");
-        names(l, "visual");
-      }
-    if (model->HasElement("joint"))
-      for (auto j = model->GetElement("joint"); j; j = j->GetNextElement("joint"))
-        cout << "joint\t" << j->Get<string>("name") << "\t" << j->Get<string>("type") << "\t"
-             << j->Get<string>("parent") << "\t" << j->Get<string>("child") << "\n";
-  }
-}
-"""
 
-
-class Simulated(NamedTuple):
-    """A model as libsdformat converts it."""
-
-    links: dict[str, tuple[float, ...]]
-    joints: dict[str, tuple[str, ...]]
-    collisions: list[str]
-    visuals: list[str]
-
-
-@pytest.fixture(scope="module")
-def sdformat(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A program that prints what libsdformat makes of URDF files."""
-    flags = None
-    if shutil.which("g++") and shutil.which("pkg-config"):
-        found = subprocess.run(
-            ["pkg-config", "--cflags", "--libs", "sdformat12"],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        flags = found.stdout.split() if found.returncode == 0 else None
-    if flags is None:
-        pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
-    directory = tmp_path_factory.mktemp("sdformat")
-    (directory / "dump.cc").write_text(DUMP)
-    program = directory / "dump"
-    subprocess.run(
-        ["g++", "-std=c++17", "-O0", str(directory / "dump.cc"), "-o", str(program), *flags],
-        check=True,
-        capture_output=True,
-    )
-    return program
-
-
-def convert(program: Path, directory: Path, text: str) -> Simulated:
-    file = directory / "robot.urdf"
-    file.write_text(text)
-    lines = subprocess.run([program, file], capture_output=True, text=True, check=True).stdout
-    simulated = Simulated({}, {}, [], [])
-    for line in lines.splitlines():
-        kind, name, *rest = line.split("\t")
-        if kind == "link":
-            simulated.links[name] = tuple(map(float, rest))
-        elif kind == "joint":
-            simulated.joints[name] = tuple(rest)
-        elif kind in ("collision", "visual"):
-            getattr(simulated, f"{kind}s").append(name)
-    return simulated
-
-
-def compare(conversion: Conversion, expected: Simulated) -> None:
+def compare(conversion: SdfConversion, expected: Simulated) -> None:
     """Links with their mass properties, joints, and names of shapes are the same."""
     links = {link.name: link for link in conversion.links}
     assert set(links) == set(expected.links) - conversion.added
@@ -152,7 +56,7 @@ def test_every_robot_of_the_corpus_is_converted_as_libsdformat_does(
     expected = convert(sdformat, tmp_path, text)
     if not expected.links:
         pytest.skip("libsdformat refuses it")
-    compare(Conversion(robot.tree, OLD), expected)
+    compare(SdfConversion(robot.tree, OLD), expected)
 
 
 LINK = (
@@ -232,7 +136,7 @@ CASES = {
 
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES)
 def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text):
-    compare(Conversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
+    compare(SdfConversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
 
 
 def _context(text: str) -> Context:
@@ -241,15 +145,17 @@ def _context(text: str) -> Context:
 
 def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
     tree = _context(CASES["a merged massless link loses what moves on it"]).tree
-    assert [link.name for link in Conversion(tree, OLD).links] == ["a"]
-    assert [link.name for link in Conversion(tree, NEW).links] == ["a", "c"]
-    assert Conversion(tree, OLD).dropped == {"c": "child of 'b', which is merged and has no mass"}
+    assert [link.name for link in SdfConversion(tree, OLD).links] == ["a"]
+    assert [link.name for link in SdfConversion(tree, NEW).links] == ["a", "c"]
+    assert SdfConversion(tree, OLD).dropped == {
+        "c": "child of 'b', which is merged and has no mass"
+    }
 
 
 def test_newer_versions_keep_a_tiny_mass():
     tree = _context(CASES["a millionth of a kilogram counts as nothing"]).tree
-    assert Conversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
-    assert Conversion(tree, NEW).dropped == {}
+    assert SdfConversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
+    assert SdfConversion(tree, NEW).dropped == {}
 
 
 def test_the_mission_model():
@@ -269,7 +175,7 @@ def test_a_loop_of_fixed_joints_ends():
     body = '<inertial><mass value="1"/></inertial><collision name="of {0}"/>'
     text = "".join(f'<link name="{name}">{body.format(name)}</link>' for name in "abc")
     text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
-    (link,) = Conversion(_context(f'<robot name="r">{text}</robot>').tree).links
+    (link,) = SdfConversion(_context(f'<robot name="r">{text}</robot>').tree).links
     assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]
 
 
@@ -286,7 +192,7 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
 <joint name="w" type="continuous"><parent link="omni_base"/><child link="wheel"/></joint>
 </robot>"""
     context = Context(Source("rosie.urdf", text), Resolver())
-    assert set(Conversion(context.tree, converter).dropped) == {"wheel"}
+    assert set(SdfConversion(context.tree, converter).dropped) == {"wheel"}
 
 
 def test_its_work_grows_with_the_robot() -> None:
@@ -304,6 +210,6 @@ def test_its_work_grows_with_the_robot() -> None:
         text = f'<robot name="r">{"".join(made)}</robot>'
         context = Context(Source("r.urdf", text.encode()), Resolver({}, environment={}))
         tree = context.tree
-        return executed_lines(lambda: Conversion(tree))
+        return executed_lines(lambda: SdfConversion(tree))
 
     assert lines(400) < 5 * lines(100)

@@ -27,14 +27,13 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
-    Parameters,
+    ControllerParameters,
     classes,
     of_manager,
     parameters_of,
     successor,
 )
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.catalog.ros_control import parameters
+from urdfkit.ros.catalog.ros_control import controller_types, parameters
 from urdfkit.ros.controllers import Controller, Section, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
@@ -50,10 +49,7 @@ _YAML = controller_yaml(
     "state_interfaces: [position]",
     "action_monitor_rate: 20.0",
 )
-FILES = {
-    "config/bad.yaml": _YAML.replace(b"20.0", b"20"),
-    "config/good.yaml": _YAML,
-}
+FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _YAML}
 
 _TYPES = {
     "bool": "true or false",
@@ -127,7 +123,7 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
 
 
 def _misspelt(controller: Controller) -> Iterator[_Problem]:
-    known = catalogue()
+    known = controller_types()
     if controller.type not in known:
         if suggested := nearest(controller.type, known, _CLASS_TYPO):
             message = f"unknown type '{controller.type}'; did you mean '{suggested}'?"
@@ -159,7 +155,7 @@ def _missing(
             yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"
 
 
-def _invalid_values(known: Parameters, section: Section) -> Iterator[_Problem]:
+def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
     for name, node in section.given.items():
         expected, actual = known.type_of(name), type_of(node)
         span = section.places[name] if isinstance(node, list) else node.span

@@ -27,7 +27,7 @@ from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.ros.gazebo.conversion import OLD, Conversion
+from urdfkit.ros.gazebo.conversion import OLD, SdfConversion
 from urdfkit.ros.targets import GAZEBO, TargetFacts
 
 BAD = robot_xml(
@@ -164,7 +164,7 @@ def _of_tiny_mass(context: Context) -> Findings:
 
 def _on_massless_frames(context: Context) -> Findings:
     old = context.targets.among(_OLD_GAZEBO)
-    for body in Conversion(context.tree, OLD).stranded:
+    for body in SdfConversion(context.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None
         assert joint.parent is not None

@@ -41,10 +41,7 @@ from urdfkit.robot.samples import mesh_xml
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
-FILES = {
-    "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
-    "hand.stl": PLATE,
-}
+FILES = {"forearm.stl": b"ISO-10303-21;\nHEADER;\n", "hand.stl": PLATE}
 
 _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 
@@ -72,7 +69,7 @@ def check(context: Context) -> Findings:
     for mesh in context.files.each_file:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
-            help = "urdfkit mesh convert FILE NEW.stl"
+            help = "urdfkit mesh convert FILE -o NEW.stl"
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
@@ -86,7 +83,7 @@ def _not_for_target(context: Context, mesh: MeshReference, form: str) -> Finding
             yield Finding(
                 mesh.at,
                 f"{mesh.who} holds {number} objects, of which {target.title} loads the first",
-                "urdfkit mesh convert FILE NEW.stl",
+                "urdfkit mesh convert FILE -o NEW.stl",
                 group_key=f"objects for {target.name}",
                 severity=Severity.WARNING,
                 targets=(target.name,),
@@ -95,7 +92,7 @@ def _not_for_target(context: Context, mesh: MeshReference, form: str) -> Finding
             yield Finding(
                 mesh.at,
                 f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
-                f"urdfkit mesh convert FILE NEW{_suffix(target.meshes[0])}",
+                f"urdfkit mesh convert FILE -o NEW{_suffix(target.meshes[0])}",
                 group_key=f"{form} for {target.name}",
                 targets=(target.name,),
             )
@@ -110,7 +107,7 @@ def _not_in_rviz(context: Context, mesh: MeshReference) -> Findings:
         yield Finding(
             mesh.at,
             f"{mesh.who} is an ASCII STL, which RViz 2 does not load up to ROS 2 Iron",
-            "urdfkit mesh convert FILE NEW.stl",
+            "urdfkit mesh convert FILE -o NEW.stl",
             group_key="ascii in RViz",
             severity=Severity.INFO,
             targets=("ros2",),

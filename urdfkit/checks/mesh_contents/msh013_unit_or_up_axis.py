@@ -47,7 +47,7 @@ FILES = {
 @rule(
     Severity.WARNING,
     needs=(Need.MODEL, Need.FILES),
-    help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
+    help="bake the unit into the vertices: urdfkit mesh convert FILE -o NEW.dae",
 )
 def check(context: Context) -> Findings:
     collisions = {mesh.located.path for mesh in context.files.meshes if mesh.role == "collision"}
@@ -75,7 +75,7 @@ def check(context: Context) -> Findings:
         is_gltf,
         lambda _: "is glTF, where y is up",
         "RViz since 15.1.4 and Drake rotate it by 90 degrees, Gazebo and earlier RViz do not",
-        "use COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE OUT.dae",
+        "use COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE -o OUT.dae",
     )
 
 

@@ -34,7 +34,7 @@ FILES = {
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
-    help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
+    help="export the mesh alone, or urdfkit mesh convert FILE -o NEW.dae",
 )
 def check(context: Context) -> Findings:
     defects = context.measured.defects

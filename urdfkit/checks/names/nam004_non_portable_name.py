@@ -25,7 +25,6 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.model import Link
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.grammar import is_expression
 
@@ -98,7 +97,7 @@ def _reserved(context: Context, name: Attribute) -> Findings:
         reason = "the name is reserved for the world in Gazebo's SDF"
     elif any(joint.child and joint.child.value == text for joint in model.joints):
         reason = "Gazebo and MuJoCo read it as the world, which cannot be a child link"
-    elif _has_body(model.links_by_name[text]):
+    elif not model.links_by_name[text].is_frame:
         reason = "Gazebo reads it as the world and drops its mass and shapes"
     else:
         return
@@ -110,7 +109,3 @@ def _reserved(context: Context, name: Attribute) -> Findings:
         severity=Severity.WARNING if readers else Severity.INFO,
         targets=readers,
     )
-
-
-def _has_body(link: Link) -> bool:
-    return bool(link.inertial or link.visuals or link.collisions)

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import output, progress
+from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
@@ -30,8 +31,8 @@ if TYPE_CHECKING:
 )
 @one_robot
 @posed
-@click.option("--samples", type=click.IntRange(0), default=10_000)
-@click.option("--seed", type=click.IntRange(0), default=0)
+@click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
+@click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @click.option(
     "--srdf", metavar="FILE", help="Write the matrix to FILE, or update the matrix in it."
@@ -68,7 +69,7 @@ def command(
     given = _srdf(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         matrix = context.collisions.matrix(
             samples=samples, seed=seed, begin=begin, units=applied, jobs=jobs, progress=bar
         )

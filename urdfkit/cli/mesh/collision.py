@@ -5,9 +5,10 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli import options, output
+from urdfkit.cli.decorators import COLOR, limited, with_examples
 from urdfkit.cli.mesh import tables
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, propose
 from urdfkit.text.source import shown
@@ -34,6 +35,7 @@ from urdfkit.text.source import shown
 @click.option("--most", type=int, default=8, metavar="N", help="Maximum number of convex pieces.")
 @click.option("--write", is_flag=True, help="Write the collisions and their mesh files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
+@COLOR
 @one_robot
 @limited
 def command(
@@ -43,6 +45,7 @@ def command(
     most: int,
     write: bool,
     diff: bool,
+    color: str,
 ) -> int:
     """Suggest simple collision geometry to replace detailed meshes.
 
@@ -55,7 +58,7 @@ def command(
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
     context = robot(asked)
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         proposals = propose(context, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]
     left: dict[str, str] = {}
@@ -63,12 +66,12 @@ def command(
         found = edited(context, proposals)
         left = found.left
         if diff:
-            lines = [line for file in found.files for line in file.diff().split("\n")[:-1]]
-            lines += [f"# new file {shown(path)}" for path in found.meshes]
+            output.write_diff("".join(file.diff() for file in found.files), color)
+            lines = [f"# new file {shown(path)}" for path in found.meshes]
         else:
             lines += [f"wrote {shown(path)}" for path in found.write()]
         lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
-    output.write("\n".join(lines) + "\n")
+    output.write("".join(f"{line}\n" for line in lines))
     return int(bool(left))
 
 

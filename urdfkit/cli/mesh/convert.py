@@ -15,11 +15,13 @@ from urdfkit.mesh.writers import require_replaceable
 
 @with_examples(
     "convert",
-    "urdfkit mesh convert arm.dae arm.stl",
-    "urdfkit mesh convert arm_mm.stl arm.stl --scale 0.001",
+    "urdfkit mesh convert arm.dae -o arm.stl",
+    "urdfkit mesh convert arm_mm.stl -o arm.stl --scale 0.001",
 )
 @click.argument("file", metavar="FILE")
-@click.argument("out", metavar="OUT")
+@click.option(
+    "-o", "--output", "out", metavar="OUT", required=True, help="Write the mesh to this file."
+)
 @click.option("--upright", "turn", is_flag=True, help="Rotate the up axis of the file to z.")
 @click.option("--scale", type=float, default=1.0, metavar="FACTOR", help="Multiply all lengths.")
 @click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")

@@ -34,7 +34,13 @@ def _is_robot(files: list[str]) -> bool:
 )
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
 @click.option("--model", metavar="FILE", help="Robot that references the mesh.")
-@click.option("--part", "part_name", type=click.Choice([*_PARTS]), help="Part to generate.")
+@click.option(
+    "--part",
+    "part_name",
+    type=click.Choice([*_PARTS]),
+    metavar="PART",
+    help=f"Part to generate: {', '.join(_PARTS)}.",
+)
 @click.option(
     "--size", type=(float, float, float), metavar="X Y Z", help="Size of the mesh in metres."
 )

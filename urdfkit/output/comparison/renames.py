@@ -8,7 +8,7 @@ more than one way is not guessed.
 from collections.abc import Iterator
 
 from urdfkit.output.comparison.differences import RenamedParts, Tolerances, of_frames, of_link
-from urdfkit.robot.model import Joint, Link, RobotModel
+from urdfkit.robot.model import Joint, RobotModel
 
 
 def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> RenamedParts:
@@ -96,7 +96,7 @@ def _is_same(
     before, after = old.links[name], new.links[other]
     children = {links.get(child, "") for child in old.children.get(name, ())}
     carries = children and children == set(new.children.get(other, ()))
-    has_body = _has_body(before) or _has_body(after)
+    has_body = not (before.is_frame and after.is_frame)
     is_alike = not any(of_link(before, after, allowed))
     if _is_in_place(old.above.get(name), new.above.get(other), links, allowed):
         return is_alike or bool(carries)
@@ -113,8 +113,3 @@ def _is_in_place(
         return False
     is_still = not any(of_frames("", "", before.origin, after.origin, allowed))
     return before.name == after.name or (before.kind == after.kind and is_still)
-
-
-def _has_body(link: Link) -> bool:
-    """True for more than a frame."""
-    return bool(link.inertial or link.visuals or link.collisions)

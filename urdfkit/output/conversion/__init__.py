@@ -12,7 +12,7 @@ from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.conversion.formats import FORMATS
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 
 if TYPE_CHECKING:
     from urdfkit.output.conversion.result import Conversion
@@ -52,8 +52,8 @@ def convert(
     """
     if to not in FORMATS:
         raise UrdfkitError(f"no format '{to}'{did_you_mean(to, FORMATS)}")
-    options = Options(base, fixed, collision, exclude)
-    if options != Options() and not FORMATS[to].has_options:
+    options = ConversionOptions(base, fixed, collision, exclude)
+    if options != ConversionOptions() and not FORMATS[to].has_options:
         raise UrdfkitError(f"base, fixed, collision and exclude are not of the format '{to}'")
     try:
         module = import_module(f"{__name__}.{to}")

@@ -28,13 +28,13 @@ from urdfkit.output.conversion.mjcf_srdf import (
     exclude_disabled,
     exclude_neighbours,
 )
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.proof import prove
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import standing
 
-_DEFAULT = Options()
+_DEFAULT = ConversionOptions()
 _LOST = "MJCF has nothing like it"
 _REASONS = {
     "plugin": "a plugin is a program of Gazebo",
@@ -46,7 +46,7 @@ _REASONS = {
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
 
-def write(robot: Context, out: str, options: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
@@ -78,10 +78,7 @@ def floats(robot: Context, base: str) -> bool:
         UrdfkitError: links and joints do not form one tree, or the world is to float.
     """
     if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; "
-            f"see 'urdfkit check {robot.source.path}'"
-        )
+        raise UrdfkitError(robot.tree.unsound)
     if base == "free" and robot.tree.roots[0].name == "world":
         raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
     if base != "auto":
@@ -101,7 +98,7 @@ def assembled(
     robot: Context,
     bundle: Bundle,
     directory: str,
-    options: Options = _DEFAULT,
+    options: ConversionOptions = _DEFAULT,
     *,
     is_free: bool,
 ) -> MjcfRobot:
@@ -186,9 +183,8 @@ def _explained(text: str, robot: Context) -> UrdfkitError:
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what
     part = robot.model.links_by_name.get(name) or robot.model.joints_by_name.get(name)
     where = f"{part.at.span}: " if part else ""
-    return UrdfkitError(
-        f"{where}MuJoCo rejects the robot: {what}; see urdfkit check --target mujoco"
-    )
+    see = f"see 'urdfkit check {robot.source.path} --target mujoco'"
+    return UrdfkitError(f"{where}MuJoCo rejects the robot: {what}; {see}")
 
 
 def _counts(model: Any) -> dict[str, int]:

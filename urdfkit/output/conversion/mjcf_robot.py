@@ -13,7 +13,7 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
 from urdfkit.output.conversion.mjcf_names import FreeNames
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
@@ -50,7 +50,7 @@ class MjcfRobot:
         robot: Context,
         files: Mapping[int, str],
         directory: str,
-        options: Options,
+        options: ConversionOptions,
         *,
         is_free: bool,
     ) -> None:

@@ -16,7 +16,7 @@ COLLISIONS = ("hull", "decompose", "primitives")
 EXCLUSIONS = ("srdf", "computed")
 
 
-class Options(Record):
+class ConversionOptions(Record):
     """One of each of the above."""
 
     base: str = "auto"

@@ -30,7 +30,7 @@ MAX_OWN = 1000
 _REACH = 3.0
 
 
-class Proof(Record):
+class MjcfProof(Record):
     """The largest differences."""
 
     mass: float  # of links that are fixed together, in kg
@@ -60,7 +60,7 @@ class Proof(Record):
         )
 
 
-def prove(model: Any, robot: Context) -> Proof:
+def prove(model: Any, robot: Context) -> MjcfProof:
     """Compare a compiled model of MuJoCo with a robot.
 
     Args:
@@ -89,7 +89,7 @@ def prove(model: Any, robot: Context) -> Proof:
             ours = joints.compared(dynamics.gravity(pose))
             gravity = max(gravity, _part(ours, joints.gravity(data), least_torque))
     engine = "urdfkit" if is_large else "Pinocchio"
-    return Proof(_masses(model, robot), worst[0], matrix, gravity, worst[1], engine)
+    return MjcfProof(_masses(model, robot), worst[0], matrix, gravity, worst[1], engine)
 
 
 class _Coordinates:

@@ -12,7 +12,7 @@ from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.text.document import Attribute, Element
 
@@ -35,7 +35,7 @@ class UrdfProof(Record):
         return f"all {self.elements} elements are read again as they were, and all files are there"
 
 
-def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     bundle = Bundle(robot, CONSUMERS["any"])
     with staged(bundle.files(), out, force=force, mark=REPORT) as directory:

@@ -56,7 +56,7 @@ def standing(context: Context) -> Row:
         Unavailable: links and joints do not form one tree.
     """
     if not context.tree.is_sound:
-        raise Unavailable("links and joints do not form one tree; see urdfkit check")
+        raise Unavailable(context.tree.unsound)
     return standing_of(context).facts()
 
 

@@ -6,7 +6,7 @@ where they overlap: the shortest way that one must move until they only touch. L
 
 from math import hypot, sqrt
 
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, Vector, dot
 
 #: Axes are parallel if the cosine between them is so near to 1: within a millionth of a radian.
 _PARALLEL = 1 - 5e-13
@@ -74,10 +74,10 @@ def box_distance(a: Vector, b: Vector, at: Transform) -> float:
     Source: S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, SIGGRAPH 1996.
     """
     rotation, (x, y, z) = at.rotation, at.position
-    size = [[abs(value) for value in row] for row in rotation]
+    size = [(abs(p), abs(q), abs(r)) for p, q, r in rotation]
     columns = list(zip(*rotation, strict=True))
     best = max(
-        abs(offset) - half - _dot(row, b)
+        abs(offset) - half - dot(row, b)
         for offset, half, row in zip(at.position, a, size, strict=True)
     )
     for half, column in zip(b, columns, strict=True):
@@ -116,7 +116,3 @@ def _of_product(*gaps: float) -> float:
 
 def _half(size: tuple[float, ...]) -> Vector:
     return (size[0] / 2, size[1] / 2, size[2] / 2)
-
-
-def _dot(a: list[float], b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -50,13 +50,9 @@ class Dynamics:
         Unsuitable: it is no single tree, has too many joints, or numbers that no robot has.
     """
 
-    def __init__(
-        self,
-        tree: KinematicTree,
-        payload: Mapping[str, float] | None = None,
-    ) -> None:
+    def __init__(self, tree: KinematicTree, payload: Mapping[str, float] | None = None) -> None:
         if not tree.is_sound:
-            raise Unsuitable("links and joints do not form one tree; see urdfkit check")
+            raise Unsuitable(tree.unsound)
         self.tree = tree
         self.payload = dict(payload or {})
         self._joints = [joint for joint in _downwards(tree) if joint.kind in _KINDS]

@@ -28,11 +28,7 @@ class MeasuredMeshes:
     """
 
     def __init__(
-        self,
-        model: RobotModel,
-        files: MeshFiles,
-        store: Store,
-        progress: Progress | None = None,
+        self, model: RobotModel, files: MeshFiles, store: Store, progress: Progress | None = None
     ) -> None:
         self.model = model
         self._files = files

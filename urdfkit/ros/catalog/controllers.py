@@ -10,7 +10,7 @@ from urdfkit.ros.catalog import data
 _ROLES = ("required", "positive")
 
 
-class Parameters(Record):
+class ControllerParameters(Record):
     """The parameters of one class of controller."""
 
     required: tuple[str, ...]  # names of those without which it does not start
@@ -33,14 +33,14 @@ class Parameters(Record):
 
 
 @cache
-def parameters_of(controller: str, ros: int) -> Parameters | None:
+def parameters_of(controller: str, ros: int) -> ControllerParameters | None:
     """What a class of controller wants in ROS 1 or 2; None for one that is not known."""
     entry = data("controllers")[f"ros{ros}"].get(controller)
     return None if entry is None else _parameters(entry)
 
 
 @cache
-def of_manager() -> Parameters:
+def of_manager() -> ControllerParameters:
     """What the controller manager of ROS 2 wants of its own parameters."""
     return _parameters(data("controllers")["manager"])
 
@@ -55,6 +55,8 @@ def classes(ros: int) -> list[str]:
     return list(data("controllers")[f"ros{ros}"])
 
 
-def _parameters(entry: dict[str, list[str]]) -> Parameters:
+def _parameters(entry: dict[str, list[str]]) -> ControllerParameters:
     types = {name: kind for kind, names in entry.items() for name in names if kind not in _ROLES}
-    return Parameters(tuple(entry.get("required", ())), tuple(entry.get("positive", ())), types)
+    return ControllerParameters(
+        tuple(entry.get("required", ())), tuple(entry.get("positive", ())), types
+    )

@@ -209,9 +209,5 @@ def _parameter(name: str, text: str, words: list[str]) -> Parameter:
     """Read ``TYPE``, ``!`` if required, ``*`` if it may be repeated, ``= DEFAULT``."""
     kind, has_default, default = text.partition(" = ")
     return Parameter(
-        name,
-        kind.rstrip("!*"),
-        "!" in kind,
-        default if has_default else None,
-        tuple(words),
+        name, kind.rstrip("!*"), "!" in kind, default if has_default else None, tuple(words)
     )

@@ -11,7 +11,7 @@ from urdfkit.ros.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plug
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
-    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.gazebo.conversion import SdfConversion
     from urdfkit.ros.targets import Targets
     from urdfkit.text.document import Attribute, Element
 
@@ -177,7 +177,7 @@ def generations(use: PluginUse) -> set[str]:
     return found
 
 
-def conversion_result(conversion: Conversion, kind: str, name: str) -> str:
+def conversion_result(conversion: SdfConversion, kind: str, name: str) -> str:
     """What becomes of a link or joint in Gazebo.
 
     Returns:

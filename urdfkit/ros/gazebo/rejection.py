@@ -10,12 +10,10 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.ros.gazebo.conversion import Conversion
+from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span
-
-#: In the messages of rules that have milder findings, too.
-REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
 
 CONVERTER_FAILS = "converter ends with an exception"
 #: Of moments of inertia; what numbers written as text leave of an equality.
@@ -46,7 +44,7 @@ class Rejection(Record):
     span: Span  # where it stands
 
 
-def rejections(diagnostics: Iterable[Diagnostic], conversion: Conversion) -> list[Rejection]:
+def rejections(diagnostics: Iterable[Diagnostic], conversion: SdfConversion) -> list[Rejection]:
     """Why a robot is rejected; empty if it is not.
 
     Args:
@@ -82,7 +80,7 @@ def _reported(diagnostics: Iterable[Diagnostic]) -> Iterator[Rejection]:
             yield Rejection("gz", one.code, one.message, one.span)
 
 
-def _of_names(conversion: Conversion) -> Iterator[Rejection]:
+def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
     """Names that are reserved, or that two links or joints have after the conversion."""
     model = conversion.model
     places = [
@@ -109,7 +107,7 @@ def _of_names(conversion: Conversion) -> Iterator[Rejection]:
             taken[name] = kind
 
 
-def _of_joints(conversion: Conversion) -> Iterator[Rejection]:
+def _of_joints(conversion: SdfConversion) -> Iterator[Rejection]:
     """Joints of SDF between links that are not there, and floating joints, which leave no frame."""
     for joint, end, into in conversion.lost_joint_ends():
         what = f"is merged into '{into}'" if into else "is not in the converted model"
@@ -124,7 +122,7 @@ def _of_joints(conversion: Conversion) -> Iterator[Rejection]:
             yield Rejection("gz", "JNT022", message, above.at.span)
 
 
-def _of_inertia(conversion: Conversion) -> Iterator[Rejection]:
+def _of_inertia(conversion: SdfConversion) -> Iterator[Rejection]:
     """Masses and inertias that no body has, of links with all that is merged into them."""
     for part in conversion.model.links:
         if part.mass < 0:

@@ -55,7 +55,7 @@ class Word(Record):
     span: Span
 
 
-class Parameters(Record):
+class GivenParameters(Record):
     """The parameters that a node is given."""
 
     values: Mapping[str, str | None]  # by name; None where a value is known at run time only
@@ -79,7 +79,7 @@ class StartedProgram(Record):
     frame: CallFrame | None  # the launch files that led there
     is_sure: bool = True  # False if a condition decides that is known at run time only
     is_remapped: bool = False  # True if it gives topics other names
-    parameters: Parameters = Parameters({})  # that it is given
+    parameters: GivenParameters = GivenParameters({})  # that it is given
     namespace: str | None = ""  # without slashes around it; None where it is known at run time only
     name: str = ""  # of the node; empty where none is given, or only at run time
 

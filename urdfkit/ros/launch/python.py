@@ -10,7 +10,7 @@ from urdfkit.ros.launch import moveit_builder
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, Parameters, StartedProgram
+from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, IncludedFile, StartedProgram
 from urdfkit.ros.launch.python_mistakes import dropped_directory, mistakes, not_started
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
@@ -170,7 +170,7 @@ class _Reader:
         text = "" if written is None else self.values.text(written)
         return None if text is None else text.strip("/")
 
-    def _parameters(self, node: ast.expr | None, others: ast.expr | None) -> Parameters:
+    def _parameters(self, node: ast.expr | None, others: ast.expr | None) -> GivenParameters:
         """The parameters in a list of dictionaries and files."""
         found: dict[str, str | None] = {}
         files: list[str] = []
@@ -195,7 +195,7 @@ class _Reader:
             else:
                 is_whole = False
         found.pop("", None)
-        return Parameters(found, tuple(files), is_whole, lists)
+        return GivenParameters(found, tuple(files), is_whole, lists)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")

@@ -1,8 +1,8 @@
 """Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
 import os
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
@@ -12,26 +12,18 @@ from urdfkit.ros.launch.argument_checks import (
     missing_in_include,
     unknown_to_included,
 )
-from urdfkit.ros.launch.collect import Collector, frame_at, path_from
-from urdfkit.ros.launch.contents import (
-    MAX_DEPTH,
-    MAX_INCLUDED,
-    PARAMETERS,
-    IncludedFile,
-    Parameters,
-    StartedProgram,
-    Word,
-)
+from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
-from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
-from urdfkit.ros.launch.substitutions import Substitutions, unresolved
+from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import dialect, mistakes
+from urdfkit.ros.launch.xml_file import XmlLaunchFile
+from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
 
-_RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
 #: Groups inside one another that are followed.
 MAX_LEVELS = 50
 #: The most problems that are reported of one launch file.
@@ -43,7 +35,6 @@ _SCOPES = (
     "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
     "set_remap", "set_use_sim_time",
 )  # fmt: skip
-_DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
 def read(
@@ -53,31 +44,30 @@ def read(
     frame: CallFrame | None,
 ) -> None:
     """What a launch file in XML or YAML needs; files that it includes are followed."""
-    _File(collector, source, arguments, (), frame, collector.outer).read()
+    _Reader(collector, source, arguments, (), frame, collector.outer).read()
 
 
-class _File:
-    """One launch file, with the values of its arguments."""
+class _Reader(XmlLaunchFile):
+    """Reads one launch file and those that it includes.
+
+    Args:
+        inherited: arguments that the file may use without a declaration.
+        outer: paths of the launch files that include it.
+    """
 
     def __init__(
         self,
         collector: Collector,
         source: Source,
         arguments: Mapping[str, str | None],
-        inherited: Iterable[str] = (),
-        frame: CallFrame | None = None,
-        outer: tuple[str, ...] = (),
+        inherited: Iterable[str],
+        frame: CallFrame | None,
+        outer: tuple[str, ...],
     ) -> None:
-        self.collector = collector
-        self.source = source
-        self.given = dict(arguments)
-        self.values = {name: value for name, value in arguments.items() if value is not None}
-        self.substitutions = Substitutions(collector, source, self.values)
-        self.frame = frame
-        self.outer = outer
-        self._ros: int | None = None
+        super().__init__(collector, source, arguments, frame)
+        self._given = dict(arguments)
+        self._outer = outer
         self._level = 0
-        self._unknown_conditions = 0
         self._arguments = ArgumentUses({*arguments, *inherited})
         self._is_whole = True
 
@@ -96,13 +86,13 @@ class _File:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
         if document is not None and is_launch:
-            self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
+            self.ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
             self._children(document.root)
             self.collector.problems += self._arguments.problems(
                 self.frame,
-                carries_over=self._ros == 2,
+                carries_over=self.ros == 2,
                 is_sure=self._is_sure,
-                is_lost=self._ros == 1 and bool(self.outer),
+                is_lost=self.ros == 1 and bool(self._outer),
             )
 
     def _unreadable(self, at: Span, reason: str) -> None:
@@ -119,20 +109,20 @@ class _File:
         if self._level >= MAX_LEVELS:
             return
         self._level += 1
-        handles = {
+        handles: dict[str, Callable[[Element], None]] = {
             "arg": self._arg,
-            "executable": self._executable,
+            "executable": partial(start_executable, self),
             "group": self._children,
             "include": self._include,
             "let": self._arg,
             "node": self._node,
-            "param": self._param,
-            "rosparam": self._rosparam,
+            "param": partial(read_param, self),
+            "rosparam": partial(read_rosparam, self),
             "test": self._node,
         }
         for element in parent.children:
             self._arguments.use(element, ("if", "unless"))
-            if self._is_off(element):
+            if self.is_off(element):
                 # Other values of the arguments may turn it on.
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
@@ -141,10 +131,10 @@ class _File:
                 self.collector.has_scopes = self.collector.has_scopes or element.tag != "node"
             self._mentions(element)
             if handle := handles.get(element.tag):
-                is_unknown = self._is_unknown(element)
-                self._unknown_conditions += is_unknown
+                is_unknown = self.has_unknown_condition(element)
+                self.unknown_conditions += is_unknown
                 handle(element)
-                self._unknown_conditions -= is_unknown
+                self.unknown_conditions -= is_unknown
         self._level -= 1
 
     def _mentions(self, element: Element) -> None:
@@ -155,41 +145,32 @@ class _File:
                     if os.path.isabs(word):
                         self.collector.mention(os.path.normpath(word), attribute.span)
 
-    def _is_off(self, element: Element) -> bool:
-        """True if a condition says so; what cannot be known counts as on."""
-        for name, off in (("if", ("false", "0")), ("unless", ("true", "1"))):
-            attribute = element.attributes.get(name)
-            if attribute and (self.text(attribute) or "").strip().lower() in off:
-                return True
-        return False
-
-    def _is_unknown(self, element: Element) -> bool:
-        """True if its condition is known at run time only."""
-        conditions = (element.attributes.get(name) for name in ("if", "unless"))
-        return any(one is not None and self.text(one) is None for one in conditions)
-
     def _ros_of_package(self) -> int | None:
         manifest = manifest_of(self.collector.resolver, self.source.path)
         return manifest.ros if manifest else None
 
     def _check(self, element: Element) -> None:
-        if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
-            self.collector.problems += mistakes(element, self._ros, self.frame)
+        if self.ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
+            self.collector.problems += mistakes(element, self.ros, self.frame)
         self._arguments.use(element, element.attributes)
 
     def _is_sure(self) -> bool:
         """True if no other file can declare what this one uses."""
-        return (self._ros == 1 or self._is_whole) and not self._may_inherit()
+        return (self.ros == 1 or self._is_whole) and not self._may_inherit()
 
     def _may_inherit(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""
-        return not self.outer and is_included(self.source.path, self.collector.resolver)
+        return not self._outer and is_included(self.source.path, self.collector.resolver)
+
+    def _node(self, element: Element) -> None:
+        start_node(self, element)
+        self._children(element)
 
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
         self._arguments.declare([name])
         attribute = element.attributes.get("value") or element.attributes.get("default")
-        if attribute and name not in self.given:
+        if attribute and name not in self._given:
             value = self.text(attribute)
             if value is not None:
                 self.values[name] = value
@@ -199,11 +180,11 @@ class _File:
             if child.tag in ("arg", "env", "let"):  # roslaunch does not read any other
                 self._check(child)
         attribute = element.attributes.get("file")
-        path = self._path_in(attribute) if attribute else None
+        path = self.path(attribute) if attribute else None
         purpose = "included launch file"
         if path:
             seen = self._seen(element)
-            is_sure = not self._unknown_conditions
+            is_sure = not self.unknown_conditions
             included = IncludedFile(path, seen, element.span, self.frame, is_sure)
             self.collector.includes.append(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
@@ -220,13 +201,13 @@ class _File:
         taken = signature(source)
         self._is_whole = self._is_whole and taken.is_whole
         self._compare(element, taken, source)
-        if self._ros == 2:
+        if self.ros == 2:
             self._arguments.declare(taken.names)  # which an include leaves behind
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
             self.collector.follow(path, self.source, self._passed(element), frame)
             return
-        here = (*self.outer, self.source.path)
+        here = (*self._outer, self.source.path)
         is_xml = not path.endswith(YAML)
         is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
         self.collector.included += 1
@@ -236,11 +217,11 @@ class _File:
         inherited = {child.get("name") or "" for child in element.children}
         if self._passes_all(element):
             inherited |= self._arguments.declared
-        _File(self.collector, source, self._passed(element), inherited, frame, here).read()
+        _Reader(self.collector, source, self._passed(element), inherited, frame, here).read()
 
     def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""
-        return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
+        return self.ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
     def _compare(self, element: Element, taken: Signature, source: Source) -> None:
         """Report how the arguments of an include differ from those of the file."""
@@ -249,16 +230,16 @@ class _File:
             for child in element.children
             if (name := child.attributes.get("name"))
             and child.tag == "arg"
-            and not self._is_off(child)
+            and not self.is_off(child)
         ]
         if element.get("pass_all_args"):
             return  # what was given on the command line, too
         known = {name for name, _ in passed}
-        if self._ros == 2:
+        if self.ros == 2:
             known |= self._arguments.declared
         problems = self.collector.problems
-        problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
-        if self._ros == 1 or not self._may_inherit():
+        problems += unknown_to_included(passed, taken, source, self.frame, ros=self.ros or 2)
+        if self.ros == 1 or not self._may_inherit():
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
@@ -266,7 +247,7 @@ class _File:
         passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
-            if child.tag in ("arg", "let") and attribute and not self._is_off(child):
+            if child.tag in ("arg", "let") and attribute and not self.is_off(child):
                 passed[child.get("name") or ""] = self.text(attribute)
         return passed
 
@@ -275,129 +256,9 @@ class _File:
         places = {
             child.get("name") or "": child.attributes["value"].span
             for child in element.children
-            if "value" in child.attributes and not self._is_off(child)
+            if "value" in child.attributes and not self.is_off(child)
         }
         return {
             name: Word(value, places.get(name, element.span))
             for name, value in self._passed(element).items()
         }
-
-    def _param(self, element: Element) -> None:
-        name = (element.get("name") or "").strip()
-        frame = frame_at(self.source, element.tag_at, self.frame)
-        if name.endswith("/type"):  # of a controller, in ROS 1
-            self.collector.names_parameters = True
-        for key in ("command", "textfile", "value", "from"):
-            attribute = element.attributes.get(key)
-            if attribute is None:
-                continue
-            if key == "from":
-                self._parameter_file(attribute, "allow_substs")
-            elif key == "textfile" and _DESCRIPTION.search(name):
-                path = self.text(attribute)
-                if path is not None:
-                    self.collector.description(
-                        path_from(self.source, path), {}, attribute.span, frame
-                    )
-            elif _DESCRIPTION.search(name):
-                self._described(attribute, frame)
-
-    def _described(self, attribute: Attribute, frame: CallFrame) -> None:
-        """The command of a robot description: ROS 1's attribute, ROS 2's ``$(command '...')``."""
-        text = attribute.value
-        if attribute.name == "value":
-            found = re.fullmatch(r"\s*\$\(command\s+(['\"])(.*)\1[^)]*\)\s*", text, re.DOTALL)
-            if found is None:
-                return
-            text = found.group(2)
-        command = self.substitutions.text(text, attribute.span)
-        if command is not None:
-            is_yaml = attribute.name == "value" and attribute.element.get("type") is None
-            self.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
-
-    def _node(self, element: Element) -> None:
-        package = element.attributes.get("pkg")
-        name = self.text(package) if package else None
-        if package and name:
-            self.collector.package(name, self.source, package.span)
-        arguments = element.attributes.get("args")
-        if arguments:
-            found = _RVIZ.search(self.text(arguments) or "")
-            if found:
-                path = path_from(self.source, found.group(1))
-                self.collector.file(path, arguments.span, "RViz configuration")
-        executable = element.attributes.get("exec") or element.attributes.get("type")
-        started = StartedProgram(
-            name or "",
-            (self.text(executable) if executable else None) or "",
-            self.substitutions.words(arguments),
-            element.span,
-            self.frame,
-            is_sure=not self._unknown_conditions,
-            is_remapped=element.child("remap") is not None,
-            parameters=self._parameters(element),
-            namespace=self._namespace(element),
-            name=element.get("name") or "",
-        )
-        self.collector.started.append(started)
-        self._children(element)
-
-    def _executable(self, element: Element) -> None:
-        words = self.substitutions.words(element.attributes.get("cmd"))
-        is_sure = not self._unknown_conditions
-        started = StartedProgram("", "", words, element.span, self.frame, is_sure)
-        self.collector.started.append(started)
-
-    def _namespace(self, element: Element) -> str | None:
-        written = element.attributes.get("namespace") or element.attributes.get("ns")
-        text = self.text(written) if written else ""
-        return None if text is None else text.strip("/")
-
-    def _parameters(self, element: Element) -> Parameters:
-        """The parameters that a node is given in ROS 2; in ROS 1 they belong to no node."""
-        found: dict[str, str | None] = {}
-        files: list[str] = []
-        is_whole = self._ros == 2 and "ros_args" not in element.attributes
-        for child in element.all("param"):
-            source, value = child.attributes.get("from"), child.attributes.get("value")
-            if source is None:
-                found[child.get("name") or ""] = self.text(value) if value else None
-                continue
-            path = self._path_in(source)
-            is_whole = is_whole and path is not None
-            files += [path] if path else []
-        return Parameters(found, tuple(files), is_whole)
-
-    def _rosparam(self, element: Element) -> None:
-        attribute = element.attributes.get("file")
-        if element.get("command") not in (None, "load"):
-            return
-        if attribute:
-            self._parameter_file(attribute, "subst_value")
-        if not attribute or "ns" in element.attributes or "param" in element.attributes:
-            self.collector.names_parameters = True
-
-    def text(self, attribute: Attribute) -> str | None:
-        """The value of an attribute; None where it cannot be known without running it."""
-        return self.substitutions.text(attribute.value, attribute.span)
-
-    def _parameter_file(self, attribute: Attribute, switch: str) -> None:
-        """A file of parameters; the switch lets launch make the substitutions in it."""
-        path = self._path_in(attribute)
-        if path is None or not self.collector.file(path, attribute.span, PARAMETERS):
-            return
-        switched = attribute.element.get(switch)
-        if switched not in (None, "false", "False", "0") or self._ros is None:
-            return
-        if found := unresolved(path, self._ros, self.collector.resolver):
-            message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
-            help = f'write {switch}="true"'
-            problem = Problem("LAU019", attribute.span, message, help, self.frame)
-            self.collector.problems.append(problem)
-
-    def _path_in(self, attribute: Attribute) -> str | None:
-        """The path that an attribute names; None if it needs an argument that is empty so far."""
-        if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
-            return None
-        text = self.text(attribute)
-        return None if text is None else path_from(self.source, text)

@@ -1,0 +1,60 @@
+"""One launch file in XML, and what the texts in it become."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from urdfkit.ros.launch.collect import Collector, path_from
+from urdfkit.ros.launch.signature import USE
+from urdfkit.ros.launch.substitutions import Substitutions
+from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.source import Source
+
+
+class XmlLaunchFile:
+    """One launch file, with the values of its arguments as far as they are known.
+
+    Attributes:
+        values: of the arguments; they grow while the file is read.
+        frame: the launch files that led here.
+        ros: 1 or 2; None if it is not known.
+        unknown_conditions: how many conditions around an element are known at run time only.
+    """
+
+    def __init__(
+        self,
+        collector: Collector,
+        source: Source,
+        arguments: Mapping[str, str | None],
+        frame: CallFrame | None,
+    ) -> None:
+        self.collector = collector
+        self.source = source
+        self.values = {name: value for name, value in arguments.items() if value is not None}
+        self.substitutions = Substitutions(collector, source, self.values)
+        self.frame = frame
+        self.ros: int | None = None
+        self.unknown_conditions = 0
+
+    def text(self, attribute: Attribute | None) -> str | None:
+        """The value of an attribute; None where it cannot be known without running the file."""
+        return self.substitutions.text(attribute.value, attribute.span) if attribute else None
+
+    def path(self, attribute: Attribute) -> str | None:
+        """The path that an attribute names; None if it needs an argument that is empty so far."""
+        if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
+            return None
+        text = self.text(attribute)
+        return None if text is None else path_from(self.source, text)
+
+    def is_off(self, element: Element) -> bool:
+        """True if a condition says so; what cannot be known counts as on."""
+        for name, off in (("if", ("false", "0")), ("unless", ("true", "1"))):
+            if (self.text(element.attributes.get(name)) or "").strip().lower() in off:
+                return True
+        return False
+
+    def has_unknown_condition(self, element: Element) -> bool:
+        """True if the condition of an element is known at run time only."""
+        conditions = (element.attributes.get(name) for name in ("if", "unless"))
+        return any(one is not None and self.text(one) is None for one in conditions)

@@ -1,0 +1,129 @@
+"""Nodes and parameters in launch files of XML."""
+
+import os
+import re
+
+from urdfkit.ros.launch.collect import frame_at, path_from
+from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram
+from urdfkit.ros.launch.substitutions import unresolved
+from urdfkit.ros.launch.xml_file import XmlLaunchFile
+from urdfkit.text.diagnostic import Problem
+from urdfkit.text.document import Attribute, CallFrame, Element
+
+_RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
+_DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
+
+
+def start_node(file: XmlLaunchFile, element: Element) -> None:
+    """``<node>`` or ``<test>``, without its children."""
+    package, arguments = element.attributes.get("pkg"), element.attributes.get("args")
+    name = file.text(package)
+    if package and name:
+        file.collector.package(name, file.source, package.span)
+    if arguments and (found := _RVIZ.search(file.text(arguments) or "")):
+        path = path_from(file.source, found.group(1))
+        file.collector.file(path, arguments.span, "RViz configuration")
+    executable = element.attributes.get("exec") or element.attributes.get("type")
+    started = StartedProgram(
+        name or "",
+        file.text(executable) or "",
+        file.substitutions.words(arguments),
+        element.span,
+        file.frame,
+        is_sure=not file.unknown_conditions,
+        is_remapped=element.child("remap") is not None,
+        parameters=_parameters(file, element),
+        namespace=_namespace(file, element),
+        name=element.get("name") or "",
+    )
+    file.collector.started.append(started)
+
+
+def _namespace(file: XmlLaunchFile, node: Element) -> str | None:
+    written = node.attributes.get("namespace") or node.attributes.get("ns")
+    text = file.text(written) if written else ""
+    return None if text is None else text.strip("/")
+
+
+def start_executable(file: XmlLaunchFile, element: Element) -> None:
+    """``<executable>``: a program that is no node."""
+    words = file.substitutions.words(element.attributes.get("cmd"))
+    is_sure = not file.unknown_conditions
+    file.collector.started.append(StartedProgram("", "", words, element.span, file.frame, is_sure))
+
+
+def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
+    """The parameters that a node is given in ROS 2; in ROS 1 they belong to no node."""
+    found: dict[str, str | None] = {}
+    files: list[str] = []
+    is_whole = file.ros == 2 and "ros_args" not in node.attributes
+    for child in node.all("param"):
+        source = child.attributes.get("from")
+        if source is None:
+            found[child.get("name") or ""] = file.text(child.attributes.get("value"))
+            continue
+        path = file.path(source)
+        is_whole = is_whole and path is not None
+        files += [path] if path else []
+    return GivenParameters(found, tuple(files), is_whole)
+
+
+def read_param(file: XmlLaunchFile, element: Element) -> None:
+    """``<param>``: a robot description, a parameter file, or the type of a controller."""
+    name = (element.get("name") or "").strip()
+    frame = frame_at(file.source, element.tag_at, file.frame)
+    if name.endswith("/type"):  # of a controller, in ROS 1
+        file.collector.names_parameters = True
+    for key in ("command", "textfile", "value", "from"):
+        attribute = element.attributes.get(key)
+        if attribute is None:
+            continue
+        if key == "from":
+            _parameter_file(file, attribute, "allow_substs")
+        elif key == "textfile" and _DESCRIPTION.search(name):
+            path = file.text(attribute)
+            if path is not None:
+                path = path_from(file.source, path)
+                file.collector.description(path, {}, attribute.span, frame)
+        elif _DESCRIPTION.search(name):
+            _described(file, attribute, frame)
+
+
+def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> None:
+    """The command of a robot description: ROS 1's attribute, ROS 2's ``$(command '...')``."""
+    text = attribute.value
+    if attribute.name == "value":
+        found = re.fullmatch(r"\s*\$\(command\s+(['\"])(.*)\1[^)]*\)\s*", text, re.DOTALL)
+        if found is None:
+            return
+        text = found.group(2)
+    command = file.substitutions.text(text, attribute.span)
+    if command is not None:
+        is_yaml = attribute.name == "value" and attribute.element.get("type") is None
+        file.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
+
+
+def read_rosparam(file: XmlLaunchFile, element: Element) -> None:
+    """``<rosparam>``: a parameter file, or parameters in the text of the element."""
+    attribute = element.attributes.get("file")
+    if element.get("command") not in (None, "load"):
+        return
+    if attribute:
+        _parameter_file(file, attribute, "subst_value")
+    if not attribute or "ns" in element.attributes or "param" in element.attributes:
+        file.collector.names_parameters = True
+
+
+def _parameter_file(file: XmlLaunchFile, attribute: Attribute, switch: str) -> None:
+    """A parameter file; the attribute ``switch`` lets launch make the substitutions in it."""
+    path = file.path(attribute)
+    if path is None or not file.collector.file(path, attribute.span, PARAMETERS):
+        return
+    switched = attribute.element.get(switch)
+    if switched not in (None, "false", "False", "0") or file.ros is None:
+        return
+    if found := unresolved(path, file.ros, file.collector.resolver):
+        message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
+        help = f'write {switch}="true"'
+        problem = Problem("LAU019", attribute.span, message, help, file.frame)
+        file.collector.problems.append(problem)
