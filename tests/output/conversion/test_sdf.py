@@ -14,8 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
@@ -180,11 +179,10 @@ def require_equal(robot: Context, directory: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
+def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
-    folder, model = entry
     try:
-        found = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+        found = entry.read()
         converted = convert(found, tmp_path / "proved", to="sdf")
     except UrdfkitError as error:
         pytest.skip(str(error))
