@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
 from tests.gazebos import BASE, sensor
 from tests.reported import reported
+from tests.workspaces import add_file
+from urdfkit import check
 from urdfkit.core.suggest import nearest
 from urdfkit.text.xml_errors import syntax_mistakes
 
@@ -30,3 +36,25 @@ def test_a_macro_that_is_closed_in_its_first_line() -> None:
     assert [note for _, _, note in mistake.notes] == [
         "<macro .../> closes itself: its '/' is one too many"
     ]
+
+
+def test_a_tag_with_tags_in_it_is_no_switch() -> None:
+    """LIMO's noise of the orientation, which is no <enable_orientation>."""
+    tag = "<orientation><x><noise/></x></orientation>"
+    (found,) = reported("GAZ003", BASE + sensor("imu", f"<imu>{tag}</imu>"))
+    assert "did you mean" not in found.message + found.help
+
+
+@pytest.mark.parametrize(
+    ("target", "severity"), [("classic-ros1", "warning"), ("gz-harmonic", "error")]
+)
+def test_sensors_of_a_file_that_is_included_twice(
+    tmp_path: Path, target: str, severity: str
+) -> None:
+    """A robot whose sensors' file includes the plugins' file of the robot again."""
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    add_file(tmp_path / "s.xacro", f"{head}{sensor('imu', '')}</robot>".encode())
+    twice = '<xacro:include filename="s.xacro"/>' * 2
+    robot = add_file(tmp_path / "r.xacro", f"{head}{BASE}{twice}</robot>".encode())
+    (found,) = check(robot, select=["GAZ010"], targets=[target]).diagnostics
+    assert (found.severity.value, found.help) == (severity, "include its file once")

@@ -244,9 +244,15 @@ class Context(DescriptionFile):
         return uses(self.model, self.targets)
 
     @cached_property
+    def names_parameters(self) -> bool:
+        """True if a launch file or a plugin names a parameter file of controllers."""
+        plugins = (plugin for block in self.model.gazebo for plugin in block.all("plugin"))
+        return bool(self.parameters) or any(plugin.child("parameters") for plugin in plugins)
+
+    @cached_property
     def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
         """The controllers in the parameter files of the robot."""
-        if not (self.parameters or self.model.gazebo):
+        if not self.names_parameters:
             return ()
         from urdfkit.ros.controllers import controllers
 
