@@ -112,11 +112,11 @@ def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
                 yield joint.at.span, message
             taken.add(name)
     for block in conversion.model.gazebo:
-        for child in block.children if not block.get("reference") else ():
-            name = child.get("name") or ""
-            if child.tag not in ("frame", "model"):
+        for added in block.children if not block.get("reference") else ():
+            name = added.get("name") or ""
+            if added.tag not in ("frame", "model"):
                 continue
             if name in taken:
                 message = f"gz-sim rejects the robot: another part is called '{name}'"
-                yield child.span, message
+                yield added.span, message
             taken.add(name)
