@@ -369,6 +369,13 @@ REFUSED = {
         child("a", inside=MASS + "<visual>" + BOX
               + "<material name='m'><color rgba='1 1 1'/></material></visual>"),
         "3 numbers, not 4"),
+    "a planar joint": (child("a", "planar"), "without planar joints"),
+    "a joint that follows itself": (
+        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "follows itself"),
+    "a frame with the name of a link": (block("<frame name='base'/>", ""), "is called 'base'"),
+    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "no number"),
+    "a number that is too large": (block("<kp>1e400</kp>"), "no number"),
+    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 elements"),
     "a pose of three numbers": (
         ARM + sensor("imu", "<pose>1 0 0</pose>", "arm"), "not 6 numbers"),
 }  # fmt: skip
