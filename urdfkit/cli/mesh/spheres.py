@@ -10,7 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, to_file, with_examples
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.output.spheres import RobotSpheres, fit_spheres
@@ -64,7 +64,7 @@ def command(asked: dict[str, Any], out: str | None, form: str, **options: Any) -
     Exit codes: 0 done, 1 some geometry is left out, 2 usage or input error.
     """
     context = robot(asked)
-    with progress() as bar:
+    with progress_bar() as bar:
         found = fit_spheres(context, progress=bar, **options)
     if form == "json":
         from urdfkit.core.strict_json import dumped
