@@ -331,3 +331,28 @@ def test_a_directory_whose_files_are_installed(tmp_path: Path, pattern: str, cou
     reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
     found = check(tmp_path / "arm" / "urdf" / "r.xacro", select=["PKG002"]).diagnostics
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("arguments", "content", "count"),
+    [
+        ("'-topic', 'robot_description', '-z6.35'", "", 0),
+        ("'-topic', 'robot_description', '-zoom'", "", 1),
+        ("'-file', FILE", '<robot name="cube"><link name="cube"/></robot>', 0),
+        ("'-file', FILE", '<robot name="cube"><link name="${name}"/></robot>', 1),
+    ],
+)
+def test_what_the_script_of_gazebo_takes(
+    tmp_path: Path, arguments: str, content: str, count: int
+) -> None:
+    """A receptionist's '-z' '6.35', which Python joins; a cube whose xacro is plain URDF."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch_ros.actions import Node\n"
+        "FILE = os.path.join(get_package_share_directory('arm'), 'cube.urdf.xacro')\n"
+        "spawn = Node(package='gazebo_ros', executable='spawn_entity.py',\n"
+        f"             arguments=['-entity', 'cube', {arguments}])\n"
+    )
+    files = {"cube.urdf.xacro": content}
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", program, files)) == count

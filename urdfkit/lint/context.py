@@ -95,7 +95,7 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf or self.is_list_of_joints:
+        if self._is_srdf or self.is_list_of_joints or self.is_extension:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -126,6 +126,17 @@ class Context(DescriptionFile):
         )
 
     @cached_property
+    def is_extension(self) -> bool:
+        """True for joints without a robot's name and links, which a robot includes.
+
+        Clearpath's robots include the file that an environment variable names; what is no element
+        of URDF there is a call of a macro.
+        """
+        root = self.document.root
+        is_robot = root.get("name") is not None or root.child("link") is not None
+        return not is_robot and root.child("joint") is not None
+
+    @cached_property
     def is_part(self) -> bool:
         """True for a file that makes sense inside another one only, and is no robot by itself.
 
@@ -133,7 +144,7 @@ class Context(DescriptionFile):
         a name, or a link that is the root of the others.
         """
         xacro = self.reading.xacro
-        if (xacro is not None and xacro.is_library) or self._is_srdf:
+        if (xacro is not None and xacro.is_library) or self._is_srdf or self.is_extension:
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
