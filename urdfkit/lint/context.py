@@ -95,14 +95,15 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf or self.is_list_of_joints or self.is_extension:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
 
         xacro = self.reading.xacro
         if xacro is None:
-            return deviations(self.document, plain=True)
+            calls = self.document.root.children if self.is_extension else ()
+            return deviations(self.document, plain=True, claimed={one.tag for one in calls})
         claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
 
