@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import OUT, in_formats, limited, with_examples
-from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.output.conversion import convert
@@ -69,7 +69,7 @@ def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any)
 
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
     """
-    with progress() as bar:
+    with progress_bar() as bar:
         context = robot(asked, bar)
     found = convert(context, out, to=to, **options)
     output.json_or_page(form, found.facts, _page(found, out))
