@@ -155,6 +155,7 @@ SAMPLED = {
     "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 12,
     "tests/cli/test_special_files.py": 3,
     "tests/mesh/test_warnings.py": 8,
+    "tests/test_fuzz.py::test_a_short_run": 3,
     "tests/test_injection.py::test_a_format": 8,
     "tests/test_injection.py::test_a_text": 4,
     "tests/test_fixing_corpus.py": 12,
