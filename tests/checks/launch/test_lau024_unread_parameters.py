@@ -87,10 +87,10 @@ LAYER = "layer: {{plugin: {}, observation_sources: scan, scan: {{data_type: {}}}
         (
             "nav2_costmap_2d::VoxelLayers",
             "PointCloud2",
-            "did you mean 'nav2_costmap_2d::VoxelLayer",
+            "did you mean 'nav2_costmap_2d::Vox",
         ),
-        ("nav2_costmap_2d/VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::VoxelLayer"),
-        ("costmap_2d::VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::VoxelLayer"),
+        ("nav2_costmap_2d/VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::Vox"),
+        ("costmap_2d::VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::Vox"),
         ("nav2_costmap_2d::SemanticLayer", "PointCloud2", ""),  # of a newer Nav2, perhaps
         ("my_layers::ObstacleLayer", "Image", ""),
         ("nav2_costmap_2d::ObstacleLayer", "laserscan", "stops at data_type 'laserscan'"),
