@@ -6,14 +6,18 @@ A harness raises nothing but what is a defect: what cannot be done is an `Urdfki
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
+import tarfile
+import tempfile
+import zipfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stderr, redirect_stdout
 from functools import lru_cache
 from pathlib import Path
 from random import Random
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import config_reader, engine, rule_index
@@ -23,6 +27,7 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.lint.rules import Rule
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, DRIVE, DRIVEN
 from urdfkit.ros.launch import read_launch
+from urdfkit.scan import models as scanned
 from urdfkit.text import located_yaml
 from urdfkit.text.editing.formatter import formatted
 from urdfkit.text.file_kinds import is_xacro
@@ -31,6 +36,9 @@ from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import expand
+
+if TYPE_CHECKING:
+    from mcp.server.mcpserver import MCPServer
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"
@@ -241,6 +249,43 @@ def _controllers(data: bytes) -> None:
     _check("control/r.urdf", robot.encode(), select=("RCT",))
 
 
+_BRINGUP = b"""from ament_index_python.packages import get_package_share_directory
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+from nav2_common.launch import RewrittenYaml
+
+share = get_package_share_directory("cart")
+parameters = share + "/p.yaml"
+gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/w.sdf"])
+spawn = Node(package="ros_gz_sim", executable="create", arguments=["-world", "hall", "-z", "0.1"])
+ekf = Node(package="robot_localization", executable="ekf_node", parameters=[parameters])
+costmap = Node(
+    package="nav2_controller", executable="controller_server",
+    parameters=[RewrittenYaml(source_file=parameters, root_key="", param_rewrites={})],
+)
+"""
+
+
+def _bringup(name: str) -> Callable[[bytes], None]:
+    """A file that a launch file gives to what it starts."""
+
+    def run(data: bytes) -> None:
+        _write("bringup/package.xml", b"<package><name>cart</name></package>")
+        _write(f"bringup/{name}", data)
+        _check("bringup/launch/r.launch.py", _BRINGUP, select=("LAU", "WLD"))
+
+    return run
+
+
+def _worlds() -> list[bytes]:
+    include = b"<include><uri>model://a</uri></include>"
+    floor = b"""<model name="floor"><static>true</static><link name="l"><collision name="c">
+    <geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>"""
+    whole = b"""<sdf version="1.9"><world name="hall"><physics type="ode"><max_step_size>0.001
+    </max_step_size></physics>%s%s</world></sdf>"""
+    return [whole % (include, floor), *_files(".sdf")]
+
+
 def _package(data: bytes) -> None:
     _write("package/package.xml", data)
     robot = os.path.abspath("package/r.urdf")
@@ -250,6 +295,35 @@ def _package(data: bytes) -> None:
     mesh = b'<mesh filename="package://other/a.stl"/>'
     visual = b'<link name="a"><visual><geometry>%s</geometry></visual></link>' % mesh
     _check("package/r.urdf", b'<robot name="r">%s</robot>' % visual, select=("PKG",))
+
+
+def _archives() -> list[bytes]:
+    """A robot as an archive of each kind."""
+    made = []
+    with zipfile.ZipFile(file := io.BytesIO(), "w", zipfile.ZIP_DEFLATED) as packed:
+        packed.writestr("a/r.urdf", _ARM)
+        packed.writestr("../r.urdf", _ARM)
+    made.append(file.getvalue())
+    modes: tuple[Literal["w", "w:gz", "w:bz2", "w:xz"], ...] = ("w", "w:gz", "w:bz2", "w:xz")
+    for mode in modes:
+        with tarfile.open(fileobj=(file := io.BytesIO()), mode=mode) as tar:
+            for name in ("a/r.urdf", "long" * 60 + "/r.urdf.xacro", "../r.urdf"):
+                member = tarfile.TarInfo(name)
+                member.size = len(_ARM)
+                tar.addfile(member, io.BytesIO(_ARM))
+        made.append(file.getvalue())
+    return made
+
+
+def _archive(data: bytes) -> None:
+    """The models of an archive, extracted."""
+    name = "a.zip" if data[:1] == b"P" else "a.tar"
+    _write(name, data)
+    with scanned.Extraction() as extraction:
+        for model in scanned.models([name]):
+            assert (
+                Path(extraction.on_disk(model).path).resolve().is_relative_to(tempfile.gettempdir())
+            )
 
 
 def _configuration(data: bytes) -> None:
@@ -285,7 +359,6 @@ _SCRATCH = {"xacro": "r.xacro", "stl": "a.stl", "dae": "a.stl", "obj": "a.stl"}
 
 def _arguments(data: bytes) -> None:
     """A command line; it may name nothing outside of the scratch directory."""
-    from urdfkit.cli import main
     from urdfkit.mesh import samples
 
     words = data.decode("utf-8", "replace").replace("\0", "").split()
@@ -294,10 +367,107 @@ def _arguments(data: bytes) -> None:
     _write("r.urdf", _ARM)
     _write("r.xacro", _ARM)
     _write("a.stl", samples.stl(samples.box((0, 0, 0), (0.1, 0.1, 0.3))))
+    _run(words)
+
+
+def _run(words: list[str]) -> None:
+    """Run a command line; an error of urdfkit itself is a defect."""
+    from urdfkit.cli import main
+
     with redirect_stdout(io.TextIOWrapper(io.BytesIO())), redirect_stderr(io.StringIO()) as err:
         code = main(words)
     if code not in (0, 1, 2):
         raise AssertionError(f"exit code {code}: {err.getvalue()}")
+
+
+#: What tools for agents pass to commands.
+_OPTIONS_OF_TOOLS = frozenset(
+    "--info --select -q --unsafe-fixes --diff --view --size -o --findings".split()
+)
+#: What is done with a damaged robot.
+_COMMANDS = """\
+check --add-ignore
+fix --unsafe-fixes --force
+format
+migrate --to gz-harmonic
+expand
+trace link/a
+info
+tree
+kinematics
+mass
+inertia
+statics --samples 3
+collisions --samples 5 --jobs 1
+importers
+gazebo
+diff other.urdf
+bundle -o bundle --force
+convert --to urdf -o urdf --force
+convert --to mjcf -o mjcf --force
+simulate
+render -o r.png --size 60x40
+report --quick -o r.html""".splitlines()
+
+
+def _command(data: bytes) -> None:
+    """A command, with a robot."""
+    command, *options = Random(data).choice(_COMMANDS).split()
+    _write("command/r.urdf", data)
+    _write("command/other.urdf", _ARM)
+    before = os.getcwd()
+    os.chdir("command")
+    try:
+        _run([command, *["other.urdf"] * (command == "diff"), "r.urdf", *options])
+    finally:
+        os.chdir(before)
+
+
+def _tool_calls() -> list[bytes]:
+    calls: tuple[tuple[str, dict[str, object]], ...] = (
+        ("check", {"path": "r.urdf", "arguments": {"a": "1"}, "select": ["MSH"], "infos": True}),
+        ("check", {"path": ".", "start": 2}),
+        ("explain", {"code": "MSH001"}),
+        ("trace", {"path": "r.urdf", "element": "link/a"}),
+        ("expand", {"path": "./r.urdf"}),
+        ("fix", {"path": "r.urdf", "unsafe": True, "write": True}),
+        ("render", {"path": "r.urdf", "view": "iso", "findings": False}),
+    )
+    return [json.dumps([name, words]).encode() for name, words in calls]
+
+
+def _tool(data: bytes) -> None:
+    """A call of the tools for agents, without the command that it leads to."""
+    import asyncio
+
+    from mcp.server.mcpserver.exceptions import ToolError
+    from pydantic import ValidationError
+
+    _write("tools/r.urdf", _ARM)
+    try:
+        name, words = json.loads(data)
+        asyncio.run(_tool_server().call_tool(str(name), dict(words)))
+    except (ValueError, TypeError, RecursionError):
+        pass  # not a call
+    except ToolError as error:
+        cause = error.__cause__
+        if cause and not isinstance(cause, (ToolError, ValidationError, FileNotFoundError)):
+            raise cause from None  # FileNotFoundError: of the image that nothing renders
+
+
+@lru_cache
+def _tool_server() -> MCPServer:
+    from urdfkit.cli import mcp_tools
+
+    def run(_: object, *words: str) -> str:
+        """The words of a command; of what a client sends, none is an option."""
+        options = {one for one in words if one.startswith("-")}
+        if not options <= _OPTIONS_OF_TOOLS:
+            raise AssertionError(f"options: {words}")
+        return "\n".join(words)
+
+    mcp_tools.Tools._run = run  # type: ignore[method-assign,assignment]
+    return mcp_tools.server("tools", may_write=True)
 
 
 def _lsp(data: bytes) -> None:
@@ -353,6 +523,11 @@ HARNESSES: dict[str, Harness] = {
     "obj": Harness(_meshes(".obj"), _mesh("a.obj")),
     "ply": Harness(_meshes(".ply"), _mesh("a.ply")),
     "gltf": Harness(_meshes(".glb", ".gltf"), _mesh("a.glb")),
+    "bringup": Harness(lambda: _files(".yaml"), _bringup("p.yaml")),
+    "world": Harness(_worlds, _bringup("w.sdf")),
+    "archive": Harness(_archives, _archive),
+    "command": Harness(_robots, _command),
+    "tool": Harness(_tool_calls, _tool),
     "arguments": Harness(_command_lines, _arguments),
     "lsp": Harness(lambda: [*_robots(), *_xacros()], _lsp),
 }

@@ -16,7 +16,7 @@ WITH_MESHES = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 XACRO = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 #: Of Python's own library, what costs several milliseconds each.
-SLOW = {"asyncio", "dataclasses", "inspect", "multiprocessing", "subprocess", "typing", "urllib"}
+SLOW = {"asyncio", "dataclasses", "inspect", "multiprocessing", "subprocess", "urllib"}
 
 
 def loaded(*words: str, cache: Path | None = None) -> set[str]:

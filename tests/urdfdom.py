@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -31,6 +32,8 @@ def urdfdom(text: str, directory: Path) -> tuple[int, str]:
             stderr=subprocess.STDOUT,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (ENOUGH, ENOUGH)),
             timeout=60,
+            # pip's check_urdf is a script: the limit would cut the bytecode of modules.
+            env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
         )
         answer.seek(0)
         return done.returncode, answer.read()

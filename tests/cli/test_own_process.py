@@ -94,6 +94,17 @@ def test_memory_beyond_the_limit_is_one_line(work: str) -> None:
     assert error == "error: not enough memory; --memory raises the limit\n"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="the others have no such limit")
+@pytest.mark.parametrize("gigabytes", ["0.365", "0.37", "0.375"])
+def test_little_memory_does_not_hold_a_command_up(gigabytes: str, tmp_path: Path) -> None:
+    """Of so much, OpenBLAS would ask for more for ever, for its threads."""
+    words = ["hull", MESH, "-o", tmp_path / "hull.stl", "--memory", gigabytes, "--timeout", "60"]
+    command = [sys.executable, "-m", "urdfkit", "mesh", *map(str, words)]
+    environment = {name: v for name, v in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert "not done after" not in done.stderr
+
+
 def test_a_library_that_is_missing_is_named_with_a_limit_far_away() -> None:
     _, _, error = end("raise MissingLibrary('it is not there') from ImportError('none')")
     assert error == "error: it is not there\n"

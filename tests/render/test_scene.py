@@ -215,6 +215,21 @@ def test_no_place_stops_a_picture(xyz: str) -> None:
     assert alone(scene, place_camera(scene.points(), size=(64, 64))).any()
 
 
+@pytest.mark.parametrize("size", [1e-45, 1e-12, 1e38, 1e300])
+def test_no_size_stops_a_picture(size: float) -> None:
+    """Nor warns, nor makes placeholders of that size."""
+    mesh = '<link name="{}"><visual><geometry><mesh filename="no.stl"/></geometry></visual></link>'
+    joint = (
+        f'<joint name="j" type="fixed"><origin xyz="0 {size} {size}"/><parent link="a"/>'
+        '<child link="b"/></joint>'
+    )
+    ball = link("c", f'<sphere radius="{size}"/>')
+    scene = build(robot(mesh.format("a"), mesh.format("b"), ball, joints=joint))
+    assert max(np.abs(item.vertices).max() for item in scene.items) < 10
+    pixels = alone(scene, place_camera(scene.points(), size=(64, 64)), quality="high")
+    assert pixels.shape == (64, 64, 4)
+
+
 def test_links_in_a_loop_and_islands_do_not_stop_a_picture() -> None:
     box = '<box size="1 1 1"/>'
     loop = "".join(

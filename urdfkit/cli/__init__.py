@@ -49,6 +49,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.set_threshold(100_000)
     # Nor do processes that multiprocessing starts import from the current directory.
     os.environ["PYTHONSAFEPATH"] = "1"
+    # With threads, OpenBLAS asks for memory in vain for ever where it is limited.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_apart

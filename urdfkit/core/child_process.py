@@ -5,8 +5,7 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Iterator
-
-from urdfkit.core.typing import Any
+from typing import Any
 
 #: The directories of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = "import sys; sys.path[:] = sys.argv[2:]; __import__(sys.argv[1], fromlist=['main']).main()"

@@ -2,8 +2,7 @@
 
 import json
 from math import isfinite
-
-from urdfkit.core.typing import Any
+from typing import Any
 
 
 def dumped(document: object) -> str:

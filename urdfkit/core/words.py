@@ -1,6 +1,6 @@
-"""Numbers of things, and several names, in a sentence."""
+"""Numbers of things, several names, and vectors in a sentence."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 
 def counted(number: int, thing: str) -> str:
@@ -25,3 +25,13 @@ def listed(names: Sequence[str], most: int | None = None) -> str:
         return few(names, most)
     *first, last = names
     return f"{', '.join(first)} and {last}" if first else last
+
+
+def spaced(values: Iterable[float], digits: int = 6) -> str:
+    """``0.1 0 -2``: numbers as URDF writes a vector, with so many significant digits."""
+    return " ".join(f"{value:.{digits}g}" for value in values)
+
+
+def rounded(values: Iterable[float], places: int) -> str:
+    """The same with so many decimal places; none is ``-0``."""
+    return spaced(round(value, places) + 0.0 for value in values)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
 

@@ -11,10 +11,10 @@ import glob
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.lint.include_graph import INCLUDE

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 import sys
+from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.expansion_limits import Limits
-from urdfkit.core.typing import Any
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, ConfigError, FileIgnore, RobotEntry

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
+from typing import IO, overload
 
 from urdfkit.core import disk
-from urdfkit.core.typing import IO, overload
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
 

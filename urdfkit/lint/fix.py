@@ -9,10 +9,10 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.context import Context

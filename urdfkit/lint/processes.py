@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint import rule_index
 from urdfkit.lint.check_job import check_one_of_many, failed
 from urdfkit.lint.merging import Checked

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING, TypeVar
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, NotApplicable, RunState, Unavailable
@@ -54,9 +54,7 @@ class FileResult(Record):
 
 
 def run_rules(
-    context: Context,
-    chosen: Sequence[str],
-    options: Options = Options(preview=True),
+    context: Context, chosen: Sequence[str], options: Options = Options(preview=True)
 ) -> FileResult:
     """Run rules over a description.
 
@@ -216,9 +214,9 @@ class _RuleRun:
         gives a severity of its own, unless all of them take what it is about.
         """
         given = self.context.given_facts
-        told = {one.name: one.severities.get(rule.code) for one in given}
+        stated = {one.name: one.severities.get(rule.code) for one in given}
         severity = finding.severity or rule.severity_for(targets)[0]
-        each = {name: Severity(one) if one else severity for name, one in told.items()}
+        each = {name: Severity(one) if one else severity for name, one in stated.items()}
         worst = min(each.values(), key=lambda one: one.rank)
         if worst is severity or (finding.severity and worst.rank < severity.rank):
             return finding

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from math import inf
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.core.typing import TYPE_CHECKING, Any, TypeVar
 from urdfkit.lint.config import ConfigError
 from urdfkit.text.diagnostic import Confidence, Severity
 

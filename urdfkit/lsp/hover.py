@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core.words import few
+from urdfkit.core.words import few, spaced
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
@@ -143,7 +143,7 @@ def _joint(joint: Joint) -> Iterator[str]:
     kind, name = _kind(joint), _code(joint.name)
     yield f"**{kind} joint** `{name}`: `{_code(ends[0])}` to `{_code(ends[1])}`"
     if joint.axis and joint.kind != "fixed":
-        yield "- axis " + " ".join(f"{value:g}" for value in joint.axis.value)
+        yield "- axis " + spaced(joint.axis.value)
     limit = joint.limit
     unit, force = _LENGTH_UNIT.get(joint.kind, ""), _FORCE_UNIT.get(joint.kind, "")
     if limit and limit.lower and limit.upper:

@@ -175,11 +175,7 @@ class Workspace:
         return self._resolvers[config.path].with_texts(self.texts)
 
     def check(
-        self,
-        path: str,
-        *,
-        thorough: bool = False,
-        is_cancelled: Callable[[], bool] | None = None,
+        self, path: str, *, thorough: bool = False, is_cancelled: Callable[[], bool] | None = None
     ) -> CheckedFile:
         """Check the robots of a file.
 

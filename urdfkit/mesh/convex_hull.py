@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.welding import finite

@@ -1,10 +1,10 @@
 """A mesh ever coarser: within tolerances that grow, or with fewer triangles."""
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
-from urdfkit.core.typing import Any
 from urdfkit.mesh.edges import three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector, vector
-from urdfkit.core.typing import Any
 from urdfkit.mesh.geometry import Mesh, areas
 from urdfkit.mesh.health import Health, examine_mesh
 from urdfkit.mesh.io.salvage import load_or_salvage

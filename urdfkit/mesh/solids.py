@@ -72,8 +72,7 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
     from urdfkit.mesh.welding import weld
 
     whole = Manifold.batch_boolean(
-        [solid(part.vertices, part.faces) for part in pieces.parts],
-        OpType.Add,
+        [solid(part.vertices, part.faces) for part in pieces.parts], OpType.Add
     )
     # A part may be a solid of its own that touches others, or one colour of a whole.
     for one in (mesh, *(mesh._replace(parts=(part,)) for part in mesh.parts)):

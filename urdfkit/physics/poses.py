@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import pi
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.kinematics import SLIDING, TURNING

@@ -110,10 +110,7 @@ def sweep(
 
 
 def animated(
-    shots: Sequence[Shot],
-    *,
-    progress: Progress | None = None,
-    **drawing: Unpack[DrawingOptions],
+    shots: Sequence[Shot], *, progress: Progress | None = None, **drawing: Unpack[DrawingOptions]
 ) -> list[Image.Image]:
     """The images of an animation, on one floor.
 

@@ -49,10 +49,7 @@ class NoSuchLayer(UrdfkitError):
 
 
 def explained(
-    scene: Scene,
-    context: Context,
-    layers: Sequence[str],
-    given: Mapping[str, float] | None = None,
+    scene: Scene, context: Context, layers: Sequence[str], given: Mapping[str, float] | None = None
 ) -> Scene:
     """A scene with layers over it.
 
@@ -85,9 +82,7 @@ def explained(
         if not drawn:
             notes.append(f"nothing is drawn of '{layer}': {_NOTHING.get(layer, 'it has no links')}")
     return scene._replace(
-        items=(*scene.items, *items),
-        labels=(*scene.labels, *labels),
-        notes=(*scene.notes, *notes),
+        items=(*scene.items, *items), labels=(*scene.labels, *labels), notes=(*scene.notes, *notes)
     )
 
 

@@ -15,6 +15,8 @@ MAX_RADIUS = 0.2
 #: Nothing nearer than this part of the radius hides anything: surfaces do not hide themselves.
 BIAS = 0.02
 STRENGTH = 1.3
+#: In m; the sixth power of a smaller radius is none in single precision.
+LEAST_RADIUS = 1e-5
 
 
 def openness(
@@ -36,6 +38,8 @@ def openness(
         radius: in m; what is further away hides nothing.
         taps: samples of each.
     """
+    if radius < LEAST_RADIUS:
+        return np.ones(len(points), dtype=np.float32)
     height, width = depth.shape
     flat = depth.reshape(-1)
     row, column = np.divmod(pixel.astype(np.int32), np.int32(width))

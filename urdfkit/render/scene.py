@@ -236,7 +236,7 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
     It is as large as another shape or mesh of the link; else it reaches to the joints
     of its child links.
     """
-    size, frame = _target_bounds(context, link, body, least)
+    size, frame = _placeholder_box(context, link, body, least)
     edges = np.array(size, dtype=np.float32)
     vertices, faces, _, uv = primitives.box(*size)
     assert uv is not None
@@ -247,14 +247,14 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
     return SceneItem(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv).moved(frame)
 
 
-def _target_bounds(
+def _placeholder_box(
     context: Context, link: Link, body: Body, least: float
 ) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
     # A speck stands for no collision rather than for the mesh.
-    if known := next((half for half in halves if half and max(half) > SPECK * least), None):
+    if known := next((half for half in halves if half and SPECK * least < max(half) < LIMIT), None):
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
     extents = (_extent(context, other) for other in bodies)
@@ -262,8 +262,8 @@ def _target_bounds(
         lowest, highest = around
         edges = highest - lowest
     else:
-        joints = [joint.origin.position for joint in context.tree.children[link.name]]
-        ends = np.array([(0.0, 0.0, 0.0), *joints])
+        origins = (joint.origin for joint in context.tree.children[link.name])
+        ends = np.array([(0.0, 0.0, 0.0), *(one.position for one in origins if _is_near(one))])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
     (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
@@ -283,7 +283,7 @@ def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
 
 def _reach(scene: Scene) -> float:
     """The size of what is known of a robot, in m."""
-    places = arrays.single([frame.position for frame in scene.frames.values()])
+    places = arrays.single([one.position for one in scene.frames.values() if _is_near(one)])
     points = np.concatenate((scene.points(), places))
     reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
     return reach or 1.0

@@ -57,12 +57,7 @@ class SurfaceColours:
                 if len(of_it):
                     albedo[of_it] *= self._textured(one, some, there, of_it)
         return shaded(
-            albedo,
-            there.position,
-            there.normal,
-            lit,
-            self._rig,
-            parallel=self._is_parallel,
+            albedo, there.position, there.normal, lit, self._rig, parallel=self._is_parallel
         )
 
     def _textured(

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
-from urdfkit.core.typing import Generic, TypeVar
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step

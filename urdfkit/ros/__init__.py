@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urdfkit.core.typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol
+
 from urdfkit.robot import DescribedRobot
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ have a few levels, and what is deeper is no such file.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any, TypeAlias
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import Any, TypeAlias
 from urdfkit.text.source import Source, Span
 
 #: Larger files are no lists of parameters.

@@ -1,7 +1,8 @@
 """Places as JSON: what ``urdfkit expand --map`` writes, and one address for every element."""
 
+from typing import Any
+
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.core.typing import Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.document import Attribute, Document, Element, Step
 from urdfkit.text.source import Span

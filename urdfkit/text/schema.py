@@ -93,9 +93,7 @@ VISUAL = Grammar(
 )
 
 COLLISION = Grammar(
-    {"name": _NAME},
-    {"origin": ORIGIN, "geometry": GEOMETRY},
-    required=("geometry",),
+    {"name": _NAME}, {"origin": ORIGIN, "geometry": GEOMETRY}, required=("geometry",)
 )
 
 INERTIAL = Grammar(

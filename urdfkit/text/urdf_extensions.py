@@ -2,8 +2,8 @@
 
 import os
 from functools import cache
+from typing import Any
 
-from urdfkit.core.typing import Any
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar
 
 

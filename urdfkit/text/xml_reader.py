@@ -7,9 +7,9 @@ the rule that explains it; the rules XML and XAC turn Problems into findings.
 from __future__ import annotations
 
 import gc
+from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.packages import Candidate, Packages
 from urdfkit.workspace.references import spellings

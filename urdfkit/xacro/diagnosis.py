@@ -4,10 +4,10 @@ import math
 import os
 import re
 from types import FrameType
+from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
-from urdfkit.core.typing import Any
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span

@@ -6,9 +6,9 @@ import os
 import sys
 from collections.abc import Mapping
 from types import FrameType
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk
-from urdfkit.core.typing import TYPE_CHECKING, Any
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import Any
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes

@@ -30,7 +30,7 @@ for module in ("jinja2", "numpy", "trimesh"):
 pytestmark = pytest.mark.usefixtures("small_pictures")
 MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 TEMPLATES = Path(html.__file__).parent / "templates"
-VOID = {"meta", "link", "br", "img", "input"}
+VOID = {"meta", "link", "br", "img", "input", "wbr"}
 
 
 class Elements(HTMLParser):

@@ -106,6 +106,12 @@ def test_what_follows_starts_where_its_leader_takes_it() -> None:
     assert failures(robot(*arms)) == {"mimic": ("b",)}, "it is to go to 3.8 rad"
 
 
+def test_progress_counts_the_tests() -> None:
+    counts: list[tuple[int, int]] = []
+    simulate(read(robot()), progress=lambda *count: counts.append(count))
+    assert counts == [(done, 6) for done in range(6)]
+
+
 def test_a_joint_starts_within_its_range() -> None:
     arm = robot(link("arm", at="0.5 0 0"), joint("arm", "world", "0 0 0"))
     lifted = Source("r.urdf", arm.data.replace(b'lower="-3"', b'lower="1"'))

@@ -32,7 +32,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.typing import TYPE_CHECKING
+from typing import TYPE_CHECKING
+
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true

@@ -15,7 +15,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.typing import TYPE_CHECKING
+from typing import TYPE_CHECKING
+
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfkit.core.typing import TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context

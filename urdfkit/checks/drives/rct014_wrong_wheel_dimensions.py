@@ -15,11 +15,11 @@ Sources:
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.spatial import Vector, dot, length, minus
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, rolling, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
@@ -37,10 +37,7 @@ SAME_PLACE = 1e-3
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-FILES = {
-    "config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"),
-    "config/good.yaml": DRIVE,
-}
+FILES = {"config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"), "config/good.yaml": DRIVE}
 
 _MEASURED = {
     "diameter": "the wheels have a diameter of",
@@ -92,7 +89,7 @@ def _separations(driven: list[Wheel]) -> list[float]:
 
 
 def _of_controller(controller: Controller, context: Context) -> Findings:
-    kind = catalogue().get(controller.type)
+    kind = controller.kind
     for measure in kind.measures if kind else ():
         written = controller.values([measure.parameter])
         value = number(written[0].text) if written else None

@@ -13,8 +13,9 @@ Sources:
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml

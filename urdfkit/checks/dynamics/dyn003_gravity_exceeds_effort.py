@@ -17,8 +17,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 from math import isfinite
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable

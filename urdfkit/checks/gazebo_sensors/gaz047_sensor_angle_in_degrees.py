@@ -13,9 +13,10 @@ Sources:
 
 from math import pi, radians
 
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.values import number, numbers
-from urdfkit.ros.gazebo.rejection import REJECTED
+from urdfkit.ros.gazebo import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.editing.edits import fix_value
@@ -54,7 +55,7 @@ def _turned_far(sensor: Sensor) -> Findings:
             continue
         most = max(values[3:], key=abs)
         if abs(most) > 2 * pi + 1e-3:
-            right = " ".join(f"{part:.6g}" for part in (*values[:3], *map(radians, values[3:])))
+            right = spaced((*values[:3], *map(radians, values[3:])))
             message = f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn"
             help = f"if it is in degrees, write {right}"
             fix = fix_value(pose, right)

@@ -22,6 +22,7 @@ Sources:
 
 from math import prod
 
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
@@ -37,7 +38,7 @@ def check(context: Context) -> Findings:
     for link, body, shape in shaped(context.model):
         who = f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has"
         for attribute, values in sizes(shape):
-            message = f"{who} {attribute.name} {_numbers(values)} m"
+            message = f"{who} {attribute.name} {spaced(values)} m"
             if min(values) < 0:
                 yield Finding(attribute, message, fix=_fix(attribute))
             elif min(values) == 0:
@@ -46,21 +47,17 @@ def check(context: Context) -> Findings:
                 severity = Severity.ERROR if fatal else Severity.INFO
                 yield Finding(attribute, message, help, severity=severity, targets=fatal)
         if shape.kind == "mesh" and 0 in shape.scale:
-            message = f"{who} scale {_numbers(shape.scale)}"
+            message = f"{who} scale {spaced(shape.scale)}"
             yield Finding(shape.at.attributes["scale"], message, "write three factors other than 0")
         elif shape.kind == "mesh" and prod(shape.scale) < 0:
             yield Finding(
                 shape.at.attributes["scale"],
                 f"link '{link.name}': the mesh of its {body.at.tag} is mirrored by scale "
-                f"{_numbers(shape.scale)}",
+                f"{spaced(shape.scale)}",
                 "mirror the mesh file itself",
                 group_key="mirrored",
                 severity=Severity.INFO,
             )
-
-
-def _numbers(values: tuple[float, ...]) -> str:
-    return " ".join(f"{value:g}" for value in values)
 
 
 def _fix(attribute: Attribute) -> Fix | None:

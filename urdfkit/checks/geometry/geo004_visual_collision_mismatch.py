@@ -23,6 +23,7 @@ Sources:
 """
 
 from urdfkit.core.spatial import Transform, minus
+from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.visual_collision import (
     LEAST_OVERLAP,
@@ -88,7 +89,7 @@ def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
     if wrong.origin != right.origin:
         return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
     shift = minus(one.visual.bounds.center, one.collision.bounds.center)
-    way = " ".join(f"{round(part, 4) + 0.0:g}" for part in shift)
+    way = rounded(shift, 4)
     return f"add {way} to the <origin> of the collision, to center it on the visual"
 
 
@@ -119,7 +120,7 @@ def _rotated(one: VisualCollisionPair) -> Finding:
     is_visual = turn.body in one.link.visuals
     role, other = ("visual", "collision") if is_visual else ("collision", "visual")
     others = one.link.collisions if is_visual else one.link.visuals
-    rpy = " ".join(f"{round(angle, 4) + 0.0:g}" for angle in turn.rpy)
+    rpy = rounded(turn.rpy, 4)
     return Finding(
         turn.body.at.child("origin") or turn.body.at,
         f"link '{one.link.name}': the bounding boxes of visual and collision have "

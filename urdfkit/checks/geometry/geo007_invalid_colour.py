@@ -15,6 +15,7 @@ Sources:
 import re
 from itertools import chain
 
+from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
@@ -77,9 +78,9 @@ def _fixed(values: tuple[float, ...]) -> str:
     if min(values) < 0 or max(values) > 255:
         return ""
     if max(values) <= _SLIGHTLY:
-        return " ".join(f"{min(value, 1.0):g}" for value in values)
+        return spaced(min(value, 1.0) for value in values)
     *color, alpha = values if len(values) == 4 else (*values, 0)
     parts = [value / 255 for value in color]
     if len(values) == 4:
         parts.append(alpha / 255 if alpha > 1 else alpha)
-    return " ".join(f"{round(part, 3):g}" for part in parts)
+    return rounded(parts, 3)

@@ -10,6 +10,7 @@ Sources:
     gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
 
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material
@@ -84,12 +85,8 @@ def _finding(name: str, element: Element, rgb: tuple[float, ...], material: Mate
     called = f"'{material.name.value}' " if material.name else ""
     return Finding(
         element,
-        f"link '{name}' is {_named(element)} ({_shown(rgb)}) in Gazebo and "
-        f"{called}({_shown(material.rgba.value[:3])}) in the URDF",
+        f"link '{name}' is {_named(element)} ({spaced(rgb, 3)}) in Gazebo and "
+        f"{called}({spaced(material.rgba.value[:3], 3)}) in the URDF",
         related=(Related(material.rgba.span, "the colour in the URDF"),),
         group_key="colour",
     )
-
-
-def _shown(rgb: tuple[float, ...]) -> str:
-    return " ".join(f"{value:.3g}" for value in rgb)

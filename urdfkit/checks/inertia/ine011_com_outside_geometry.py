@@ -15,7 +15,7 @@ Sources:
 
 from math import inf
 
-from urdfkit.core.spatial import Vector
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
@@ -35,14 +35,10 @@ def check(context: Context) -> Findings:
         outline, center = one.outline, one.inertial.origin.position
         yield Finding(
             one.inertial.at.child("origin") or one.inertial.at,
-            f"link '{one.link.name}': the centre of mass at {_point(center)} m is "
+            f"link '{one.link.name}': the centre of mass at {spaced(center, 3)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
-            f"about {_point(outline.center)}{f'; it {mistake}' if mistake else ''}",
+            f"about {spaced(outline.center, 3)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,
             weight=distance / max(outline.edges) if any(outline.edges) else inf,
             group_key="outside",
         )
-
-
-def _point(point: Vector) -> str:
-    return " ".join(f"{value:.3g}" for value in point)

@@ -24,6 +24,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
@@ -131,8 +132,8 @@ def _axes(context: Context) -> Findings:
         if abs(dot((a[0], -a[1], a[2]), b)) < _ACROSS:
             yield Finding(
                 right.at.child("axis") or right.at,
-                f"joint '{right.name}' turns about {_shown(b)} in the root frame, but its "
-                f"counterpart '{left.name}' about {_shown(a)}",
+                f"joint '{right.name}' turns about {rounded(b, 3)} in the root frame, but its "
+                f"counterpart '{left.name}' about {rounded(a, 3)}",
                 "give both the same axis in the root frame, or the opposite one",
                 related=(
                     Related((left.at.child("axis") or left.at).span, "axis of the counterpart"),
@@ -149,7 +150,3 @@ def _are_mirrored(one: Transform, other: Transform) -> bool:
 def _axis(joint: Joint, frame: Transform) -> Vector:
     """Of a joint, in the frame of the root."""
     return rotate(frame.rotation, direction(joint))
-
-
-def _shown(axis: Vector) -> str:
-    return " ".join(f"{round(part, 3) + 0.0:g}" for part in axis)

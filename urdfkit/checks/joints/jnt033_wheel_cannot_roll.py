@@ -15,6 +15,7 @@ Sources:
 from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
@@ -63,8 +64,8 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     if abs(dot(axis, axle)) < _ACROSS:
         yield Finding(
             joint.at.child("axis") or joint.at,
-            f"joint '{joint.name}' turns wheel '{link.name}' about {_shown(axis)}, but the axis "
-            f"of its {what} is {_shown(axle)}",
+            f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
+            f"axis of its {what} is {rounded(axle, 3)}",
             f"write the axis of the {what}, or rotate the shapes with their <origin>",
             related=(Related(body.at.span, f"the {what}"),),
             confidence=Confidence.INFERRED,
@@ -93,10 +94,6 @@ def _rolls(link: Link, axis: Vector) -> bool:
         if body.shape and body.shape.kind == "cylinder":
             return abs(dot(rotate(body.origin.rotation, (0.0, 0.0, 1.0)), axis)) > _ALONG
     return False
-
-
-def _shown(axis: Vector) -> str:
-    return " ".join(f"{round(part, 3) + 0.0:g}" for part in axis)
 
 
 def _is_wheel(joint: Joint, link: Link) -> bool:

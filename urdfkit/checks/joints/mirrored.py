@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
+from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.symmetry import pairs
@@ -172,4 +173,4 @@ def _axis(joint: Joint) -> Vector | None:
 
 
 def _at(joint: Joint) -> str:
-    return "at " + " ".join(f"{value:.4g}" for value in joint.origin.position) + " m"
+    return "at " + spaced(joint.origin.position, 4) + " m"

@@ -41,10 +41,7 @@ from urdfkit.robot.samples import mesh_xml
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
-FILES = {
-    "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
-    "hand.stl": PLATE,
-}
+FILES = {"forearm.stl": b"ISO-10303-21;\nHEADER;\n", "hand.stl": PLATE}
 
 _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 

@@ -28,10 +28,7 @@ from urdfkit.robot.samples import mesh_xml
 BAD = mesh_xml("visual", "meshes/comma.stl")
 GOOD = BAD.replace("comma", "plate")
 
-FILES = {
-    "meshes/comma.stl": PLATE.replace(b"1 0 0", b"1,0 0,0 0,0"),
-    "meshes/plate.stl": PLATE,
-}
+FILES = {"meshes/comma.stl": PLATE.replace(b"1 0 0", b"1,0 0,0 0,0"), "meshes/plate.stl": PLATE}
 
 _HELP = {
     DefectKind.NOT_A_MESH: "get the file itself: the raw link of the page, or git lfs pull",

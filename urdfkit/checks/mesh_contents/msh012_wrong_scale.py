@@ -15,6 +15,7 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
@@ -65,7 +66,7 @@ def _fix(use: MeshUse) -> Fix | None:
     name = use.at.at
     if not isinstance(name, Attribute) or not name.literal:
         return None
-    scale = " ".join(f"{factor * 0.001:.9g}" for factor in use.shape.scale)
+    scale = spaced((factor * 0.001 for factor in use.shape.scale), 9)
     written = use.scale_at
     if written is not None:
         change = edits.replace_value(written, scale) if written.literal else None

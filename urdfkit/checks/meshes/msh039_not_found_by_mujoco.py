@@ -31,9 +31,7 @@ TARGETS = ("mujoco",)
 _ARM = mesh_xml("collision", "package://arm_description/meshes/arm.stl")
 BAD = f'<robot name="arm">\n  {_ARM}\n</robot>\n'
 FIXED = GOOD = BAD.replace(
-    "\n",
-    '\n  <mujoco>\n    <compiler meshdir="../meshes" strippath="true"/>\n  </mujoco>\n',
-    1,
+    "\n", '\n  <mujoco>\n    <compiler meshdir="../meshes" strippath="true"/>\n  </mujoco>\n', 1
 )
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",

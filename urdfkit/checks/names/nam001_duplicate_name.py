@@ -19,6 +19,7 @@ Sources:
 
 from collections.abc import Iterable
 
+from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -89,4 +90,4 @@ def _appearance(material: Material) -> str:
     """The texture, or the colour as ``1 0 0 1``; empty if there is none to read."""
     if material.texture:
         return material.texture.value
-    return " ".join(f"{value:g}" for value in material.rgba.value) if material.rgba else ""
+    return spaced(material.rgba.value) if material.rgba else ""

@@ -38,8 +38,7 @@ from urdfkit.ros.ros_control import (
 from urdfkit.text.document import Element
 
 BAD = robot_xml(
-    arm_xml("fixed"),
-    control_xml("mock_components/GenericSystem", driven_xml("shoulder")),
+    arm_xml("fixed"), control_xml("mock_components/GenericSystem", driven_xml("shoulder"))
 )
 GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 

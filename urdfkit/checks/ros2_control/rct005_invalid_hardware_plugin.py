@@ -22,16 +22,13 @@ import re
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
-BAD = robot_xml(
-    SHOULDER,
-    control_xml("mock_component/GenericSystem", driven_xml("shoulder")),
-)
+BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
 FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
 #: A plugin, or all of the hardware, within a condition.

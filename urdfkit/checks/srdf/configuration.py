@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.moveit.config import (
+    MANAGER,
     controller_entries,
     controller_manager,
     group_entries,
@@ -115,9 +116,13 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(Location(joint.span), message, "fix the name")
     yield from _manager(context, srdf)
-    for name, others in names_without_settings(srdf, context.resolver):
-        message = f"controller '{name.text}' has no settings{did_you_mean(name.text, others)}"
-        yield Finding(Location(name.span), message, "fix the name")
+    for name, others, is_outside in names_without_settings(srdf, context.resolver):
+        hint = did_you_mean(name.text, others)
+        if is_outside:
+            hint = f" in {MANAGER}: they stand at the top level of the file"
+        message = f"controller '{name.text}' has no settings{hint}"
+        help = "indent the settings" if is_outside else "fix the name"
+        yield Finding(Location(name.span), message, help)
 
 
 def _manager(context: Context, srdf: Srdf) -> Findings:

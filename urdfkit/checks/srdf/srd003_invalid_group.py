@@ -24,10 +24,7 @@ from urdfkit.ros.moveit.srdf import Srdf
 
 BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = srdf_files(
-    '<group name="g"/>',
-    '<group name="g"><link name="arm"/></group>',
-)
+FILES = srdf_files('<group name="g"/>', '<group name="g"><link name="arm"/></group>')
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)

@@ -45,10 +45,7 @@ _CASTER = 0.1
 MAX_FOOTPRINTS = 10
 
 
-@rule(
-    Severity.WARNING,
-    help="raise the robot by that height in the joint below base_footprint",
-)
+@rule(Severity.WARNING, help="raise the robot by that height in the joint below base_footprint")
 def check(context: Context) -> Findings:
     tree = context.tree
     if len(tree.roots) != 1:

@@ -30,13 +30,7 @@ from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.ros.gazebo.worlds import (
-    Models,
-    all_systems,
-    default_systems,
-    own_systems,
-    systems_in,
-)
+from urdfkit.ros.gazebo.worlds import Models, all_systems, default_systems, own_systems, systems_in
 from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.ros.launch.worlds import FACTORY, GZ
 

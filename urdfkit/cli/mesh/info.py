@@ -7,8 +7,9 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.core.strict_json import dumped
+from urdfkit.core.words import spaced
 from urdfkit.mesh.describe import MeshDescription, describe
 from urdfkit.mesh.geometry import MeshPart
 
@@ -24,7 +25,7 @@ def command(files: tuple[str, ...], form: str) -> int:
 
     Exit codes: 0 done, 2 a file has no triangles.
     """
-    with shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         found = []
         for done, file in enumerate(files):
             if bar is not None:
@@ -66,6 +67,6 @@ def _part(part: MeshPart) -> str:
     text = f"{len(part.faces)} triangles"
     if part.material is None:
         return text
-    color = " ".join(f"{value:.3g}" for value in part.material.rgba)
+    color = spaced(part.material.rgba, 3)
     texture = ", with a texture" if part.material.texture else ""
     return f"{text}, {part.material.name or 'unnamed'} ({color}){texture}"

@@ -1,11 +1,11 @@
 """The elements of a COLLADA file, found by tag and by id."""
 
 from collections.abc import Iterator
+from typing import Any, TypeAlias
 from urllib.parse import unquote
 
 from lxml import etree
 
-from urdfkit.core.typing import Any, TypeAlias
 from urdfkit.mesh.geometry import NoTriangles
 from urdfkit.mesh.io.collada import forgive
 

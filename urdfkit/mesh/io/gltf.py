@@ -1,8 +1,8 @@
 """Judging glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
 
 from struct import unpack_from
+from typing import Any
 
-from urdfkit.core.typing import Any
 from urdfkit.core.words import counted
 from urdfkit.mesh.io.facts import Defect, empty, not_a_mesh, truncated, unreadable
 

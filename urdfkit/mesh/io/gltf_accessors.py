@@ -5,12 +5,12 @@ https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html#binary-data-storage.
 """
 
 from base64 import b64decode
+from typing import Any
 from urllib.parse import unquote, unquote_to_bytes
 
 import numpy as np
 from numpy.typing import NDArray
 
-from urdfkit.core.typing import Any
 from urdfkit.mesh.geometry import Floats, Integers, NoTriangles
 from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.io.referenced_files import ReferencedFiles

@@ -2,10 +2,10 @@
 
 import re
 from io import BytesIO
+from typing import Any
 
 import numpy as np
 
-from urdfkit.core.typing import Any
 from urdfkit.mesh.geometry import Mesh, MeshMaterial, NoTriangles
 from urdfkit.mesh.io.assemble import LostData, Stream, assemble, mesh_of
 from urdfkit.mesh.io.ply import MAX_HEADER

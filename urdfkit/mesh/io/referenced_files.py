@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.workspace.package_directories import is_within
 
 if TYPE_CHECKING:

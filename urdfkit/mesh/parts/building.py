@@ -10,11 +10,11 @@ about z. Where solids overlap, the first has the place.
 import json
 import os
 from functools import cache
+from typing import Any
 
 from manifold3d import Manifold, OpType
 
 from urdfkit.core.spatial import Vector, vector
-from urdfkit.core.typing import Any
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.parts import RealPart
 from urdfkit.mesh.solids import (

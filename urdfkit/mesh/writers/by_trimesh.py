@@ -2,11 +2,11 @@
 
 import io
 import os
+from typing import Any
 
 import numpy as np
 import trimesh
 
-from urdfkit.core.typing import Any
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.writers import UnwritableMesh

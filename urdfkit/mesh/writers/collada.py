@@ -125,9 +125,7 @@ def _materials(root: etree._Element, materials: dict[int, _Material]) -> None:
 
 def _geometry(library: etree._Element, name: str, part: MeshPart) -> None:
     mesh = etree.SubElement(etree.SubElement(library, "geometry", id=name, name=name), "mesh")
-    layers: list[tuple[str, str, Floats, str]] = [
-        ("VERTEX", "positions", part.vertices, "XYZ"),
-    ]
+    layers: list[tuple[str, str, Floats, str]] = [("VERTEX", "positions", part.vertices, "XYZ")]
     if part.normals is not None:
         layers.append(("NORMAL", "normals", part.normals, "XYZ"))
     if part.uv is not None:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from math import degrees
 
+from urdfkit.core.words import spaced
 from urdfkit.output.comparison import KINDS, Comparison, portable
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.markdown import escape, fitted, table
@@ -39,7 +40,7 @@ def _sections(comparison: Comparison) -> Iterator[str]:
         rows = [["mass / kg", f"{old:g}", f"{new:g}", f"{new - old:+.4g}"]]
         if centers := comparison.centers:
             moved = f"{1000 * comparison.center_moved:.4g} mm"
-            rows.append(["centre of mass / m", *map(_vector, centers), moved])
+            rows.append(["centre of mass / m", *(spaced(center, 4) for center in centers), moved])
         yield _section("Total", table(["", "before", "after", "change"], rows))
     for kind, title in _TITLES.items():
         found = [one for one in comparison.differences if one.kind == kind]
@@ -77,7 +78,3 @@ def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
 
 def _section(title: str, body: str) -> str:
     return f"#### {title}\n\n{body}"
-
-
-def _vector(values: Iterable[float]) -> str:
-    return " ".join(f"{value:.4g}" for value in values)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from math import degrees
 
-from urdfkit.core.words import counted
+from urdfkit.core.words import counted, spaced
 from urdfkit.output.comparison import KINDS, Comparison
 from urdfkit.output.comparison.frames import MovedLink
 from urdfkit.text.diagnostic import Diagnostic
@@ -69,7 +69,7 @@ def _total(comparison: Comparison, width: int) -> Iterator[str]:
     old, new = comparison.whole.mass, comparison.whole_after.mass
     yield f"  mass            {old:g} kg -> {new:g} kg ({new - old:+.4g} kg)"
     if comparison.centers:
-        places = [" ".join(f"{part:.4g}" for part in center) for center in comparison.centers]
+        places = [spaced(center, 4) for center in comparison.centers]
         moved = 1000 * comparison.center_moved
         text = f"{places[0]} -> {places[1]} m ({moved:.4g} mm)"
     else:

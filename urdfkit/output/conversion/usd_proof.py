@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees
+from math import degrees, isfinite
 from typing import Any
 
 import numpy as np
@@ -94,11 +94,7 @@ class Stage:
             if prim:
                 self.links[name] = prim
         meshes = sum(prim.IsA(UsdGeom.Gprim) for prim in Usd.PrimRange(root))
-        self.counts = {
-            "link": len(self.links),
-            "joint": len(self.joints),
-            "geom": meshes,
-        }
+        self.counts = {"link": len(self.links), "joint": len(self.joints), "geom": meshes}
 
     def _child(self, parent: Any, name: str, at: Transform) -> Any:
         """The prim of a link; a visual may have the same name."""
@@ -153,6 +149,7 @@ def _name(prim: Any) -> str:
     return str(prim.GetDisplayName() or prim.GetName())
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of numbers that USD has no room for
 def prove(stage: Stage, robot: Context) -> UsdProof:
     """Compare a stage with a robot."""
     placed = at_zero(robot.tree)
@@ -175,7 +172,8 @@ def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
                 mass, center, tensor = stage.inertia(stage.links[link.name])
                 theirs = theirs + _pseudo(mass, center, tensor, frame)
         largest = max(float(np.abs(ours).max()), 1e-9)
-        yield float(np.abs(ours - theirs).max()) / largest, group.top.name
+        difference = float(np.abs(ours - theirs).max()) / largest
+        yield difference if isfinite(difference) else float("inf"), group.top.name
 
 
 def _about_top(link: Any, frame: Transform) -> Floats:

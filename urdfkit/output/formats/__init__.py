@@ -14,8 +14,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from importlib import import_module
-
-from urdfkit.core.typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report

@@ -85,10 +85,7 @@ def _invocation(report: Report) -> dict[str, Any]:
         }
         for crash in report.crashed
     ]
-    return {
-        "executionSuccessful": not report.crashed,
-        "toolExecutionNotifications": notes,
-    }
+    return {"executionSuccessful": not report.crashed, "toolExecutionNotifications": notes}
 
 
 def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
@@ -157,12 +154,7 @@ def _artifact(source: Source) -> dict[str, Any]:
 def _region(span: Span) -> dict[str, int]:
     line, column = _utf16(span.source, span.start)
     end_line, end_column = _utf16(span.source, span.end)
-    return {
-        "startLine": line,
-        "startColumn": column,
-        "endLine": end_line,
-        "endColumn": end_column,
-    }
+    return {"startLine": line, "startColumn": column, "endLine": end_line, "endColumn": end_column}
 
 
 def _utf16(source: Source, offset: int) -> tuple[int, int]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from math import degrees, log10
@@ -199,6 +200,7 @@ def _environment() -> Environment:
         "number": _number,
         "printable": printable,
         "vector": _vector,
+        "words": _words,
     }
     return environment
 
@@ -249,8 +251,19 @@ def _number(value: float | None) -> str:
     return "" if value is None else f"{value:.4g}"
 
 
-def _vector(values: Sequence[float | None] | None) -> str:
-    return " ".join("?" if value is None else _number(value) for value in values or ())
+def _words(name: str) -> str:
+    """A name or a path that a line may break after its underscores and slashes."""
+    from markupsafe import Markup, escape
+
+    return Markup(re.sub(r"([_/])(?!/)", r"\1<wbr>", str(escape(printable(name)))))
+
+
+def _vector(values: Sequence[float | None] | None, places: int = 12) -> str:
+    """Numbers that a line may break between, with no more decimal places than are given."""
+    from markupsafe import Markup
+
+    texts = ("?" if value is None else _number(round(value, places)) for value in values or ())
+    return Markup(" ".join(f'<span class="value">{text}</span>' for text in texts))
 
 
 def _dots(moments: Sequence[float | None] | None) -> str:

@@ -12,11 +12,14 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.core.spatial import Transform
     from urdfkit.output.simulation.verdicts import Simulation
 
 
-def simulate(robot: Context | str | os.PathLike[str], *, base: str = "auto") -> Simulation:
+def simulate(
+    robot: Context | str | os.PathLike[str], *, base: str = "auto", progress: Progress | None = None
+) -> Simulation:
     """Simulate a robot: does it stay whole, move, hold itself and land?
 
     Nothing is random, and nothing is written.
@@ -24,13 +27,16 @@ def simulate(robot: Context | str | os.PathLike[str], *, base: str = "auto") -> 
     Args:
         robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
         base: as for `urdfkit.convert`.
+        progress: counts the tests that are done.
 
     Raises:
         MissingLibrary: MuJoCo is not installed.
         UrdfkitError: the robot cannot be read, or MuJoCo rejects it.
     """
     running = _running()
-    found: Simulation = running.run(robot if isinstance(robot, Context) else read(robot), base)
+    found: Simulation = running.run(
+        robot if isinstance(robot, Context) else read(robot), base, progress
+    )
     return found
 
 

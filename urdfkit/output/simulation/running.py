@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.output.simulation.drive import drive
@@ -11,17 +12,21 @@ from urdfkit.output.simulation.overlap import overlap
 from urdfkit.output.simulation.release import moments, release
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot
 from urdfkit.output.simulation.sweep import follow, sweep
-from urdfkit.output.simulation.verdicts import Simulation
+from urdfkit.output.simulation.verdicts import Simulation, Verdict
 
 _ALL = (overlap, release, drive, sweep, follow)
 
 
-def run(robot: Context, base: str) -> Simulation:
+def run(robot: Context, base: str, progress: Progress | None) -> Simulation:
     """All simulations of a robot; the arguments are those of `urdfkit.output.simulation`."""
     simulated = SimulatedRobot(robot, base)
     tests = (*_ALL, drop if simulated.is_free else hold)
-    verdicts = tuple(verdict for test in tests for verdict in test(simulated))
-    return Simulation(simulated.is_free, verdicts)
+    verdicts: list[Verdict] = []
+    for number, test in enumerate(tests):
+        if progress:
+            progress(number, len(tests))
+        verdicts += test(simulated)
+    return Simulation(simulated.is_free, tuple(verdicts))
 
 
 def motion(robot: Context, base: str, images: int) -> Iterator[dict[str, Transform]]:

@@ -1,6 +1,7 @@
 """A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 import mujoco
@@ -9,12 +10,13 @@ import numpy as np
 from urdfkit.core import temporary
 from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.lint.context import Context
+from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_files
 from urdfkit.output.conversion.mjcf import assembled, assets, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
-from urdfkit.robot.kinematics import SLIDING, TURNING, laws, positions
+from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.text.source import Span
 
@@ -102,12 +104,32 @@ class SimulatedRobot:
 
     def place(self, data: Any, given: Mapping[str, float]) -> None:
         """Put joints, and those that follow them, where they are to be; the others to 0."""
-        for name, position in positions(self.robot.tree, given).items():
-            data.qpos[self.model.jnt_qposadr[self.model.joint(name).id]] = position
+        leaders, coordinates, factors, shifts = self._linkage
+        with np.errstate(over="ignore", invalid="ignore"):
+            found = factors * [given.get(leader, 0.0) for leader in leaders] + shifts
+        data.qpos[coordinates] = np.where(np.isfinite(found), found, 0.0)
+
+    @cached_property
+    def _linkage(self) -> tuple[list[str], list[int], Floats, Floats]:
+        """Of each joint that one number moves: its leader, its coordinate, factor and shift."""
+        known = laws(self.robot.model.joints_by_name)
+        moving = [one.name for one in self.robot.model.joints if one.kind in (*TURNING, *SLIDING)]
+        return (
+            [known[name].leader for name in moving],
+            [self._coordinates[name] for name in moving],
+            np.array([known[name].factor for name in moving]),
+            np.array([known[name].shift for name in moving]),
+        )
 
     def position(self, data: Any, joint: str) -> float:
         """Of a joint that one number moves."""
-        return float(data.qpos[self.model.jnt_qposadr[self.model.joint(joint).id]])
+        return float(data.qpos[self._coordinates[joint]])
+
+    @cached_property
+    def _coordinates(self) -> dict[str, int]:
+        """Where the position of each joint of MuJoCo is; looking them up by name takes long."""
+        model = self.model
+        return {model.joint(index).name: int(at) for index, at in enumerate(model.jnt_qposadr)}
 
     def dof(self, joint: str) -> int:
         """The index of the velocity and the force of a joint."""

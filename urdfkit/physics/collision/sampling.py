@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from itertools import islice
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
 from urdfkit.physics.collision.geometry_arrays import solids

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from types import TracebackType
+from typing import Any
 
 from urdfkit.core.child_process import ChildProcess, ProcessDied
-from urdfkit.core.typing import Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.physics.collision.batch_kinematics import Chain
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision

@@ -50,11 +50,7 @@ class Dynamics:
         Unsuitable: it is no single tree, has too many joints, or numbers that no robot has.
     """
 
-    def __init__(
-        self,
-        tree: KinematicTree,
-        payload: Mapping[str, float] | None = None,
-    ) -> None:
+    def __init__(self, tree: KinematicTree, payload: Mapping[str, float] | None = None) -> None:
         if not tree.is_sound:
             raise Unsuitable(tree.unsound)
         self.tree = tree

@@ -7,9 +7,9 @@ for every joint climbs from the worst of these. The root is held.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import effort

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
+from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
-from urdfkit.core.typing import TYPE_CHECKING
+from urdfkit.core.words import rounded
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
@@ -110,11 +111,7 @@ def _filename(body: Body) -> str:
 
 
 def _proposal(
-    robot: Robot,
-    link: Link,
-    error: float | None,
-    most: int,
-    fitted: dict[tuple[object, ...], Fits],
+    robot: Robot, link: Link, error: float | None, most: int, fitted: dict[tuple[object, ...], Fits]
 ) -> CollisionProposal:
     """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
     from urdfkit.mesh.convex_hull import NoHull
@@ -237,7 +234,7 @@ def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) ->
 
 def _primitive(kind: str, size: tuple[float, float, float]) -> str:
     if kind == "box":
-        return f'<box size="{_words(size)}"/>'
+        return f'<box size="{rounded(size, 6)}"/>'
     if kind == "cylinder":
         return f'<cylinder radius="{size[0]:.6g}" length="{size[1]:.6g}"/>'
     return f'<sphere radius="{size[0]:.6g}"/>'
@@ -245,12 +242,7 @@ def _primitive(kind: str, size: tuple[float, float, float]) -> str:
 
 def _element(origin: Transform, shape: str) -> list[str]:
     lines = ["<collision>"]
-    xyz, rpy = _words(origin.position), _words(to_rpy(origin.rotation))
+    xyz, rpy = rounded(origin.position, 6), rounded(to_rpy(origin.rotation), 6)
     if (xyz, rpy) != ("0 0 0", "0 0 0"):
         lines.append(f'  <origin xyz="{xyz}" rpy="{rpy}"/>')
     return [*lines, "  <geometry>", f"    {shape}", "  </geometry>", "</collision>"]
-
-
-def _words(vector: Iterable[float]) -> str:
-    """Six digits, and nothing below a micrometre or a microradian."""
-    return " ".join(f"{round(value, 6) + 0.0:.6g}" for value in vector)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core import libraries
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.inertia import MassProperties, combined
 from urdfkit.robot.model import Body, Link, Tensor
 from urdfkit.robot.shapes import MeshSolid, primitive

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urdfkit.core.typing import TYPE_CHECKING
+from typing import TYPE_CHECKING
+
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
 

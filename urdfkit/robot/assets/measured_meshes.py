@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.mesh.io.facts import MAX_BYTES, READ
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -28,11 +28,7 @@ class MeasuredMeshes:
     """
 
     def __init__(
-        self,
-        model: RobotModel,
-        files: MeshFiles,
-        store: Store,
-        progress: Progress | None = None,
+        self, model: RobotModel, files: MeshFiles, store: Store, progress: Progress | None = None
     ) -> None:
         self.model = model
         self._files = files

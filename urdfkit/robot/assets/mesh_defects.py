@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from enum import Enum
 from math import hypot
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.mesh.io.referenced_files import find_image
 from urdfkit.mesh.measures import OVERLAP
 

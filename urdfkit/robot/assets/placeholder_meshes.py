@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.mesh.writers import SUFFIXES, require_replaceable, write

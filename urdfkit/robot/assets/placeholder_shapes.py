@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import (
     IDENTITY,
@@ -14,7 +15,6 @@ from urdfkit.core.spatial import (
     transposed,
     vector,
 )
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.target_bounds import (

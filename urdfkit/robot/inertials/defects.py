@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from enum import Enum
 from math import dist
+from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import ORIGIN
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.inertia import principal_moments, scaled
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
 from urdfkit.robot.shapes import MeshSolid

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor

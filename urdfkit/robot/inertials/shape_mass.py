@@ -6,9 +6,10 @@ enclose a solid counts with its convex hull, and that is said.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.mesh.measures import OVERLAP
 from urdfkit.robot.inertia import MassProperties, combined, scaled
 from urdfkit.robot.model import Body, Link, Shape, Tensor

@@ -7,6 +7,7 @@ from math import dist
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
+from urdfkit.core.words import spaced
 from urdfkit.robot import Robot
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
 from urdfkit.robot.inertials.diagnosis import CLEAR
@@ -96,7 +97,7 @@ class InertiaProposal(Record):
         mass, center, tensor = _rounded(self.computed)
         return [
             "<inertial>",
-            f'  <origin xyz="{_words(center)}" rpy="0 0 0"/>',
+            f'  <origin xyz="{spaced(center)}" rpy="0 0 0"/>',
             f'  <mass value="{mass:.6g}"/>',
             f"  {_inertia_tag(tensor)}",
             "</inertial>",
@@ -232,7 +233,7 @@ def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
         return ()
     if inertial.origin.rotation == IDENTITY and inertial.origin.position == center:
         return ()
-    return _attributes(inertial.at, "origin", {"xyz": _words(center), "rpy": "0 0 0"})
+    return _attributes(inertial.at, "origin", {"xyz": spaced(center), "rpy": "0 0 0"})
 
 
 def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit, ...] | None:
@@ -270,10 +271,6 @@ def _rounded(properties: MassProperties) -> MassProperties:
         for key, value in zip(Tensor._fields, tensor, strict=True)
     )
     return MassProperties(mass, (x, y, z), Tensor(*moments) if largest else ZERO)
-
-
-def _words(vector: Vector) -> str:
-    return " ".join(f"{value:.6g}" for value in vector)
 
 
 def _inertia_tag(tensor: Tensor) -> str:

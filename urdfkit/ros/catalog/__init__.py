@@ -9,9 +9,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from functools import cache
+from typing import Any, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.typing import Any, TypeVar
 
 Entry = TypeVar("Entry", bound=Record)
 

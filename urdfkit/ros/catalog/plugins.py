@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import chain
+from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import is_typo
-from urdfkit.core.typing import Any
 from urdfkit.ros.catalog import data, record
 
 #: The generations whose plugins a target loads.
@@ -209,9 +209,5 @@ def _parameter(name: str, text: str, words: list[str]) -> Parameter:
     """Read ``TYPE``, ``!`` if required, ``*`` if it may be repeated, ``= DEFAULT``."""
     kind, has_default, default = text.partition(" = ")
     return Parameter(
-        name,
-        kind.rstrip("!*"),
-        "!" in kind,
-        default if has_default else None,
-        tuple(words),
+        name, kind.rstrip("!*"), "!" in kind, default if has_default else None, tuple(words)
     )

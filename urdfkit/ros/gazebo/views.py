@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from math import atan2, hypot, pi, tan
+from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Transform, Vector, from_rpy, length, times
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.ray_casting import Scan
 from urdfkit.robot.values import numbers
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, scaled
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.ros.importers.orders import ordered

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.record import Record
-from urdfkit.core.typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ a launch file is run.
 from __future__ import annotations
 
 from collections.abc import Mapping
-
-from urdfkit.core.typing import TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.ros.launch.collect import Collector

@@ -3,9 +3,9 @@
 import os
 import shlex
 from collections.abc import Callable, Mapping
+from typing import TypeAlias
 
 from urdfkit.core import disk
-from urdfkit.core.typing import TypeAlias
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,

@@ -18,12 +18,7 @@ from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
-from urdfkit.ros.launch.xml_nodes import (
-    read_param,
-    read_rosparam,
-    start_executable,
-    start_node,
-)
+from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.source import Source, Span

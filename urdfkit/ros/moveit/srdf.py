@@ -232,11 +232,7 @@ def _stem(path: str) -> str:
 
 
 def _parsed(
-    path: str,
-    resolver: Resolver,
-    *,
-    trust: bool,
-    arguments: Mapping[str, str] | None = None,
+    path: str, resolver: Resolver, *, trust: bool, arguments: Mapping[str, str] | None = None
 ) -> tuple[Document | None, Sequence[Problem]]:
     try:
         source = resolver.read(path)

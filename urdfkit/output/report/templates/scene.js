@@ -163,10 +163,11 @@
     });
     for (const mesh of surfaces) {
       const { material, userData: { role, number, color, opacity, map, vertexColors } } = mesh;
-      const marked = layers.findings && (SEVERITIES[worst.get(robot.links[number].name)] || QUIET);
+      const severity = layers.findings && SEVERITIES[worst.get(robot.links[number].name)];
+      const marked = layers.findings && (severity || QUIET);
       const isChosen = chosen.has(number);
       const isAside = chosen.size > 0 && !isChosen;
-      const isCovered = layers.collision && role === "visual";
+      const isCovered = layers.collision && role === "visual" && !severity;
       mesh.visible = layers[role];
       material.color.copy(marked || color);
       material.map = marked ? null : map;
@@ -175,7 +176,7 @@
       material.emissiveIntensity = isChosen ? 0.55 : 0;
       material.opacity = Math.min(opacity, isAside ? 0.3 : isCovered ? 0.6 : 1);
       material.transparent = material.opacity < 1;
-      mesh.castShadow = !material.transparent;
+      mesh.castShadow = !material.transparent && !layers.collision;
       material.depthWrite = role !== "collision" && !isAside;
       material.needsUpdate = true;
     }
