@@ -181,3 +181,18 @@ def test_a_flat_shape_is_in_no_other_unit() -> None:
     flat = shape("visual", '<box size="0.02 0.02 1e-6"/>')
     text = link("arm", flat, shape("collision", BALL), inertial(1, (1, 0, 0, 1.1, 0, 1.2)))
     assert len(messages("INE006", text)) == 1
+
+
+def test_the_box_of_a_tutorial() -> None:
+    """A macro with x and z for iyy and for izz: ixx is not ten times too large."""
+    macro = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:macro name="box" params="m x y z"><inertial><mass value="${m}"/><inertia '
+        'ixx="${m*(y*y+z*z)/12}" iyy="${m*(x*x+z*z)/12}" izz="${m*(%s*%s+%s*%s)/12}" '
+        'ixy="0" ixz="0" iyz="0"/></inertial></xacro:macro>'
+        '<link name="a"><xacro:box m="0.1" x="0.01" y="0.04" z="0.01"/></link></robot>'
+    )
+    (found,) = reported("INE003", macro % ("x", "x", "z", "z"), "r.xacro")
+    assert "same expression at iyy and izz" in found.help
+    assert found.fix is None
+    assert reported("INE003", macro % ("x", "x", "y", "y"), "r.xacro") == []

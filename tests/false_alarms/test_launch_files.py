@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import launch, reported
+from tests.launched import MANIFEST, launch, reported
 from tests.workspaces import add_file, add_package
 from urdfkit import check
+from urdfkit.text.diagnostic import Severity
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -266,3 +267,113 @@ def test_a_robot_that_the_launch_file_writes(
     )
     found = reported(tmp_path / "arm", "LAU016", "a.launch.py", program)
     assert [one.severity.value for one in found] == severities
+
+
+def test_an_absolute_part_of_a_path_drops_those_before_it(tmp_path: Path) -> None:
+    """A UR5e's `initial_positions_file`, whose default is absolute, below `config` of a package."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch import LaunchDescription\n"
+        "from launch.substitutions import PathJoinSubstitution\n"
+        "from launch_ros.actions import Node\n"
+        "from launch_ros.substitutions import FindPackageShare\n"
+        "FILE = os.path.join(get_package_share_directory('arm'), 'config', '{}')\n"
+        "PATH = PathJoinSubstitution([FindPackageShare('arm'), 'launch', FILE])\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='p', executable='e', parameters=[PATH])])\n"
+    )
+    files = {"config/a.yaml": ""}
+    right, wrong = program.format("a.yaml"), program.format("b.yaml")
+    assert reported(tmp_path / "arm", "LAU003", "a.launch.py", right, files) == []
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch.py", wrong, files)
+    assert found.message.endswith("arm/config/b.yaml")
+
+
+@pytest.mark.parametrize(("default", "count"), [("!!NO_ROBOT_SET!!", 0), ("fly", 1)])
+def test_an_environment_variable_that_is_to_be_set(
+    tmp_path: Path, default: str, count: int
+) -> None:
+    """Care-O-bot: `$(optenv ROBOT !!NO_ROBOT_SET!!)`."""
+    text = (
+        f'<arg name="robot" default="$(optenv ROBOT {default})"/>'
+        '<rosparam file="$(dirname)/../robots/$(arg robot)/light.yaml"/>'
+    )
+    files = {"robots/cob4/light.yaml": ""}
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text, files)) == count
+
+
+def test_what_colcon_still_does_by_itself(tmp_path: Path) -> None:
+    """A planner without `data_files`: colcon makes the entry in the index, and warns."""
+    manifest = MANIFEST.replace(
+        "</package>", "<export><build_type>ament_python</build_type></export></package>"
+    )
+    package = tmp_path / "arm"
+    files = {"setup.py": "from setuptools import setup\nsetup(name='arm')\n"}
+    reported(package, "PKG005", "a.launch", "", files)
+    (package / "package.xml").write_text(manifest)
+    (found,) = check(package / "launch" / "a.launch", select=["PKG005"]).diagnostics
+    assert found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(("pattern", "count"), [("meshes/arm/*.stl", 0), ("meshes/*.stl", 1)])
+def test_a_directory_whose_files_are_installed(tmp_path: Path, pattern: str, count: int) -> None:
+    """AKROS2: an argument with the directory of the meshes, `package://.../meshes/`."""
+    setup = (
+        "from glob import glob\nfrom setuptools import setup\n"
+        f"setup(name='arm', data_files=[('share/arm/meshes', glob('{pattern}'))])\n"
+    )
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="meshes" default="package://arm/meshes/arm/"/><link name="a"/></robot>'
+    )
+    files = {"setup.py": setup, "meshes/arm/a.stl": "", "urdf/r.xacro": robot}
+    reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
+    found = check(tmp_path / "arm" / "urdf" / "r.xacro", select=["PKG002"]).diagnostics
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("arguments", "content", "count"),
+    [
+        ("'-topic', 'robot_description', '-z6.35'", "", 0),
+        ("'-topic', 'robot_description', '-zoom'", "", 1),
+        ("'-file', FILE", '<robot name="cube"><link name="cube"/></robot>', 0),
+        ("'-file', FILE", '<robot name="cube"><link name="${name}"/></robot>', 1),
+    ],
+)
+def test_what_the_script_of_gazebo_takes(
+    tmp_path: Path, arguments: str, content: str, count: int
+) -> None:
+    """A receptionist's '-z' '6.35', which Python joins; a cube whose xacro is plain URDF."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch_ros.actions import Node\n"
+        "FILE = os.path.join(get_package_share_directory('arm'), 'cube.urdf.xacro')\n"
+        "spawn = Node(package='gazebo_ros', executable='spawn_entity.py',\n"
+        f"             arguments=['-entity', 'cube', {arguments}])\n"
+    )
+    files = {"cube.urdf.xacro": content}
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", program, files)) == count
+
+
+def test_the_launch_file_of_ros_1_is_not_suggested_in_ros_2(tmp_path: Path) -> None:
+    """A car's `empty_world.launch.py` of gazebo_ros, which has that of ROS 1 by a similar name."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch import LaunchDescription\n"
+        "from launch.actions import IncludeLaunchDescription\n"
+        "FILE = os.path.join(get_package_share_directory('gazebo_ros'), 'launch', '{}')\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([IncludeLaunchDescription(FILE)])\n"
+    )
+    name = "empty_world.launch.py"
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch.py", program.format(name))
+    assert "did you mean" not in found.message
+    assert "gazebo.launch.py" in found.help
+    (found,) = reported(
+        tmp_path / "arm", "LAU003", "a.launch.py", program.format("gazeb.launch.py")
+    )
+    assert found.help == "write gazebo.launch.py"

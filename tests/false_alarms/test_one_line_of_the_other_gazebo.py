@@ -90,3 +90,18 @@ def test_a_plugin_that_is_complete_for_one_of_the_gazebos(
     own = "<gaussian_noise>0</gaussian_noise>"
     robot = BASE + plugin("libgazebo_ros_p3d.so", tags + more + own)
     assert len(reported("GAZ017", robot, targets=targets)) == count
+
+
+@pytest.mark.parametrize(
+    ("filename", "name", "severity"),
+    [
+        ("gz-sim-sensors-system", "gz::sim::systems::Sensors", "info"),
+        ("ignition-gazebo-sensors-system", "gz::sim::systems::Sensors", "info"),
+        ("libgazebo_ros_laser.so", "laser", "error"),
+    ],
+)
+def test_the_names_of_gz_sim_in_fortress(filename: str, name: str, severity: str) -> None:
+    """An Aubo in Fortress, which has known them since January 2024."""
+    text = BASE + plugin(filename, name=name)
+    (found,) = reported("GAZ012", text, targets=("gz-fortress",))
+    assert found.severity.value == severity

@@ -11,6 +11,8 @@ from tests.controls import GZ, MOCK, ROBOT, control, driven, plugin, transmissio
 from tests.gazebos import WHEELS, sensor
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
+from urdfkit import check
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
 
 SENSOR = '<sensor name="finger"><state_interface name="Present Pressure 1"/></sensor>'
@@ -99,3 +101,24 @@ def test_a_sensor_whose_broadcaster_has_the_frame() -> None:
     for name, count in (("imu", 0), ("other", 1)):
         robot = ROBOT + control(part.format(name), plugin=GZ) + imu
         assert len(reported("GAZ058", robot, targets=("gz-harmonic",))) == count
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "severity"),
+    [("wheel_0", "wheel_1", "warning"), ("swing", "wheel_1", "error"), ("swnig", "", "error")],
+)
+def test_a_robot_of_ros_1_with_hardware_of_its_own(
+    tmp_path: Path, left: str, right: str, severity: str
+) -> None:
+    """A base whose node names its wheels itself, and whose model has the plugin of Gazebo, too."""
+    text = f"b:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: {left}\n"
+    add_file(tmp_path / "c.yaml", f"{text}  right_wheel: {right}\n".encode())
+    robot = whole_robot(ROBOT + plugin("libgazebo_ros_control.so"))
+    add_file(tmp_path / "r.urdf", robot.encode())
+    add_file(
+        tmp_path / "r.launch",
+        b'<launch><rosparam command="load" file="$(dirname)/c.yaml"/>'
+        b'<param name="robot_description" textfile="$(dirname)/r.urdf"/></launch>',
+    )
+    found = check(tmp_path / "r.launch", select=["RCT001"]).diagnostics
+    assert {one.severity.value for one in found} == {severity}

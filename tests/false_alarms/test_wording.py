@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from tests.gazebos import BASE, sensor
+from pathlib import Path
+
+import pytest
+
+from tests.gazebos import BASE, block, sensor
 from tests.reported import reported
+from tests.workspaces import add_file
+from urdfkit import check
 from urdfkit.core.suggest import nearest
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.xml_errors import syntax_mistakes
 
 
@@ -30,3 +37,35 @@ def test_a_macro_that_is_closed_in_its_first_line() -> None:
     assert [note for _, _, note in mistake.notes] == [
         "<macro .../> closes itself: its '/' is one too many"
     ]
+
+
+def test_a_tag_with_tags_in_it_is_no_switch() -> None:
+    """LIMO's noise of the orientation, which is no <enable_orientation>."""
+    tag = "<orientation><x><noise/></x></orientation>"
+    (found,) = reported("GAZ003", BASE + sensor("imu", f"<imu>{tag}</imu>"))
+    assert "did you mean" not in found.message + found.help
+
+
+@pytest.mark.parametrize(
+    ("target", "severity"), [("classic-ros1", "warning"), ("gz-harmonic", "error")]
+)
+def test_sensors_of_a_file_that_is_included_twice(
+    tmp_path: Path, target: str, severity: str
+) -> None:
+    """A robot whose sensors' file includes the plugins' file of the robot again."""
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    add_file(tmp_path / "s.xacro", f"{head}{sensor('imu', '')}</robot>".encode())
+    twice = '<xacro:include filename="s.xacro"/>' * 2
+    robot = add_file(tmp_path / "r.xacro", f"{head}{BASE}{twice}</robot>".encode())
+    (found,) = check(robot, select=["GAZ010"], targets=[target]).diagnostics
+    assert (found.severity.value, found.help) == (severity, "include its file once")
+
+
+@pytest.mark.parametrize(("target", "count"), [("classic-ros1", 0), ("gz-harmonic", 1)])
+def test_a_material_of_a_script_in_the_workspace(tmp_path: Path, target: str, count: int) -> None:
+    """Care-O-bot's worlds: `Media/materials/scripts/custom.material`."""
+    text = whole_robot(BASE + block("<material>wall_floor</material>"))
+    robot = add_file(tmp_path / "r.urdf", text.encode())
+    assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == 1
+    add_file(tmp_path / "Media" / "custom.material", b"material wall_floor\n{\n}\n")
+    assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == count

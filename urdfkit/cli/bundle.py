@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import OUT, limited, with_examples
-from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.output.bundle import Bundle
@@ -44,7 +44,7 @@ def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     Exit codes: 0 done, 1 the program will reject the robot all the same, 2 a file is missing or
     cannot be read or written.
     """
-    with progress() as bar:
+    with progress_bar() as bar:
         context = robot(asked, bar)
     bundle, rejections = write(context, out, consumer=consumer, force=force)
     output.page((*_summary(bundle, out), *_reasons(consumer, rejections)))

@@ -7,8 +7,7 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.cli import options, output, result_recording, stdin
-from urdfkit.core import atomic
+from urdfkit.cli import options, output
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
@@ -17,7 +16,7 @@ from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import shown
+from urdfkit.text.source import Source, shown
 from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
@@ -74,6 +73,8 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
     code = report.exit_code(fail_on(values, chosen))
     code = 0 if code == 1 and values["exit_zero"] else code
     if _may_be_kept(values, chosen) and not (report.crashed or _is_huge(report)):
+        from urdfkit.cli import result_recording
+
         result_recording.keep(code, written)
     return code
 
@@ -86,6 +87,8 @@ def _write(
     # Files first: if one cannot be written, standard output stays empty.
     for name, file in sorted(outputs, key=lambda one: not one[1]):
         if file:
+            from urdfkit.core import atomic
+
             parts = map(output.encode, formats.stream(name, report, quiet=values["quiet"]))
             if _is_huge(report):
                 atomic.write(file, parts)
@@ -192,11 +195,17 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
     files = options.files(values)
     progress = _progress(files)
     try:
-        sources = [stdin.read(name) if file == "-" else file for file in files]
+        sources = [_standard_input(name) if file == "-" else file for file in files]
         return check_with(chosen._replace(progress=progress), sources, spills=True)
     finally:
         if progress is not None:
             progress.clear()
+
+
+def _standard_input(name: str) -> Source:
+    from urdfkit.cli import stdin
+
+    return stdin.read(name)
 
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
@@ -277,6 +286,7 @@ def _with_baseline(
     file = values["baseline"]
     if not file:
         return report
+    from urdfkit.core import atomic
     from urdfkit.lint import baseline
 
     directory = os.path.dirname(os.path.abspath(file))

@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import OUT, in_formats, limited, with_examples
-from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.output.conversion import convert
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
     "urdfkit convert robot.urdf.xacro --to usd -o robot_usd",
+    "urdfkit convert robot.urdf.xacro --to sdf -o models/robot",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
     "urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives",
 )
@@ -62,13 +63,13 @@ if TYPE_CHECKING:
 def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any) -> int:
     """Convert a robot to another format, with meshes and a proof.
 
-    MJCF for MuJoCo, USD for Isaac Sim and Newton, or URDF without xacro. OUT has the model, its
-    meshes, and conversion.json, which says what became of every element and attribute. What was
-    written is read again and compared with the robot.
+    MJCF for MuJoCo, USD for Isaac Sim and Newton, SDF for Gazebo, or URDF without xacro. OUT has
+    the model, its meshes, and conversion.json, which says what became of every element and
+    attribute. What was written is read again and compared with the robot.
 
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
     """
-    with progress() as bar:
+    with progress_bar() as bar:
         context = robot(asked, bar)
     found = convert(context, out, to=to, **options)
     output.json_or_page(form, found.facts, _page(found, out))

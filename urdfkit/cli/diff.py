@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, to_file, with_examples
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.comparison import KINDS, compare
@@ -73,7 +73,7 @@ def command(
         render = partial(render, language=lang)
     counted = _kinds(fail_on)
     before, after = files
-    with shown("steps") as bar:
+    with progress_bar("steps") as bar:
         comparison = compare(
             before,
             after,

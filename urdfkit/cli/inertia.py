@@ -6,8 +6,9 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, progress
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import COLOR, in_formats, limited, with_examples
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
@@ -76,7 +77,7 @@ def command(
         raise options.UsageError("--mass and --density must be more than 0, and finite")
     if material is not None:
         density = DENSITIES[material]
-    with progress.shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         proposals = propose(
             robot(asked, bar), source=source, mass=mass, density=density, links=links, lump=lump
         )

@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from urdfkit.cli import output, progress
+from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.output.overview import Overview, Shapes, Structure, summarise
@@ -41,7 +42,7 @@ def command(asked: dict[str, Any], form: str) -> int:
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
-    with progress.shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         context = robot(asked, bar)
         found = summarise(context, positions(context, asked))
     output.json_or_page(form, as_json(found), render(found))

@@ -8,7 +8,7 @@ from typing import Any
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Rotation, Vector
 from urdfkit.core.strict_json import dumped
@@ -36,7 +36,7 @@ def command(asked: dict[str, Any], form: str) -> int:
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
-    with shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         context = robot(asked, bar)
         found = mass_properties(context, positions(context, asked))
     if form == "text":

@@ -98,7 +98,7 @@ def on_terminal(things: str = "", *, rated: bool = False) -> ProgressBar | None:
 
 
 @contextmanager
-def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
+def progress_bar(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
     """Progress on standard error while a job lasts, if a person looks at it."""
     bar = on_terminal(things, rated=rated)
     try:

@@ -8,13 +8,14 @@ import click
 
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import limited, to_file, with_examples
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.report.csv import COLUMNS
 from urdfkit.output.report.translations import LANGUAGES
 from urdfkit.output.report.writing import form_of, report
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import shown
 
 
 @with_examples(
@@ -46,7 +47,7 @@ def command(
     chosen, source = check_options(values, file), stdin.opened(file)
     variants = chosen.config.entries(file, chosen.arguments, chosen.variant)
     for variant in variants:
-        with shown() as bar:
+        with progress_bar() as bar:
             text, document = report(
                 source,
                 form_of(output_file) if output_file else "markdown",
@@ -59,6 +60,7 @@ def command(
         if output_file:
             target = _of_variant(output_file, variant.name) if len(variants) > 1 else output_file
             atomic.write(target, output.encode(text))
+            output.page([f"wrote {shown(target)}"])
         else:
             output.write(text)
         for severity in Severity:

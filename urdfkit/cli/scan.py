@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import examples
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic
 from urdfkit.core.installation import install_command
 from urdfkit.lint.options import Options
@@ -112,7 +112,7 @@ def command(
     )
     if address and engine != "dask":
         raise options.UsageError("--address needs --engine dask")
-    with shown("models", rated=True) as bar:
+    with progress_bar("models", rated=True) as bar:
         count = scan(
             sources,
             directory,

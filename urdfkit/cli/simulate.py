@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
-from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import motion, simulate
@@ -48,9 +48,9 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
 
     Exit codes: 0 it behaves, 1 it does not, 2 it cannot be simulated.
     """
-    with progress() as bar:
+    with progress_bar() as bar:
         context = robot(asked, bar)
-    with progress("tests") as bar:
+    with progress_bar("tests") as bar:
         found = simulate(context, base=base, progress=bar)
     if gif or png:
         _draw(context, base, gif, png)

@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.lint.context import Context
 from urdfkit.robot.joints import effort_unit
@@ -105,7 +105,7 @@ def _statics(
     from urdfkit.physics.dynamics.statics import statics
 
     loaded = Dynamics(context.tree, payload) if payload else bare
-    with shown() as bar:
+    with progress_bar() as bar:
         return statics(loaded, given, samples=samples, seed=seed, progress=bar)
 
 

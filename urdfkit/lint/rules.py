@@ -181,10 +181,10 @@ class Rule(Record):
         """For single targets, where they differ: as declared, and as the facts about them say."""
         from urdfkit.ros.targets import TARGETS, facts_of  # reads a file for each
 
-        told = {name: facts_of(name).severities.get(self.code) for name in TARGETS}
+        stated = {name: facts_of(name).severities.get(self.code) for name in TARGETS}
         return {
             **self.by_target,
-            **{name: Severity(severity) for name, severity in told.items() if severity},
+            **{name: Severity(severity) for name, severity in stated.items() if severity},
         }
 
     @property

@@ -214,9 +214,9 @@ class _RuleRun:
         gives a severity of its own, unless all of them take what it is about.
         """
         given = self.context.given_facts
-        told = {one.name: one.severities.get(rule.code) for one in given}
+        stated = {one.name: one.severities.get(rule.code) for one in given}
         severity = finding.severity or rule.severity_for(targets)[0]
-        each = {name: Severity(one) if one else severity for name, one in told.items()}
+        each = {name: Severity(one) if one else severity for name, one in stated.items()}
         worst = min(each.values(), key=lambda one: one.rank)
         if worst is severity or (finding.severity and worst.rank < severity.rank):
             return finding

@@ -182,8 +182,8 @@ def _rename(server: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | Non
     try:
         return server.edit(navigation.rename(*at, params.new_name))
     except navigation.CannotRename as error:
-        reported = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
-        server.window_show_message(reported)
+        warning = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
+        server.window_show_message(warning)
         return None
 
 

@@ -162,9 +162,7 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     gradient = _quotient(n1 - (n0 + (y1 - y0) * along), across)
     least, most = np.minimum(np.minimum(n0, n1), n2), np.maximum(np.maximum(n0, n1), n2)
 
-    which = np.repeat(np.arange(len(numbers)), rows)
-    row = np.arange(len(which), dtype=np.int32)
-    row += np.repeat((first - (np.cumsum(rows) - rows)).astype(np.int32), rows)
+    which, row = _each_row(first, rows)
     at = row.astype(np.float32)
     down = at - y0[which]
     long_x = x0[which] + down * long_slope[which]
@@ -174,9 +172,8 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
         x1[which] + (at - y1[which]) * lower_slope[which],
     )
     offset = grid.offsets[row % np.int32(count)]
-    limit = np.float32(grid.width)
-    start = np.clip(np.ceil(np.minimum(long_x, short_x) - offset), 0, limit)
-    end = np.clip(np.ceil(np.maximum(long_x, short_x) - offset), 0, limit)
+    start = _first_sample(np.minimum(long_x, short_x), offset, grid)
+    end = _first_sample(np.maximum(long_x, short_x), offset, grid)
     seen = np.flatnonzero(end > start)
     which, row, start, end = which[seen], row[seen], start[seen], end[seen]
     base = n0[which] + down[seen] * along[which]
@@ -188,6 +185,19 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     place = (row.astype(np.intp) - grid.first * count) * grid.width + start.astype(np.intp)
     step = (there - here) / np.maximum(length - 1, 1)
     return Spans(place, length.astype(np.intp), here, step, numbers[which].astype(np.int32))
+
+
+def _each_row(first: Integers, rows: Integers) -> tuple[Integers, Integers]:
+    """For each row of samples of each triangle: the index of the triangle, and the row."""
+    which = np.repeat(np.arange(len(rows)), rows)
+    row = np.arange(len(which), dtype=np.int32)
+    row += np.repeat((first - (np.cumsum(rows) - rows)).astype(np.int32), rows)
+    return which, row
+
+
+def _first_sample(x: Floats, offset: Floats, grid: Grid) -> Floats:
+    """The first sample of a row at or beyond x, within the grid."""
+    return np.clip(np.ceil(x - offset), 0, np.float32(grid.width))
 
 
 def _quotient(dividend: Floats, divisor: Floats) -> Floats:

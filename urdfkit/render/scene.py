@@ -236,7 +236,7 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
     It is as large as another shape or mesh of the link; else it reaches to the joints
     of its child links.
     """
-    size, frame = _target_bounds(context, link, body, least)
+    size, frame = _placeholder_box(context, link, body, least)
     edges = np.array(size, dtype=np.float32)
     vertices, faces, _, uv = primitives.box(*size)
     assert uv is not None
@@ -247,7 +247,7 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
     return SceneItem(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv).moved(frame)
 
 
-def _target_bounds(
+def _placeholder_box(
     context: Context, link: Link, body: Body, least: float
 ) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""

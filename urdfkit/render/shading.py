@@ -62,6 +62,6 @@ def shaded(
 def tone(light: Floats) -> Floats:
     """Amounts of light within 0 to 1: as they are below the knee, bent above it."""
     over = np.maximum(light - np.float32(KNEE), 0)
-    target_bounds = np.float32(1 - KNEE)
-    bent = np.float32(KNEE) + target_bounds * (over / (over + target_bounds))
+    headroom = np.float32(1 - KNEE)
+    bent = np.float32(KNEE) + headroom * (over / (over + headroom))
     return np.where(light > KNEE, bent, light)

@@ -1,6 +1,5 @@
 """What a controller claims: command interfaces of joints, which one at a time may write."""
 
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.text.located_yaml import Value
 
@@ -11,7 +10,7 @@ def commands(controller: Controller) -> list[str]:
     """The command interfaces that it needs of each joint; empty if that is not known."""
     if controller.ros == 1 and (kind := _BY_PACKAGE.get(controller.type.partition("/")[0])):
         return [kind]
-    known = catalogue().get(controller.type)
+    known = controller.kind
     if known is None:
         return []
     if known.interface:
@@ -22,6 +21,6 @@ def commands(controller: Controller) -> list[str]:
 
 def commanded_joints(controller: Controller) -> list[Value]:
     """The joints that it commands; ``command_joints`` takes precedence over ``joints``."""
-    kind = catalogue().get(controller.type)
+    kind = controller.kind
     commanded = controller.values(["command_joints"])
     return commanded or (controller.values(kind.joints) if kind else [])

@@ -15,7 +15,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.ros_control import hardware as simulators
+from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
@@ -71,6 +71,11 @@ class Controller(Record):
     ros: int  # 1 or 2
     section: Section  # its parameters as they are written
 
+    @property
+    def kind(self) -> ControllerType | None:
+        """What the catalogue says of its type; None if it does not know it."""
+        return controller_types().get(self.type)
+
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""
         return [value for name in names for value in self.section.values(name)]
@@ -115,7 +120,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
     be those of another variant of the robot.
     """
     hardware = [component.hardware for component in components(description.model)]
-    is_real = bool(hardware) and simulators().keys().isdisjoint(hardware)
+    is_real = bool(hardware) and simulated_hardware().keys().isdisjoint(hardware)
     return bool(description.parameters) and is_real
 
 

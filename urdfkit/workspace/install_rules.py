@@ -58,6 +58,8 @@ class InstallRules:
         if top not in self._text:
             return False
         listed = [path for path in self._listed if path.startswith(f"{top}/")]
+        if disk.is_directory(os.path.join(self._directory, relative)):
+            return not listed or any(path.startswith(f"{relative.rstrip('/')}/") for path in listed)
         return not listed or any(fnmatch(relative, path) or path == f"{top}/" for path in listed)
 
     @cached_property

@@ -18,8 +18,7 @@ _HEAD_BYTES = 4096
 _FIRST_CHILD = re.compile(rb"<(?!robot\b)[A-Za-z]")
 _GENERATED = re.compile(
     rb"\bauto-?generated\b|\bautomatically generated\b|\bdo not edit\b"
-    rb"|\b(?:file|document|urdf) (?:is|was) generated\b|\bediting this file by hand\b",
-    re.IGNORECASE,
+    rb"|\b(?:file|document|urdf) (?:is|was) generated\b|\bediting this file by hand\b"
 )
 
 
@@ -33,7 +32,7 @@ def is_generated(source: Source) -> bool:
     head = source.data[:_HEAD_BYTES]
     child = _FIRST_CHILD.search(blank_comments(head))
     end = child.start() if child else len(head)
-    return any(_GENERATED.search(comment[1]) for comment in comments(head[:end]))
+    return any(_GENERATED.search(comment[1].lower()) for comment in comments(head[:end]))
 
 
 class Ownership:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -15,8 +16,10 @@ from urdfkit.workspace.package_directories import (
     read_marker,
     upwards,
 )
-from urdfkit.workspace.package_scan import PackageScan
 from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.package_scan import PackageScan
 
 #: Depth of a scan inside a repository or workspace, and of one outside of it.
 DEPTH_INSIDE = 12
@@ -164,6 +167,8 @@ class Packages:
         return not self.root(near).mark or self.searches(directory, near)
 
     def _scan(self, level: ScannedDirectory) -> PackageScan:
+        from urdfkit.workspace.package_scan import PackageScan  # most packages are around the robot
+
         if level not in self._scans:
             depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
             self._scans[level] = PackageScan(self._packages, level.root, depth, nested=level.inside)

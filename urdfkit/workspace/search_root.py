@@ -31,7 +31,6 @@ from urdfkit.workspace.package_directories import (
     is_within,
     upwards,
 )
-from urdfkit.workspace.package_scan import PackageScan
 
 #: Depth at which a directory next to a package shows that it holds packages of its own.
 DEPTH_OF_REPOSITORIES = 2
@@ -180,6 +179,8 @@ class SearchRoots:
             ".git" in self._directories.names_in(at) for at in inside
         ):
             return False
+        from urdfkit.workspace.package_scan import PackageScan
+
         return not any(
             PackageScan(self._directories, at, DEPTH_OF_REPOSITORIES, nested=False).all()
             for at in others

@@ -16,7 +16,7 @@ MAX_FILES, MAX_BYTES = 1000, 200_000
 _MANIFEST = os.sep + "package.xml"
 _SUFFIXES = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py")
 #: What a program that reads XML names.
-_READS_XML = re.compile(rb"tinyxml|FirstChildElement|ElementTree|minidom|lxml|pugi", re.IGNORECASE)
+_READS_XML = rb"tinyxml|firstchildelement|elementtree|minidom|lxml|pugi"
 
 
 def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
@@ -31,7 +31,7 @@ def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, 
     """
     found: dict[str, str] = {}
     for path, data, named in _naming(tags, rb"[./]*", near, resolver):
-        if not named <= found.keys() and _READS_XML.search(data):
+        if not named <= found.keys() and re.search(_READS_XML, data.lower()):
             found = dict.fromkeys(named, path) | found
     return found
 
@@ -54,11 +54,13 @@ def _naming(
     words: Iterable[str], before: bytes, near: str, resolver: Resolver
 ) -> Iterator[tuple[str, bytes, set[str]]]:
     """The source files that name words as strings, their text, and these words."""
-    either = b"|".join(re.escape(word.encode()) for word in words)
-    quoted = re.compile(rb"""(["'])""" + before + b"(" + either + rb""")\1""")
+    encoded = [word.encode() for word in words]
+    quoted = rb"""(["'])""" + before + b"(" + b"|".join(map(re.escape, encoded)) + rb""")\1"""
     for path in filter(resolver.admits, islice(_sources(near, resolver), MAX_FILES)):
         data = read_head(path, MAX_BYTES)
-        if named := {match[2].decode() for match in quoted.finditer(data)}:
+        if not any(word in data for word in encoded):
+            continue  # most files; then the pattern need not be compiled
+        if named := {match[2].decode() for match in re.finditer(quoted, data)}:
             yield path, data, named
 
 

@@ -91,6 +91,7 @@ class XacroEngine:
         self._lock = allocate_lock()
         self._exchange_evaluation()
         self._exchange_tags()
+        self._exchange_slow_parts()
         self._exchange_files()
         self._exchange_messages()
 
@@ -156,7 +157,6 @@ class XacroEngine:
         stock_include = xacro.process_include
         stock_macro = xacro.grab_macro
         stock_call = xacro.handle_macro_call
-        stock_name = xacro.is_valid_name
 
         def process_include(elt: Node, macros: Any, symbols: Any, func: Any) -> None:
             if self._run.leaves_out(elt):
@@ -178,6 +178,16 @@ class XacroEngine:
             self._run.enter_call(len(xacro.macrostack))
             return bool(stock_call(node, macros, symbols))
 
+        xacro.process_include = process_include
+        xacro.grab_macro = grab_macro
+        xacro.handle_macro_call = handle_macro_call
+        xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
+
+    def _exchange_slow_parts(self) -> None:
+        """What takes stock xacro long, with the same results."""
+        xacro = self.xacro
+        stock_name = xacro.is_valid_name
+
         def is_valid_name(name: str) -> bool:
             if name.isascii():  # the same, without Python's parser
                 return name.isidentifier() and not iskeyword(name)
@@ -187,10 +197,6 @@ class XacroEngine:
             dom.remove_previous_comments(node, xacro._empty_text_node)
 
         xacro.is_valid_name = is_valid_name
-        xacro.process_include = process_include
-        xacro.grab_macro = grab_macro
-        xacro.handle_macro_call = handle_macro_call
-        xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
         xacro.replace_node = dom.replace_node
         xacro.remove_previous_comments = remove_previous_comments
 

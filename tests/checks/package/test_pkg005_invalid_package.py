@@ -150,7 +150,8 @@ def reported_python(directory: Path, manifest: str, setup: str, *more: str) -> l
 
 def test_without_the_index(tmp_path: Path) -> None:
     (found,) = reported_python(tmp_path, PYTHON, "setup(data_files=[])", "resource/arm")
-    assert found.message.endswith("ROS does not find the package 'arm'")
+    assert found.message.endswith("only where colcon adds the entry, with a warning")
+    assert found.severity.value == "warning"
     assert Path(found.span.source.path).name == "setup.py"
 
 

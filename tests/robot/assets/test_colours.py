@@ -43,6 +43,12 @@ def test_the_top_of_the_robot_comes_first() -> None:
     assert looks(robot) == [("a", (0, 0, 1, 1), None)]
 
 
+def test_what_has_an_empty_name_stands_for_itself() -> None:
+    paints = (f'<material name="">{look}</material>' for look in (RED, BLUE))
+    robot = "".join(seen(name, paint) for name, paint in zip("ab", paints, strict=True))
+    assert looks(robot) == [("a", (1, 0, 0, 1), None), ("b", (0, 0, 1, 1), None)]
+
+
 def test_materials_without_a_name_or_a_look() -> None:
     assert looks(
         seen("a", material("", RED))

@@ -19,12 +19,12 @@ def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented() -> Non
 
 
 def test_joints_are_texts() -> None:
-    shared = classes(2) & ros_control.controllers().keys()
+    shared = classes(2) & ros_control.controller_types().keys()
     assert shared
     for name in shared:
         known = parameters_of(name, 2)
         assert known is not None
-        kinds = {known.type_of(joint) for joint in ros_control.controllers()[name].joints}
+        kinds = {known.type_of(joint) for joint in ros_control.controller_types()[name].joints}
         assert kinds <= {"string", "string_array", None}, name
 
 

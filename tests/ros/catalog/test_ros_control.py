@@ -36,8 +36,8 @@ def test_what_came_later_is_part_of_the_grammar() -> None:
 
 
 def test_hardware_and_control_plugins_refer_to_each_other() -> None:
-    loads = ros_control.control_plugins()
-    for name, hardware in ros_control.hardware().items():
+    loads = ros_control.control_plugin_libraries()
+    for name, hardware in ros_control.simulated_hardware().items():
         assert hardware.name == name
         assert hardware.control in loads
         assert set(hardware.commands) >= {"position", "velocity", "effort"}
@@ -63,7 +63,7 @@ def test_control_plugins_by_file_name(filename: str, plugin: str | None) -> None
 
 def test_lengths_are_measured_between_joints_that_the_controller_names() -> None:
     sides = {"radius": 1, "track": 1, "separation": 2, "wheelbase": 2}
-    for name, controller in ros_control.controllers().items():
+    for name, controller in ros_control.controller_types().items():
         assert name.count("/") == 1
         assert controller.joints
         assert len(set(controller.joints)) == len(controller.joints)

@@ -5,8 +5,4 @@ from urdfkit.lint.context import Context
 
 def applies(context: Context) -> bool:
     """True if a launch file or a plugin names a parameter file."""
-    return bool(context.parameters) or any(
-        plugin.child("parameters")
-        for block in context.model.gazebo
-        for plugin in block.all("plugin")
-    )
+    return context.names_parameters

@@ -33,8 +33,7 @@ from urdfkit.ros.catalog.controllers import (
     parameters_of,
     successor,
 )
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.catalog.ros_control import parameters
+from urdfkit.ros.catalog.ros_control import controller_types, parameters
 from urdfkit.ros.controllers import Controller, Section, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
@@ -124,7 +123,7 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
 
 
 def _misspelt(controller: Controller) -> Iterator[_Problem]:
-    known = catalogue()
+    known = controller_types()
     if controller.type not in known:
         if suggested := nearest(controller.type, known, _CLASS_TYPO):
             message = f"unknown type '{controller.type}'; did you mean '{suggested}'?"

@@ -25,7 +25,6 @@ from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
 from urdfkit.robot.stability import stand
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import drive_of, wheels
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
@@ -86,7 +85,7 @@ def _driven(context: Context) -> Iterator[str]:
                     yield wheel.rolling.joint.child.value
     for _, found in context.controllers:
         for controller in found:
-            kind = catalogue().get(controller.type)
+            kind = controller.kind
             if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
                 continue
             names = (name for measure in kind.measures for side in measure.sides for name in side)

@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, rolling, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
@@ -90,7 +89,7 @@ def _separations(driven: list[Wheel]) -> list[float]:
 
 
 def _of_controller(controller: Controller, context: Context) -> Findings:
-    kind = catalogue().get(controller.type)
+    kind = controller.kind
     for measure in kind.measures if kind else ():
         written = controller.values([measure.parameter])
         value = number(written[0].text) if written else None

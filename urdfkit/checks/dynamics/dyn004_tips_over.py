@@ -14,7 +14,6 @@ from collections.abc import Iterator
 
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.bounding_box import without_meshes
 from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
@@ -71,6 +70,8 @@ def check(context: Context) -> Findings:
                 return
             standing = stand(context)
         except ImportError as error:
+            from urdfkit.robot.bounding_box import without_meshes
+
             raise Unavailable(without_meshes()) from error
     if standing is None or not _falls(context, standing):
         return

@@ -95,5 +95,7 @@ def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> F
         one is not child and intended in (one.tag, nearest(one.tag, known, _TYPO)) for one in others
     )
     fix = None if is_taken else fix_tag(child, intended)
+    if child.children and not intended:  # <orientation> is no <enable_orientation>
+        return Finding(child, message, "remove it", group_key=child.tag)
     message += did_you_mean(child.tag, known)
     return Finding(child, message, "fix the name of the element", fix, group_key=child.tag)

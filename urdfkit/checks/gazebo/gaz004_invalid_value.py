@@ -36,7 +36,7 @@ from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.extensions import Extension, extensions
-from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
 from urdfkit.text.document import Element

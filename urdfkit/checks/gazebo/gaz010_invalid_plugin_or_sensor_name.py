@@ -4,8 +4,8 @@ SDF requires a name, and the `filename` of the library of a plugin: up to SDF 1.
 whole model without them. The name of a plugin is free in Gazebo Classic and the class in gz-sim.
 
 Sensors of one link have different names: gz-sim rejects a model with two of one name ("non-unique
-name"), Gazebo Classic creates only one of them. Links that fixed joints connect count as one, since
-Gazebo merges them.
+name"), Gazebo Classic creates only one of them (a warning, if a file is included twice). Links that
+fixed joints connect count as one, since Gazebo merges them.
 
 In Gazebo Classic with ROS 2 a plugin is a node with the plugin's name. ROS 2 allows letters, digits
 and underscores, and no digit first; with any other name the plugin does not start. Of two plugins
@@ -28,10 +28,11 @@ import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.plugins import PluginUse
-from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.targets import CLASSIC, GZ
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.source import Span
@@ -39,6 +40,8 @@ from urdfkit.text.source import Span
 BAD = robot_xml(solid_xml("base"), gazebo_xml('<plugin filename="libgazebo_ros_planar_move.so"/>'))
 GOOD = BAD.replace("<plugin", '<plugin name="drive"')
 FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
+
+_ONE_IN_CLASSIC = "Gazebo Classic creates only one of them"
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
@@ -95,12 +98,20 @@ def _duplicate_sensors(context: Context) -> Findings:
         other = first.setdefault((link, sensor.name), sensor)
         if other is not sensor:
             merged = f" (merged into '{link}')" if link != sensor.reference else ""
+            is_same = sensor.at.span == other.at.span and not _in_macro(sensor)
+            in_classic = context.targets.any_of(CLASSIC) and not context.targets.any_of(GZ)
             yield Finding(
                 sensor.at.attributes["name"],
-                f"duplicate {sensor.who} on '{sensor.reference}'{merged}: {REJECTED_BY_GZ}",
-                "give each sensor a unique name",
+                f"duplicate {sensor.who} on '{sensor.reference}'{merged}: "
+                + (_ONE_IN_CLASSIC if in_classic else REJECTED_BY_GZ),
+                "include its file once" if is_same else "give each sensor a unique name",
                 related=(Related(other.at.span, "first defined here"),),
+                severity=Severity.WARNING if is_same and in_classic else None,
             )
+
+
+def _in_macro(sensor: Sensor) -> bool:
+    return any(step.kind == "macro" for step in sensor.at.via)
 
 
 def _named(context: Context, use: PluginUse) -> Fix | None:

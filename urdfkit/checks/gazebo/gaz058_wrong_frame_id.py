@@ -22,12 +22,12 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import Suggester
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.ros.ros_control import components
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -94,16 +94,23 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
                 yield sensor.who, element, element.text.strip()
 
 
+def _controlled(model: RobotModel) -> set[str]:
+    """The sensors of ``<ros2_control>``, whose broadcasters have frames."""
+    if not model.ros2_controls:
+        return set()
+    from urdfkit.ros.ros_control import components
+
+    parts = (part for block in components(model) for part in block.parts)
+    return {part.name for part in parts if part.kind == "sensor"}
+
+
 def _missing(context: Context) -> Findings:
     """One finding for all sensors: usually all of them lack it."""
     targets = context.targets
     if targets.names and not targets.any_of(_READ):
         return
     readers = [tags for target, tags in _READ.items() if targets.any_of((target,))]
-    parts = (part for block in components(context.model) for part in block.parts)
-    controlled = {
-        part.name for part in parts if part.kind == "sensor"
-    }  # its broadcaster has a frame
+    controlled = _controlled(context.model)
     without = [
         one
         for one in sensors(context.model)

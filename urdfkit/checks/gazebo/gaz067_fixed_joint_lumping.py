@@ -36,7 +36,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, S
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import collision_xml, robot_xml
-from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.ros.targets import GZ

@@ -7,7 +7,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting
-from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, value
 from urdfkit.ros.targets import CLASSIC, GZ

@@ -2,7 +2,8 @@
 
 Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim have separate libraries.
 A library of another generation is not found: Gazebo writes an error and starts without it, and the
-robot does not move or sends no data. Use the successor, whose tags have other names, too.
+robot does not move or sends no data. Use the successor, whose tags have other names, too. Only the
+plugins of gz-sim itself have these names in Fortress, too, from 6.16 (January 2024) on (info).
 
 Where no target is given and the plugins themselves are for different generations, no Gazebo loads
 all of them: a warning. Choose one generation, or select the block with a xacro argument
@@ -12,6 +13,7 @@ Sources:
     Gazebo, migration from Classic: https://gazebosim.org/docs/latest/migrating_gazebo_classic_ros2_packages/
     gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SystemLoader.cc
     gazebosim/ros_gz#362: https://github.com/gazebosim/ros_gz/issues/362
+    gazebosim/gz-sim#2275: https://github.com/gazebosim/gz-sim/pull/2275
     jackal/jackal#129: https://github.com/jackal/jackal/issues/129
 """
 
@@ -20,7 +22,6 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.gazebo.successors import successor
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
@@ -51,6 +52,9 @@ def check(context: Context) -> Findings:
             continue
         if context.targets.evidence and _is_of_another_family(use, context.targets):
             continue  # the robot itself is for two simulators
+        if targets == ["gz-fortress"] and any(plugin.fortress_files for plugin in present):
+            yield _renamed(use)
+            continue
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
         is_reported = True
@@ -60,6 +64,17 @@ def check(context: Context) -> Findings:
     is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
         yield from _mixed(context.plugins)
+
+
+def _renamed(use: PluginUse) -> Finding:
+    """A plugin of Fortress by the name that it has in gz-sim."""
+    return Finding(
+        use.at.attributes["filename"],
+        f"{use.title} has this name in gz-sim; Gazebo Fortress finds it from 6.16 on",
+        _successor(use, "gz-fortress"),
+        _fix(use, "gz-fortress"),
+        severity=Severity.INFO,
+    )
 
 
 def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:
@@ -106,6 +121,8 @@ def _fix(use: PluginUse, target: str) -> Fix | None:
     """What gz-sim has instead; of its own plugins, their names in Fortress."""
     plugin = next((one for one in use.known if one.generation == "gz"), None)
     if plugin is None:
+        from urdfkit.ros.gazebo.successors import successor
+
         return successor(use, target)
     if target != "gz-fortress" or not plugin.fortress_files or not plugin.fortress_class:
         return None

@@ -27,7 +27,7 @@ from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import SensorType, types
-from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets

@@ -16,7 +16,7 @@ from math import pi, radians
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.values import number, numbers
-from urdfkit.ros.gazebo.rejection import REJECTED
+from urdfkit.ros.gazebo import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.editing.edits import fix_value

@@ -25,8 +25,6 @@ Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
-import re
-
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertia import principal_moments
@@ -59,7 +57,7 @@ FIXED = GOOD = BAD.replace(
 _STRIKING = 10.0
 
 #: In a comment beside a tensor that is too large on purpose.
-_PURPOSE = re.compile(rb"stabili[sz]", re.IGNORECASE)
+_PURPOSES = (b"stabilis", b"stabiliz")
 
 #: A share in the inertia of a whole rigid body that is named.
 _SHARE = 0.1
@@ -102,7 +100,7 @@ def _is_deliberate(one: LinkInertia) -> bool:
     span = one.at.tag_at.whole_span
     line_end = span.source.data.find(b"\n", span.end)
     following = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
-    return any(_PURPOSE.search(comment[1]) for comment in following)
+    return any(word in comment[1].lower() for comment in following for word in _PURPOSES)
 
 
 def _radius(one: LinkInertia) -> str:

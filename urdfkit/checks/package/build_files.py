@@ -63,9 +63,12 @@ def _read(directory: str, file: str) -> Source | None:
 
 def _unregistered(setup: Source, directory: str, name: str) -> Findings:
     if b"resource_index" not in setup.data:
-        message = f"nothing is installed into {_INDEX}: ROS does not find the package '{name}'"
+        message = (
+            f"nothing is installed into {_INDEX}: ROS finds the package '{name}' only where colcon "
+            "adds the entry, with a warning"
+        )
         help = f"add ('{_INDEX}', ['resource/{name}']) to data_files, and create that empty file"
-        yield Finding(Location(Span(setup, 0, 0)), message, help)
+        yield Finding(Location(Span(setup, 0, 0)), message, help, severity=Severity.WARNING)
         return
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
     if marker and not disk.exists(os.path.join(directory, "resource", name)):

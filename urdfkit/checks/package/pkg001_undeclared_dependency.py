@@ -17,8 +17,6 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.ros.launch.spawning import spawner_of
-from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -123,6 +121,9 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
 
 def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
     """The control plugins and controllers of the robots, that their own packages do not declare."""
+    from urdfkit.ros.launch.spawning import spawner_of
+    from urdfkit.ros.ros_control import control_plugins
+
     launch = context.launch
     is_simulated = any(map(spawner_of, (*launch.started, *launch.included)))
     for description in launch.descriptions if is_simulated else ():

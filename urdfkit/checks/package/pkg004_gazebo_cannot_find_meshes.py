@@ -17,17 +17,16 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
-from urdfkit.robot.samples import visual_xml
+from urdfkit.robot.samples import element_xml, visual_xml
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 
 NAME = "urdf/bot.urdf"
 _VISUAL = visual_xml('<mesh filename="package://bot_description/meshes/base.stl"/>')
 _POSES = plugin_xml("gz::sim::systems::PosePublisher", "gz-sim-pose-publisher-system")
-BAD = named_xml("bot", solid_xml("base", _VISUAL), gazebo_xml(_POSES))
+BAD = element_xml('robot name="bot"', solid_xml("base", _VISUAL), gazebo_xml(_POSES))
 GOOD = BAD.replace("package://bot_description/meshes", "../meshes")
 FILES = {
     "package.xml": b'<package format="3"><name>bot_description</name></package>',

@@ -10,14 +10,16 @@ nowhere.
   installs the files below that name, or catkin stops: "package name does not match project name".
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
-  `share/ament_index/resource_index/packages`. Without `<build_type>ament_python</build_type>` in
-  `<export>`, colcon looks for a CMakeLists.txt.
+  `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
+  makes the file and warns that it will not always do so; a Debian package has none (warning).
+  Without `<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt.
 
 Only launch files, and descriptions that refer to packages, are checked.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
     catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
+    colcon/colcon-ros#79: https://github.com/colcon/colcon-ros/pull/79
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
-from urdfkit.ros.catalog.ros_control import hardware, words
+from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.ros_control import (
     Component,
     ControlPart,
@@ -37,7 +37,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
     name = interface.name
     if not name or part.kind == "gpio":
         return
-    simulated = hardware().get(component.hardware)
+    simulated = simulated_hardware().get(component.hardware)
     is_joint = part.kind == "joint"
     who = f"{part.kind} '{part.name}': {interface.direction} interface '{name}'"
     at = interface.at.attributes["name"]

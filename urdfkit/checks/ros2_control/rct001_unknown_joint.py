@@ -6,7 +6,8 @@
 - A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
   in the list of available interfaces"). A controller none of whose joints is in the robot is taken
   for one of another variant, if other controllers fit, or if the names differ in a prefix only.
-  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware.
+  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware and
+  the controller has other joints of the robot, or a misspelt one.
 
 Correct the name.
 
@@ -23,7 +24,6 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import (
@@ -96,7 +96,7 @@ def _of_controllers(context: Context) -> Findings:
     for component in components(context.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
-    own = None if control_plugins(context.model) else Severity.WARNING
+    in_gazebo = bool(control_plugins(context.model))
     for file, found in context.controllers:
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
@@ -106,6 +106,7 @@ def _of_controllers(context: Context) -> Findings:
                 if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
                     continue
                 hint = suggester.hint(value.text)
+                is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
                 if is_of_robot or hint or not any_known:
                     yield Finding(
                         Location(value.span),
@@ -113,7 +114,7 @@ def _of_controllers(context: Context) -> Findings:
                         "fix the name in the parameter file",
                         related=(file.note,),
                         group_key="" if hint else file.path,
-                        severity=own if controller.ros == 1 else None,
+                        severity=None if is_certain else Severity.WARNING,
                     )
 
 
@@ -124,6 +125,6 @@ def _is_prefixed(name: str, known: set[str]) -> bool:
 
 def _joints(controller: Controller) -> list[Value]:
     """The names of joints; those with a slash are interfaces of other controllers."""
-    kind = catalogue().get(controller.type)
+    kind = controller.kind
     values = controller.values(kind.joints) if kind else []
     return [v for v in values if v.text and "/" not in v.text and not is_expression(v.text)]

@@ -22,7 +22,7 @@ import re
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.text.document import Element

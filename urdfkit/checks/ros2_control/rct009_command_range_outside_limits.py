@@ -69,9 +69,7 @@ def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Findings:
             at,
             message + more,
             "use the values of the joint's <limit> as min and max",
-            related=tuple(
-                Related(place.span, reported) for place, reported in others[:_MAX_RELATED]
-            ),
+            related=tuple(Related(place.span, text) for place, text in others[:_MAX_RELATED]),
         )
 
 

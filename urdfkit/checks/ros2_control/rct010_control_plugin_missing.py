@@ -11,8 +11,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import control_plugins as files
-from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
 from urdfkit.ros.gazebo.samples import ARM, control_xml, driven_xml, gazebo_xml, plugin_xml
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
 from urdfkit.text.document import Element
@@ -61,12 +60,12 @@ def _namespace(plugin: Element) -> str:
 
 def _missing(context: Context) -> Findings:
     for component in components(context.model):
-        found = hardware().get(component.hardware)
+        found = simulated_hardware().get(component.hardware)
         if found and component.plugin:
             yield Finding(
                 component.plugin,
                 f"{component.called} is for {found.simulator}, but no plugin in <gazebo> "
-                f"loads it ({files()[found.control]})",
+                f"loads it ({control_plugin_libraries()[found.control]})",
             )
             return  # one plugin serves all
     transmissions = [one for one in context.model.transmissions if not is_of_pr2(one)]
@@ -80,7 +79,7 @@ def _missing(context: Context) -> Findings:
         yield Finding(
             transmissions[0],
             "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
-            f"loads them ({files()['gazebo_ros_control']})",
+            f"loads them ({control_plugin_libraries()['gazebo_ros_control']})",
         )
 
 

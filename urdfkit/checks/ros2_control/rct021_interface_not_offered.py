@@ -23,8 +23,7 @@ Sources:
 from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
-from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
@@ -68,7 +67,7 @@ def check(context: Context) -> Findings:
     states = _offered(context, "state")
     free = _free(context)
     for file, controller in read:
-        kind = catalogue().get(controller.type)
+        kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
         yield from _lacking(controller, file, joints, _states(controller), states, free, "state")
@@ -131,7 +130,7 @@ def _free(context: Context) -> frozenset[str]:
 
 
 def _offers_what_is_listed(component: Component) -> bool:
-    return component.hardware in hardware() or component.hardware in _MOCK
+    return component.hardware in simulated_hardware() or component.hardware in _MOCK
 
 
 def _without_state(context: Context) -> Findings:

@@ -15,7 +15,7 @@ Sources:
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
-from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
@@ -52,7 +52,7 @@ def _not_in_gazebo(context: Context, blocks: list[Component]) -> Findings:
     simulated = {sensor.name for sensor in sensors(context.model)}
     suggester = Suggester(simulated)
     for component in blocks:
-        for part in component.parts if component.hardware in hardware() else ():
+        for part in component.parts if component.hardware in simulated_hardware() else ():
             name = part.at.attributes.get("name")
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import output, progress
+from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
@@ -68,7 +69,7 @@ def command(
     given = _srdf(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         matrix = context.collisions.matrix(
             samples=samples, seed=seed, begin=begin, units=applied, jobs=jobs, progress=bar
         )

@@ -5,9 +5,10 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, progress
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import COLOR, limited, with_examples
 from urdfkit.cli.mesh import tables
+from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, propose
 from urdfkit.text.source import shown
@@ -57,7 +58,7 @@ def command(
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
     context = robot(asked)
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         proposals = propose(context, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]
     left: dict[str, str] = {}

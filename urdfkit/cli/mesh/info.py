@@ -7,7 +7,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.progress import shown
+from urdfkit.cli.progress import progress_bar
 from urdfkit.core.strict_json import dumped
 from urdfkit.core.words import spaced
 from urdfkit.mesh.describe import MeshDescription, describe
@@ -25,7 +25,7 @@ def command(files: tuple[str, ...], form: str) -> int:
 
     Exit codes: 0 done, 2 a file has no triangles.
     """
-    with shown("mesh files") as bar:
+    with progress_bar("mesh files") as bar:
         found = []
         for done, file in enumerate(files):
             if bar is not None:

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 import click
 
-from urdfkit.cli import output, progress
+from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.cli.progress import progress_bar
 from urdfkit.mesh.health import Health
 from urdfkit.mesh.io.salvage import load_or_salvage
 from urdfkit.mesh.measures import OVERLAP
@@ -42,7 +43,7 @@ def command(
     """
     path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         done = repair(
             in_metres(mesh), holes=not keep_holes, one_sided=one_sided, union=union, progress=bar
         )

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 import click
 
-from urdfkit.cli import options, output, progress
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.cli.progress import progress_bar
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.simplify import Simplified, to_budget, to_error
 from urdfkit.mesh.transforms import in_metres
@@ -44,7 +45,7 @@ def command(
         raise options.UsageError("--triangles must be 4 or more, --error more than 0")
     path = destination(file, out, in_place, force)
     mesh = in_metres(load(file))
-    with progress.shown() as bar:
+    with progress_bar() as bar:
         if triangles is not None:
             found = to_budget(mesh, triangles, bar)
         else:

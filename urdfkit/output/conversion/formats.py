@@ -21,6 +21,7 @@ FORMATS = {
     for one in (
         Format("mjcf", "simulate", has_options=True),
         Format("usd", "usd"),
+        Format("sdf", "meshes"),
         Format("urdf", "meshes"),
     )
 }

@@ -23,7 +23,7 @@ from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion
-from urdfkit.output.conversion.usd_losses import OTHERWISE, tell
+from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
@@ -57,7 +57,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         if not proof.holds:
             raise UrdfkitError(f"the USD does not agree with the robot: {proof.differences}")
         losses = LossTable()
-        tell(losses, robot, stage)
+        mark_parts(losses, robot, stage)
         for one in warnings:
             losses.lose(one.element, one.text)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, {}))
@@ -82,10 +82,10 @@ def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> 
         why = f"urdf-usd-converter rejects the robot: {warned.text}"
         raise UrdfkitError(f"{warned.element.span}: {why}") from error
     finally:
-        told = delegate.TakeUncoalescedDiagnostics()
+        diagnostics = delegate.TakeUncoalescedDiagnostics()
     return [
         places.find(one.commentary)
-        for one in told
+        for one in diagnostics
         if one.diagnosticCode != Tf.TF_DIAGNOSTIC_STATUS_TYPE
     ]
 

@@ -24,7 +24,7 @@ _ATTRIBUTES = {
 }
 
 
-def tell(losses: LossTable, robot: Context, stage: Stage) -> None:
+def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
     """Mark what became of the links, joints and materials of a robot."""
     losses.keep(robot.model.root, "prim")
     colours = Colours(robot.model)

@@ -127,8 +127,8 @@ class GltfWriter:
         width = rows.shape[1]
         more: dict[str, int] = {"target": target}
         if target == _ARRAY:
-            target_bounds = -width * rows.itemsize % 4 // rows.itemsize
-            rows = np.pad(rows, ((0, 0), (0, target_bounds)))
+            padding = -width * rows.itemsize % 4 // rows.itemsize
+            rows = np.pad(rows, ((0, 0), (0, padding)))
             more["byteStride"] = rows.shape[1] * rows.itemsize
         entry: dict[str, Any] = {
             "bufferView": self._view(np.ascontiguousarray(rows).tobytes(), **more),

@@ -42,39 +42,36 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     lower, upper = robot.range(joint.name) or (-float("inf"), float("inf"))
     sign = 1.0 if upper - start >= start - lower else -1.0
     room = max(upper - start, start - lower) - _LEAST
+    fastest, enough = 0.0, min(PART * velocity, SPEED)
     unit, force = unit_of(joint)
-    place, fastest = joint.limit.at.span if joint.limit else None, 0.0
+    pushed = f"its effort of {effort:g} {force}"
     friction = float(model.dof_frictionloss[dof])
     if effort <= friction:  # in MuJoCo it creeps
-        text = (
-            f"joint '{joint.name}': its effort of {effort:g} {force} does not overcome its "
-            f"friction of {friction:g} {force}"
-        )
-        return Verdict("drive", False, text, effort, friction, (joint.name,), place)
+        text = f"{pushed} does not overcome its friction of {friction:g} {force}"
+        return _failure(joint, text, effort, friction)
     for number in range(round(DRIVEN / STEP)):
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
         speed = abs(float(data.qvel[dof]))
         if diverged(data) is not None:
-            text = (
-                f"joint '{joint.name}': driven by its effort of {effort:g} {force}, its simulation "
-                "diverges"
-            )
-            return Verdict("drive", False, text, float("inf"), FASTEST, (joint.name,), place)
+            text = f"driven by {pushed}, its simulation diverges"
+            return _failure(joint, text, float("inf"), FASTEST)
         if number == 0 and speed > FASTEST * max(velocity, ROTOR):
             text = (
-                f"joint '{joint.name}': its effort of {effort:g} {force} takes it to "
-                f"{speed / velocity:.2g} times its velocity of {velocity:g} {unit}/s in "
-                f"{STEP * 1e3:g} ms: what it moves has no mass to speak of"
+                f"{pushed} takes it to {speed / velocity:.2g} times its velocity of {velocity:g} "
+                f"{unit}/s in {STEP * 1e3:g} ms: what it moves has no mass to speak of"
             )
-            return Verdict("drive", False, text, speed / velocity, FASTEST, (joint.name,), place)
-        moved = abs(robot.position(data, joint.name) - start)
-        if speed >= min(PART * velocity, SPEED) or moved >= room:
+            return _failure(joint, text, speed / velocity, FASTEST)
+        if speed >= enough or abs(robot.position(data, joint.name) - start) >= room:
             return None
         fastest = max(fastest, speed)
     text = (
-        f"joint '{joint.name}': its effort of {effort:g} {force} takes it to {fastest:.2g} "
-        f"{unit}/s in {DRIVEN:g} s without gravity, its velocity is {velocity:g} {unit}/s"
+        f"{pushed} takes it to {fastest:.2g} {unit}/s in {DRIVEN:g} s without gravity, its "
+        f"velocity is {velocity:g} {unit}/s"
     )
-    bound = min(PART * velocity, SPEED)
-    return Verdict("drive", False, text, fastest, bound, (joint.name,), place)
+    return _failure(joint, text, fastest, enough)
+
+
+def _failure(joint: Joint, reason: str, value: float, bound: float) -> Verdict:
+    text, place = f"joint '{joint.name}': {reason}", joint.limit.at.span if joint.limit else None
+    return Verdict("drive", False, text, value, bound, (joint.name,), place)

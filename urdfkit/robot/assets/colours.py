@@ -10,7 +10,7 @@ class Colours:
     """The materials of a model by name.
 
     urdfdom keeps the first definition of a name, at the top of the robot or in a visual; every
-    other visual with the name gets it.
+    other visual with the name gets it. What has an empty name stands for itself.
     """
 
     def __init__(self, model: RobotModel) -> None:
@@ -19,15 +19,15 @@ class Colours:
         for material in chain(
             model.materials, (m for _, body in _visuals(model) if (m := body.material))
         ):
-            if material.name and (material.rgba or material.texture):
-                self._named.setdefault(material.name.value, material)
+            if _name(material) and (material.rgba or material.texture):
+                self._named.setdefault(_name(material), material)
 
     def of(self, body: Body) -> Material | None:
         """The material that gives a visual its colour or texture; None if nothing does."""
         material = body.material
         if material is None:
             return None
-        named = self._named.get(material.name.value) if material.name else None
+        named = self._named.get(_name(material))
         return named or (material if material.rgba or material.texture else None)
 
     def visuals(self) -> Iterator[tuple[Link, Body, Material]]:
@@ -36,6 +36,10 @@ class Colours:
             material = self.of(body)
             if material is not None:
                 yield link, body, material
+
+
+def _name(material: Material) -> str:
+    return material.name.value if material.name else ""
 
 
 def _visuals(model: RobotModel) -> Iterator[tuple[Link, Body]]:

@@ -6,6 +6,7 @@ the link, or become possible at all. It has a confidence.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
 from typing import TYPE_CHECKING
@@ -196,8 +197,23 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
     return Diagnosis("", None, Confidence.GUESSED)
 
 
+def _same_expressions(link: LinkInertia) -> list[str]:
+    """The two moments of a macro for boxes that are computed from the same edges; empty if none.
+
+    Many tutorials have ``m*(y*y+z*z)/12``, ``m*(x*x+z*z)/12`` and ``m*(x*x+z*z)/12``.
+    """
+    keys: list[str] = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
+    texts = {key: link.at.attributes[key].span.text for key in keys}
+    alike = {re.sub(r"[A-Za-z_]\w*", "v", text) for text in texts.values()}
+    twice = [key for key in keys if list(texts.values()).count(texts[key]) == 2]
+    return twice if len(keys) == 3 and len(alike) == 1 and "v" in alike.pop() else []
+
+
 def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     """Ways of writing it that make the tensor possible, each with the intended tensor."""
+    if keys := _same_expressions(link):
+        pairs = "of a box each moment has another pair of edges"
+        yield f"has the same expression at {' and '.join(keys)}: {pairs}", None
     a, b, c, d, e, f = link.tensor
     as_in_sdf = Tensor(a, d, e, b, f, c)
     if min(a, b, c) > 0 and is_possible(as_in_sdf):

@@ -85,13 +85,13 @@ def _tag(entry: dict[str, list[str]]) -> ControlTag:
 
 
 @cache
-def hardware() -> dict[str, Hardware]:
+def simulated_hardware() -> dict[str, Hardware]:
     entries = data("ros_control")["hardware"]
     return {name: record(Hardware, entry, name=name) for name, entry in entries.items()}
 
 
-def control_plugins() -> dict[str, str]:
-    """What Gazebo loads, by the name of the control plugin."""
+def control_plugin_libraries() -> dict[str, str]:
+    """The library or class that Gazebo loads, by the name of the control plugin."""
     return {name: entry["load"] for name, entry in data("ros_control")["control"].items()}
 
 
@@ -105,7 +105,7 @@ def control_plugin(filename: str) -> str | None:
 
 
 @cache
-def controllers() -> dict[str, ControllerType]:
+def controller_types() -> dict[str, ControllerType]:
     """The types of controller whose parameters name joints."""
     entries = data("ros_control")["controllers"]
     return {

@@ -30,6 +30,8 @@ JOINT_TYPES = {
 }
 #: The link of the ground; Gazebo never creates it.
 WORLD = "world"
+#: Between the names of a link and of what is merged into it.
+LUMP = "_fixed_joint_lump__"
 
 
 class Converter(Record):
@@ -266,4 +268,4 @@ def _stem(top: Link, link: Link, part: Body, kind: str) -> str:
         return f"{top.name}_{kind}"
     if name.startswith(top.name):
         return f"{name}_{kind}"
-    return f"{top.name}_fixed_joint_lump__{name}_{kind}"
+    return f"{top.name}{LUMP}{name}_{kind}"

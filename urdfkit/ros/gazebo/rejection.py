@@ -10,12 +10,10 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import principal_moments
+from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span
-
-#: In the messages of rules that have milder findings, too.
-REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
 
 CONVERTER_FAILS = "converter ends with an exception"
 #: Of moments of inertia; what numbers written as text leave of an equality.
@@ -30,7 +28,7 @@ IN_JOINTS = frozenset("URD003 URD004 URD005".split())
 #: Errors that reject the robot where they are about its root element.
 OF_ROOT = frozenset("URD003 URD011".split())
 #: Rules that also report what rejects nothing: only their errors count.
-_ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
+_ONLY_ERRORS = frozenset(("JNT002", "JNT006", "NAM001"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
 BY_GZ = frozenset(("JNT006",))
 

@@ -20,6 +20,8 @@ _IN_FILES = {
 }
 #: In a word, for a part that is known at run time only.
 _UNKNOWN_WORD = "\0"
+#: In a default that no file has as its name: the environment variable is to be set.
+_PLACEHOLDER = r"[!<>?]"
 #: Substitutions inside one another that are followed.
 MAX_LEVELS = 50
 
@@ -65,8 +67,9 @@ class Substitutions:
         if command == "dirname":
             return os.path.dirname(os.path.abspath(self._source.path))
         if command in ("optenv", "env"):
-            default = rest.split(None, 1)
-            return default[1].strip("'\"") if len(default) > 1 else None
+            _, _, default = rest.partition(" ")
+            default = default.strip().strip("'\"")
+            return None if not default or re.search(_PLACEHOLDER, default) else default
         return None  # anon, exec-in-pkg, command
 
     def words(self, attribute: Attribute | None) -> tuple[Word, ...]:

@@ -52,8 +52,8 @@ class Values:
         if isinstance(node, (ast.List, ast.Tuple)):
             return _joined(self.text(item, depth + 1) for item in node.elts)
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
-            between = os.sep if isinstance(node.op, ast.Div) else ""
-            return _joined((self.text(n, depth + 1) for n in (node.left, node.right)), between)
+            join = _path if isinstance(node.op, ast.Div) else _joined
+            return join(self.text(n, depth + 1) for n in (node.left, node.right))
         if isinstance(node, ast.JoinedStr):
             return _joined(self.text(part, depth + 1) for part in node.values)
         if isinstance(node, ast.FormattedValue):
@@ -102,7 +102,7 @@ class Values:
             parts = list(call.args)
             if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
                 parts = list(parts[0].elts)
-            return _joined((self.text(part, depth + 1) for part in parts), os.sep)
+            return _path(self.text(part, depth + 1) for part in parts)
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
         if name == "FindExecutable":
@@ -153,8 +153,19 @@ def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None
     return None
 
 
-def _joined(parts: Iterable[str | None], between: str = "") -> str | None:
+def _joined(parts: Iterable[str | None]) -> str | None:
     """Texts one after the other; None if one of them is not known."""
+    texts = _all_known(parts)
+    return None if texts is None else "".join(texts)
+
+
+def _path(parts: Iterable[str | None]) -> str | None:
+    """Parts of a path, of which an absolute one drops those before it."""
+    texts = _all_known(parts)
+    return None if texts is None else os.path.join("", *texts)
+
+
+def _all_known(parts: Iterable[str | None]) -> list[str] | None:
     texts = list(parts)
     known = [text for text in texts if text is not None]
-    return between.join(known) if len(known) == len(texts) else None
+    return known if len(known) == len(texts) else None

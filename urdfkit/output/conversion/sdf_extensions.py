@@ -1,0 +1,299 @@
+"""What ``<gazebo>`` tags bring into an SDF, as sdformat distributes it.
+
+The tags of a link that is merged become those of the link that it is merged into, with sensors and
+lights at their new places. Source: ``ParseSDFExtension``, ``InsertSDFExtension*`` and
+``ReduceSDFExtension*`` in parser_urdf.cc of sdformat 14 to 16.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from copy import deepcopy
+from math import inf, isinf
+from xml.etree.ElementTree import Element as Tag
+from xml.etree.ElementTree import SubElement
+
+from urdfkit.core.spatial import Transform, from_rpy
+from urdfkit.errors import UrdfkitError
+from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.robot.values import numbers, vector
+from urdfkit.ros.gazebo.conversion import LUMP
+from urdfkit.ros.gazebo.values import is_true, leading, text_of, value
+from urdfkit.text.document import Element
+
+_SWITCHES = frozenset(
+    "cfmDamping implicitSpringDamper provideFeedback selfCollide static turnGravityOff".split()
+)
+_TEXTS = frozenset(("fdir1", "material"))
+#: Of the settings of a link: in its collisions, below ``surface``, by the tag of SDF.
+_FRICTION = {"mu1": "mu", "mu2": "mu2", "fdir1": "fdir1"}
+_CONTACT = {"kp": "kp", "kd": "kd", "maxVel": "max_vel", "minDepth": "min_depth"}
+_COLLISION = {"laserRetro": "laser_retro", "maxContacts": "max_contacts"}
+#: Of those of a joint.
+_AXIS = {"springReference": "spring_reference", "springStiffness": "spring_stiffness"}
+_LIMIT = {"stopCfm": "cfm", "stopErp": "erp"}
+
+#: The tag of SDF that takes each setting.
+TAKERS = {
+    "static": "model",
+    **dict.fromkeys(("selfCollide", "turnGravityOff", "dampingFactor"), "link"),
+    "material": "visual",
+    **dict.fromkeys((*_FRICTION, *_CONTACT, *_COLLISION), "collision"),
+    **dict.fromkeys((*_AXIS, *_LIMIT, "provideFeedback", "fudgeFactor"), "joint"),
+    **dict.fromkeys(("cfmDamping", "implicitSpringDamper"), "joint"),
+}
+
+_SCRIPTS = "file://media/materials/scripts/gazebo.material"
+#: That the converter reads.
+_LARGEST_INT = 2**31 - 1
+#: Tags with a pose in the frame of their link.
+_POSED = ("light", "projector", "sensor")
+
+
+class Extension:
+    """What one ``<gazebo>`` holds."""
+
+    def __init__(self, block: Element) -> None:
+        self.block = block
+        self.takers: set[str] = set()  # tags of SDF that have taken something from it
+        self.origin = (block.get("reference") or "") if block.children else ""
+        self.moved = Transform()  # of the link that it came from last, in the one that it is in
+        self.settings: dict[str, str] = {}  # as SDF has them
+        self.visual: list[Tag] = []  # for each visual
+        self.collision: list[Tag] = []  # for each collision
+        self.others: list[tuple[Tag, Element]] = []  # SDF, and where it was written
+        for child in block.children:
+            if child.tag in ("visual", "collision"):
+                parts = self.visual if child.tag == "visual" else self.collision
+                parts += map(_copied, child.children)
+            elif child.tag in TAKERS:
+                self.settings[child.tag] = _setting(child)
+            elif child.tag not in (*KEEPING_TAGS, "canonicalBody"):
+                self.others.append((_copied(child), child))
+
+    def concerns(self, tag: Tag, link: str) -> bool:
+        """True if it is for a visual or collision of the link that it is in now."""
+        name = tag.get("name") or ""
+        if link == self.origin:
+            return LUMP not in name
+        return f"{LUMP}{self.origin}_{tag.tag}" in name
+
+
+class Extensions:
+    """All ``<gazebo>`` tags of a robot, by what they refer to; empty for the model."""
+
+    def __init__(self, blocks: tuple[Element, ...]) -> None:
+        self.all = [Extension(block) for block in blocks]
+        self._by_name: dict[str, list[Extension]] = {}
+        for one in self.all:
+            self._by_name.setdefault(one.block.get("reference") or "", []).append(one)
+
+    def merge(self, link: str, into: str, frame: Transform) -> None:
+        """Hand what a link has to the one that it is merged into.
+
+        Args:
+            frame: of the link, in that of the other.
+        """
+        moved = self._by_name.pop(link, [])
+        for one in moved:
+            one.moved = frame
+            for tag, at in one.others:
+                if tag.tag in _POSED:
+                    _move(tag, at, frame)
+        if moved:
+            self._by_name.setdefault(into, []).extend(moved)
+        for several in self._by_name.values():
+            for one in several:
+                for tag, _ in one.others:
+                    _rename(tag, link, into, one.moved, frame)
+
+    def put_into_model(self, model: Tag) -> None:
+        for one in self._of(""):
+            one.takers.add("model")
+            if "static" in one.settings:
+                set_value(model, "static", one.settings["static"])
+            model.extend(tag for tag, _ in one.others)
+
+    def put_into_link(self, tag: Tag, link: str) -> None:
+        for one in self._of(link):
+            one.takers.add("link")
+            if "turnGravityOff" in one.settings:
+                set_value(tag, "gravity", one.settings["turnGravityOff"])
+            if "dampingFactor" in one.settings:
+                decay = SubElement(tag, "velocity_decay")
+                for part in ("linear", "angular"):
+                    set_value(decay, part, one.settings["dampingFactor"])
+            if "selfCollide" in one.settings:
+                set_value(tag, "self_collide", str(int(one.settings["selfCollide"] == "true")))
+            tag.extend(deepcopy(other) for other, _ in one.others)
+
+    def put_into_joint(self, tag: Tag, joint: str) -> None:
+        for one in self._of(joint):
+            one.takers.add("joint")
+            dynamics = within(tag, "axis", "dynamics")
+            physics = within(tag, "physics")
+            ode = within(physics, "ode")
+            _put(one, dynamics, _AXIS)
+            _put(one, within(ode, "limit"), _LIMIT)
+            if "provideFeedback" in one.settings:
+                for place in (physics, ode):
+                    set_value(place, "provide_feedback", one.settings["provideFeedback"])
+            for name in ("cfmDamping", "implicitSpringDamper"):
+                if name in one.settings:
+                    set_value(ode, "implicit_spring_damper", one.settings[name])
+                    set_value(ode, "cfm_damping", one.settings[name])
+            _put(one, ode, {"fudgeFactor": "fudge_factor"})
+            tag.extend(deepcopy(other) for other, _ in one.others)
+
+    def put_into_collision(self, tag: Tag, link: str) -> None:
+        for one in self._of(link):
+            if not one.concerns(tag, link):
+                continue
+            one.takers.add("collision")
+            _put_parts(tag, one.collision, "surface")
+            _put(one, within(tag, "surface", "contact", "ode"), _CONTACT)
+            _put(one, within(tag, "surface", "friction", "ode"), _FRICTION)
+            _put(one, tag, _COLLISION)
+
+    def put_into_visual(self, tag: Tag, link: str) -> None:
+        for one in self._of(link):
+            if not one.concerns(tag, link):
+                continue
+            one.takers.add("visual")
+            _put_parts(tag, one.visual, "material")
+            if one.settings.get("material"):
+                script = within(tag, "material", "script")
+                set_value(script, "name", one.settings["material"])
+                set_value(script, "uri", _SCRIPTS)
+
+    def _of(self, name: str) -> Iterator[Extension]:
+        yield from self._by_name.get(name, ())
+
+
+def set_value(tag: Tag, name: str, text: str) -> Tag:
+    """Give a tag a child with a text, in place of the one that it has."""
+    old = child_of(tag, name)
+    if old is not None:
+        tag.remove(old)
+    new = SubElement(tag, name)
+    new.text = text
+    return new
+
+
+def child_of(tag: Tag, name: str) -> Tag | None:
+    """The first child of a name; names may have colons that are no prefixes."""
+    return next((child for child in tag if child.tag == name), None)
+
+
+def _copied(element: Element) -> Tag:
+    root = Tag("")
+    stack = [(element, root)]
+    while stack:
+        one, parent = stack.pop()
+        tag = SubElement(parent, one.tag, {name: at.value for name, at in one.attributes.items()})
+        tag.text = one.text.strip() or None
+        stack += [(child, tag) for child in reversed(one.children)]
+    return root[0]
+
+
+def _setting(child: Element) -> str:
+    """The value of a setting, as SDF has it.
+
+    Raises:
+        UrdfkitError: it begins with no number where one must stand, or with one that is too large.
+    """
+    text = text_of(child)
+    if child.tag in _TEXTS:
+        return text
+    if child.tag == "turnGravityOff":
+        return "true" if text.lower() in ("false", "no", "0") else "false"
+    if child.tag in _SWITCHES:
+        return "true" if is_true(child) else "false"
+    is_whole = child.tag == "maxContacts"
+    read, _ = leading(text, whole=is_whole)
+    number = value(read) if read else inf
+    is_large = (
+        abs(number) > _LARGEST_INT if is_whole else isinf(number) and "inf" not in read.lower()
+    )
+    if not read or is_large:
+        raise UrdfkitError(
+            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends"
+        )
+    return number_text(number)
+
+
+def within(tag: Tag, *names: str) -> Tag:
+    """A tag below another one, made where it is not there."""
+    for name in names:
+        found = child_of(tag, name)
+        tag = SubElement(tag, name) if found is None else found
+    return tag
+
+
+def _put(one: Extension, tag: Tag, names: dict[str, str]) -> None:
+    for name, sdf_name in names.items():
+        if one.settings.get(name):
+            set_value(tag, sdf_name, one.settings[name])
+
+
+def _put_parts(tag: Tag, parts: list[Tag], single: str) -> None:
+    """Add parts to a visual or collision; of one kind the last takes the place of those before."""
+    for part in parts:
+        old = child_of(tag, single) if part.tag == single else None
+        if old is not None:
+            tag.remove(old)
+        tag.append(deepcopy(part))
+
+
+def _move(tag: Tag, at: Element, frame: Transform) -> None:
+    """Give a sensor, light or projector its pose in the link that its own is merged into."""
+    pose = child_of(tag, "pose")
+    values: tuple[float, ...] = (0.0,) * 6
+    if pose is not None:
+        if pose.get("relative_to") is not None:
+            return
+        read = numbers(pose.text or "") if pose.text else values
+        if read is None or len(read) < 6:
+            raise UrdfkitError(
+                f"{at.span}: the <pose> of <{tag.tag}> has no six numbers: "
+                "Gazebo cannot move it with its link"
+            )
+        values = read
+        tag.remove(pose)
+    x, y, z, roll, pitch, yaw = values[:6]
+    found = frame @ Transform(from_rpy(roll, pitch, yaw), (x, y, z))
+    set_value(tag, "pose", pose_text(found.position, snapped_rpy(found.rotation)))
+
+
+def _rename(tag: Tag, link: str, into: str, moved: Transform, frame: Transform) -> None:
+    """Replace the name of a link that is merged in a plugin or joint."""
+    if tag.tag == "joint":
+        for name in ("parent", "child"):
+            end = child_of(tag, name)
+            if end is not None and _text(end) == link:
+                set_value(tag, name, into)
+    elif tag.tag == "plugin":
+        for name in ("bodyName", "frameName"):
+            body = child_of(tag, name)
+            if body is not None and _text(body) == link:
+                set_value(tag, name, into)
+                _shift(tag, moved, frame)
+
+
+def _shift(plugin: Tag, moved: Transform, frame: Transform) -> None:
+    """Give a plugin the offset of the link that it names, in the one that this is merged into."""
+    xyz, rpy = child_of(plugin, "xyzOffset"), child_of(plugin, "rpyOffset")
+    position, rotation = moved.position, moved.rotation
+    if xyz is not None:
+        position = vector(_text(xyz)) or (0.0, 0.0, 0.0)
+    if rpy is not None:
+        rotation = from_rpy(*(vector(_text(rpy)) or (0.0, 0.0, 0.0)))
+    found = frame @ Transform(rotation, position)
+    set_value(plugin, "xyzOffset", " ".join(map(number_text, found.position)))
+    set_value(plugin, "rpyOffset", " ".join(map(number_text, snapped_rpy(found.rotation))))
+    set_value(plugin, "gz::corrected_offsets", "1")
+
+
+def _text(tag: Tag) -> str:
+    return (tag.get("value") or tag.text or "").strip()

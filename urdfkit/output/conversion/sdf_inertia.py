@@ -1,0 +1,87 @@
+"""The inertia of links and of what is merged into them, as sdformat computes it.
+
+Source: ``ReduceInertialToParent`` in its parser_urdf.cc. It turns by angles that urdfdom computed:
+a pitch near a right angle is one then, which moves a tensor by some parts of a thousand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from xml.etree.ElementTree import Element as Tag
+from xml.etree.ElementTree import SubElement
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, from_rpy, to_rpy, transposed
+from urdfkit.errors import UrdfkitError
+from urdfkit.output.conversion.sdf_extensions import set_value
+from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
+from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
+from urdfkit.robot.model import Link
+from urdfkit.text.document import Element
+
+
+class _Inertia(Record):
+    """Of a link and of what was merged into it so far."""
+
+    properties: MassProperties  # its tensor along the axes
+    axes: Rotation  # that the link's own inertial has
+    at: Element
+
+
+class Inertias:
+    """Those of all links, while these are merged."""
+
+    def __init__(self, links: Iterable[Link]) -> None:
+        self._by_link: dict[str, _Inertia] = {}
+        for link in links:
+            if link.inertial is not None:
+                origin = link.inertial.origin
+                tensor = link.inertial.tensor.value if link.inertial.tensor else ZERO
+                own = MassProperties(link.mass, origin.position, tensor)
+                self._by_link[link.name] = _Inertia(own, origin.rotation, link.inertial.at)
+
+    def merge(self, link: str, into: str, frame: Transform) -> None:
+        """Add the inertia of a link to that of the one that it is merged into.
+
+        Args:
+            frame: of the link, in that of the other.
+
+        Raises:
+            UrdfkitError: they have no mass together; sdformat divides by it.
+        """
+        inertia = self._by_link.get(link)
+        if inertia is None:
+            return
+        nothing = _Inertia(MassProperties(0.0, (0.0, 0.0, 0.0), ZERO), IDENTITY, inertia.at)
+        own = self._by_link.get(into, nothing)
+        if own.properties.mass + inertia.properties.mass == 0:
+            raise UrdfkitError(
+                f"{inertia.at.span}: links '{link}' and '{into}' have no mass together: Gazebo "
+                "computes a centre of mass that is no number; leave out <inertial> or give a mass"
+            )
+        moved = _turned(inertia).moved(Transform(_snapped(frame.rotation), frame.position))
+        whole = combined((_turned(own), moved))
+        tensor = rotated(whole.tensor, transposed(_snapped(own.axes)))
+        found = MassProperties(whole.mass, whole.center, tensor)
+        self._by_link[into] = _Inertia(found, own.axes, own.at)
+
+    def tag(self, link: str) -> Tag:
+        """The ``<inertial>`` of a link."""
+        properties, axes, _ = self._by_link[link]
+        tag = Tag("inertial")
+        set_value(tag, "pose", pose_text(properties.center, to_rpy(axes)))
+        set_value(tag, "mass", number_text(properties.mass))
+        inertia = SubElement(tag, "inertia")
+        for name, moment in zip(properties.tensor._fields, properties.tensor, strict=True):
+            set_value(inertia, name, number_text(moment))
+        return tag
+
+
+def _turned(inertia: _Inertia) -> MassProperties:
+    """Along the axes of the link."""
+    mass, center, tensor = inertia.properties
+    return MassProperties(mass, center, rotated(tensor, _snapped(inertia.axes)))
+
+
+def _snapped(rotation: Rotation) -> Rotation:
+    return from_rpy(*snapped_rpy(rotation))

@@ -1,0 +1,199 @@
+"""What becomes of each part of a robot in an SDF."""
+
+from __future__ import annotations
+
+from urdfkit.core.spatial import Rotation, Transform, from_rpy
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.robot import mesh_references
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.sdf_extensions import TAKERS, Extension
+from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
+from urdfkit.output.conversion.sdf_values import snapped_rpy
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.ros.gazebo.conversion import SdfConversion
+from urdfkit.text.document import Attribute, Element
+
+#: Of what is not marked, by the tag.
+OTHERWISE = "sdformat does not read it"
+REASONS = {
+    "texture": "sdformat takes the colour of a material alone",
+    "transmission": "SDF has none; controllers read it from the URDF",
+    "ros2_control": "SDF has none; controllers read it from the URDF",
+    "material": "no visual takes its colour",
+    "color": "no visual takes its colour",
+}
+
+#: Which settings and parts of a ``<gazebo>`` are for what.
+_FOR = {"visual": "a visual", "collision": "a collision", "link": "a link", "joint": "a joint"}
+#: Of a rotation: what counts as another one.
+_TURNED = 1e-9
+
+
+def tell(losses: LossTable, conversion: SdfConversion, model: SdfModel, bundle: Bundle) -> None:
+    """Mark what became of a robot.
+
+    Args:
+        model: that was made of it.
+        bundle: whose files were written.
+    """
+    root = conversion.model.root
+    losses.keep(root, "model")
+    losses.keep(root.child("origin"), "pose of the model")
+    for link in conversion.model.links:
+        _link(losses, link, conversion)
+    _shapes(losses, conversion, model)
+    for joint in conversion.model.joints:
+        _joint(losses, joint, conversion)
+    for one in model.extensions.all:
+        _extension(losses, one, conversion)
+    changes = {one.path: one.change for one in bundle.contents}
+    references = mesh_references(conversion.model)
+    for reference, renamed in zip(references, bundle.renamed, strict=False):
+        if isinstance(reference.at, Attribute) and _is_kept(reference.at.element, conversion):
+            losses.keep(reference.at, f"copied as {renamed.new}")
+            if changes[renamed.new]:
+                losses.approximate(reference.at, changes[renamed.new])
+    by_path = {element.path: element for block in root.all("gazebo") for element in block.walk()}
+    for path, value in bundle.outside:
+        if path in by_path:
+            losses.approximate(by_path[path], f"'{value}' leads to a file that is not copied")
+
+
+def _is_kept(element: Element | None, conversion: SdfConversion) -> bool:
+    """True for a part of a link that Gazebo does not drop."""
+    while element is not None and element.tag != "link":
+        element = element.parent
+    return element is not None and element.get("name") not in conversion.dropped
+
+
+def _link(losses: LossTable, link: Link, conversion: SdfConversion) -> None:
+    into = conversion.merged.get(link.name, "")
+    if link.name in conversion.dropped:
+        losses.lose(link.at, f"Gazebo drops the link: {conversion.dropped[link.name]}")
+        return
+    if into:
+        losses.approximate(link.at, f"frame of '{into}', which it is merged into")
+    else:
+        losses.keep(link.at, "link")
+    inertial = link.inertial
+    if inertial is not None and link.name in conversion.survivor:
+        what = f"part of the mass of '{into}'" if into else "mass"
+        for tag in (inertial.at, *map(inertial.at.child, ("mass", "inertia"))):
+            losses.keep(tag, what)
+        _origin(losses, inertial.at, inertial.origin, what, is_turned=bool(into))
+
+
+def _shapes(losses: LossTable, conversion: SdfConversion, model: SdfModel) -> None:
+    colours = Colours(conversion.model)
+    for link in conversion.links:
+        names = {id(at): name for name, at in (*link.collisions, *link.visuals)}
+        for one, frame in link.body.links:
+            for body in (*one.collisions, *one.visuals):
+                _shape(losses, body, names[id(body.at)], frame)
+            for body in one.visuals:
+                if id(body.at) in model.coloured and body.material is not None:
+                    material = colours.of(body)
+                    assert material is not None
+                    losses.keep(body.material.at, "colour of the visual")
+                    losses.keep(material.at, "colour of visuals")
+                    losses.approximate(
+                        material.at.child("color"), "diffuse and ambient, 1.25 times as bright"
+                    )
+                elif body.material is not None and colours.of(body) is not None:
+                    losses.lose(body.material.at, "the visual has the material of a <gazebo>")
+
+
+def _shape(losses: LossTable, body: Body, name: str, frame: Transform) -> None:
+    losses.keep(body.at, name)
+    losses.keep(body.at.attributes.get("name"), name)
+    _origin(losses, body.at, frame @ body.origin, name, is_turned=True)
+    losses.keep(body.at.child("geometry"), name)
+    if body.shape is not None:
+        losses.keep(body.shape.at, name)
+
+
+def _origin(
+    losses: LossTable, at: Element, frame: Transform, what: str, *, is_turned: bool
+) -> None:
+    """A frame; urdfdom takes a pitch near a right angle for one where ``is_turned``."""
+    origin = at.child("origin")
+    losses.keep(origin, what)
+    off = _apart(frame.rotation, from_rpy(*snapped_rpy(frame.rotation))) if is_turned else 0.0
+    if off > _TURNED:
+        losses.approximate(origin, f"the pitch is a right angle, off by {off:.2g} rad")
+
+
+def _apart(one: Rotation, other: Rotation) -> float:
+    rows = zip(one, other, strict=True)
+    return max(abs(a - b) for row in rows for a, b in zip(*row, strict=True))
+
+
+def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
+    assert joint.child is not None
+    if joint.child.value in conversion.dropped:
+        losses.lose(joint.at, f"Gazebo drops '{joint.child.value}'")
+        return
+    is_merged = joint.name not in conversion.joint_names
+    what = "frame" if is_merged else "joint"
+    if is_merged or is_hinge(joint, conversion):
+        note = "frame; the links are merged" if is_merged else "revolute joint from 0 to 0"
+        losses.approximate(joint.at, note)
+    else:
+        losses.keep(joint.at, what)
+    for tag in ("origin", "parent", "child"):
+        losses.keep(joint.at.child(tag), what)
+    for tag in ("axis", "limit", "dynamics", "mimic"):
+        part = joint.at.child(tag)
+        if part is not None and joint.kind == "fixed":
+            losses.lose(part, "a fixed joint has none")
+        elif part is not None:
+            _of_axis(losses, joint, part)
+    leader = joint.mimic.joint if joint.mimic else None
+    if leader is not None and joint.kind != "fixed" and leader.value not in conversion.joint_names:
+        note = f"the SDF has no joint '{leader.value}' that it could follow"
+        losses.approximate(joint.at.child("mimic"), note)
+
+
+def _of_axis(losses: LossTable, joint: Joint, part: Element) -> None:
+    losses.keep(part, "joint")
+    for name in ("effort", "velocity", "damping", "friction"):
+        losses.keep(part.attributes.get(name), "joint")
+    for name in ("lower", "upper"):
+        if joint.kind == "continuous":
+            losses.lose(part.attributes.get(name), "a continuous joint has no range")
+
+
+def _extension(losses: LossTable, one: Extension, conversion: SdfConversion) -> None:
+    """What ``<gazebo>`` holds, each child in what took it."""
+    block, reference = one.block, one.block.get("reference") or ""
+    joint = conversion.model.joints_by_name.get(reference)
+    if not one.takers and not any(child.tag in KEEPING_TAGS for child in block.children):
+        losses.lose(block, _nothing(reference, joint, conversion))
+        return
+    losses.keep(block, "its parts")
+    for child in block.children:
+        taker = TAKERS.get(child.tag, child.tag if child.tag in ("visual", "collision") else "")
+        if child.tag in KEEPING_TAGS:
+            is_read = joint is not None and joint.kind == "fixed"
+            taker = "joint" if is_read else ""
+        if child.tag == "canonicalBody" or (child.tag in KEEPING_TAGS and not taker):
+            losses.lose(child, "sdformat ignores it")
+        elif taker and taker not in one.takers and child.tag not in KEEPING_TAGS:
+            whom = _FOR.get(taker, "the model")
+            losses.lose(child, f"it is for {whom}, and none of '{reference}' takes it")
+        else:
+            for element in child.walk():
+                losses.keep(element, "as written" if not taker else f"of the {taker}")
+                for attribute in element.attributes.values():
+                    losses.keep(attribute, "as written")
+
+
+def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:
+    """Why nothing takes a block."""
+    if joint is not None and reference not in conversion.joint_names:
+        return f"joint '{reference}' is merged or dropped"
+    if reference in conversion.dropped:
+        return f"link '{reference}' is dropped"
+    return f"nothing is called '{reference}'" if reference else "it is empty"

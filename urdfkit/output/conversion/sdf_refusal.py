@@ -1,0 +1,122 @@
+"""The robots of which no SDF is written: Gazebo has none, or reads them in a way of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.lint.runner import run_rules
+from urdfkit.output.conversion.sdf_model import merged_joints
+from urdfkit.robot.model import Link
+from urdfkit.ros.gazebo.conversion import JOINT_TYPES, SdfConversion
+from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
+from urdfkit.text.source import Span
+
+#: Older versions reject a joint of a ``<gazebo>`` tag with a link that is merged.
+_FOLLOWED = "GAZ067"
+#: What urdfdom reads, and what each of them needs.
+_SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
+
+#: Elements within one another that tinyxml2 reads, with which sdformat reads a URDF.
+_MAX_DEPTH = 500
+
+
+def require(robot: Context, conversion: SdfConversion) -> None:
+    """Raise an error at the first place for which no SDF can be written.
+
+    Raises:
+        UrdfkitError: Gazebo rejects the robot, or reads a part of it that it calls wrong.
+    """
+    diagnostics = run_rules(robot, sorted(CODES)).diagnostics
+    for one in rejections(diagnostics, conversion):
+        if one.code != _FOLLOWED:
+            raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}")
+    for diagnostic in diagnostics:
+        if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
+            raise UrdfkitError(
+                f"{diagnostic.span}: {diagnostic.message}: Gazebo loses this part of the robot"
+            )
+    for span, message in _defects(conversion):
+        raise UrdfkitError(f"{span}: {message}")
+
+
+def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
+    model = conversion.model
+    if not model.name:
+        yield model.root.span, "gz rejects the robot: it has no name"
+    deep = _too_deep(model.root)
+    if deep is not None:
+        message = f"Gazebo reads at most {_MAX_DEPTH} elements within one another"
+        yield deep.span, message
+    for link in model.links:
+        yield from _of_link(link)
+    for simulated in conversion.links:
+        joint = simulated.body.joint
+        if joint is not None and joint.kind not in JOINT_TYPES:
+            yield joint.at.span, f"gz rejects the robot: SDF is written without {joint.kind} joints"
+        leader = joint.mimic.joint if joint and joint.mimic else None
+        if leader is not None and joint is not None and leader.value == joint.name:
+            yield leader.span, "gz rejects the robot: the joint follows itself"
+    yield from _of_frames(conversion)
+
+
+def _too_deep(root: Element) -> Element | None:
+    """The first element that has too many around it."""
+    stack = [(root, 1)]
+    while stack:
+        element, depth = stack.pop()
+        if depth > _MAX_DEPTH:
+            return element
+        stack += [(child, depth + 1) for child in reversed(element.children)]
+    return None
+
+
+def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
+    inertial = link.inertial
+    if inertial is not None and (inertial.mass is None or inertial.tensor is None):
+        yield inertial.at.span, f"link '{link.name}': <inertial> needs <mass> and <inertia>"
+    for body in (*link.collisions, *link.visuals):
+        shape = body.shape
+        what = f"<{body.at.tag}> of link '{link.name}'"
+        if shape is None:
+            yield body.at.span, f"{what} has no shape"
+        elif shape.kind not in _SHAPES:
+            yield shape.at.span, f"{what}: Gazebo reads no <{shape.kind}> of a URDF"
+        elif getattr(shape, _SHAPES[shape.kind]) is None:
+            yield shape.at.span, f"{what}: <{shape.kind}> needs {_SHAPES[shape.kind]}"
+
+
+def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
+    """Frames that hang in the air, or have the name of something else."""
+    taken = {link.name for link in conversion.links} | conversion.joint_names
+    taken |= conversion.added
+    for joint in merged_joints(conversion):
+        assert joint.child is not None
+        child = joint.child.value
+        if child in conversion.dropped:
+            reason = conversion.dropped[child]
+            message = (
+                f"gz-sim rejects the robot: '{child}' is merged into a link that is dropped "
+                f"({reason}), and its frame is attached to nothing; give that link a mass"
+            )
+            yield joint.at.span, message
+        for name in (joint.name, child):
+            if name in taken:
+                message = (
+                    f"gz-sim rejects the robot: the frame of the merged '{name}' has the name of "
+                    "another link, joint or frame"
+                )
+                yield joint.at.span, message
+            taken.add(name)
+    for block in conversion.model.gazebo:
+        for added in block.children if not block.get("reference") else ():
+            name = added.get("name") or ""
+            if added.tag not in ("frame", "model"):
+                continue
+            if name in taken:
+                message = f"gz-sim rejects the robot: another part is called '{name}'"
+                yield added.span, message
+            taken.add(name)
