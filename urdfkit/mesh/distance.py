@@ -75,6 +75,8 @@ def to_surface(points: Floats, vertices: Floats, faces: Integers) -> Floats:
         vertices: (k, 3).
         faces: (m, 3), indices of vertices.
     """
+    if not len(points):
+        return np.zeros(0)
     triangles = vertices[faces]
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     size = float((high - low).max()) or 1.0
