@@ -10,14 +10,18 @@ import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from zlib import crc32
 
 import pytest
 from hypothesis import settings
 
 from tests import libsdformat
+from urdfkit.lint.context import Context
+from urdfkit.lint.loading import read
+from urdfkit.text.source import Source
 from urdfkit.workspace import search_root
+from urdfkit.workspace.resolve import Resolver
 
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
@@ -39,6 +43,16 @@ SHARED = ROOT.parent / "shared"
 CORPUS = SHARED / "corpus"
 SEED = SHARED / "seeds" / "000_aa3f46a524d8a61f.txt"
 
+#: Variables that lead to packages of this machine.
+SEARCH_PATHS = (
+    "AMENT_PREFIX_PATH",
+    "ROS_PACKAGE_PATH",
+    "ROS_DISTRO",
+    "GAZEBO_MODEL_PATH",
+    "GZ_SIM_RESOURCE_PATH",
+    "IGN_GAZEBO_RESOURCE_PATH",
+)
+
 needs_corpus = pytest.mark.skipif(
     not CORPUS.is_dir(), reason="the corpus of real robots is not beside this checkout"
 )
@@ -47,8 +61,37 @@ needs_seed = pytest.mark.skipif(
 )
 
 
-def manifest() -> Iterator[tuple[Path, dict[str, Any]]]:
-    """The directory of its repository and the facts of every model of the corpus.
+class CorpusRobot(NamedTuple):
+    """A model of the corpus."""
+
+    repository: Path
+    facts: dict[str, Any]  # as the manifest has them
+
+    def __str__(self) -> str:
+        name = f"{self.repository.name}/{self.facts['path']}"
+        return " ".join([name, *self.facts["xacro_args"]])
+
+    @property
+    def path(self) -> Path:
+        return self.repository / self.facts["path"]
+
+    @property
+    def arguments(self) -> dict[str, str]:
+        """The xacro arguments that it needs."""
+        return dict(argument.split(":=", 1) for argument in self.facts["xacro_args"])
+
+    @property
+    def alone(self) -> Context:
+        """It, with the packages around it and none of this machine."""
+        return Context(Source.read(self.path), Resolver(environment={}), self.arguments)
+
+    def read(self) -> Context:
+        """It, as a person reads it."""
+        return read(self.path, arguments=self.arguments)
+
+
+def manifest() -> Iterator[CorpusRobot]:
+    """Every model of the corpus.
 
     Nothing where the corpus is absent: a test parametrised with it is then skipped.
     """
@@ -56,16 +99,13 @@ def manifest() -> Iterator[tuple[Path, dict[str, Any]]]:
     if not file.is_file():
         return
     for repository in json.loads(file.read_text(encoding="utf-8"))["repos"]:
-        for model in repository["models"]:
-            yield CORPUS / repository["dir"], model
+        for facts in repository["models"]:
+            yield CorpusRobot(CORPUS / repository["dir"], facts)
 
 
 def model_id(entry: object) -> str | None:
     """A readable name for a manifest entry in a parametrised test."""
-    if not isinstance(entry, tuple):
-        return None
-    directory, model = entry
-    return " ".join([f"{directory.name}/{model['path']}", *model["xacro_args"]])
+    return str(entry) if isinstance(entry, CorpusRobot) else None
 
 
 #: Directories and files of tests that check whole robots, write documents or start other programs:
@@ -243,6 +283,13 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
+
+
+@pytest.fixture
+def only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No packages of this machine."""
+    for variable in SEARCH_PATHS:
+        monkeypatch.delenv(variable, raising=False)
 
 
 @pytest.fixture(scope="session")

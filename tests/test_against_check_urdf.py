@@ -7,11 +7,10 @@ differs on purpose, the reason stands beside the case.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.conftest import manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.urdfdom import needs_check_urdf, urdfdom
 from urdfkit.lint import engine
 from urdfkit.lint.context import Context
@@ -254,18 +253,17 @@ def test_milder_where_newer_releases_read_it(case: str) -> None:
     assert errors(MILDER[case]) == []
 
 
-PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
+PLAIN = [entry for entry in manifest() if entry.facts["kind"] == "urdf"]
 
 
 @needs_corpus
 @pytest.mark.parametrize("entry", PLAIN, ids=model_id)
-def test_the_corpus_has_errors_where_urdfdom_objects(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry
-    path = str(directory / model["path"])
+def test_the_corpus_has_errors_where_urdfdom_objects(entry: CorpusRobot) -> None:
+    path = str(entry.path)
     context = Context(Source.read(path), Resolver())
     if context.reading.document and context.is_part:
         pytest.skip("made for another file to include, and no robot by itself")
     files = ["MSH", "XAC011"]  # of meshes and packages, which check_urdf does not open
     report = engine.check(path, ignore=[*files, "INE", "GEO", "JNT", "GAZ", "RCT", "SRD"])
     found = {one.code for one in report.diagnostics if one.severity is Severity.ERROR}
-    assert bool(found) == (model["expect"]["check_urdf"] != "ok"), found
+    assert bool(found) == (entry.facts["expect"]["check_urdf"] != "ok"), found

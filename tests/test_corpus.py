@@ -6,12 +6,11 @@ import math
 from collections import Counter
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests import update_corpus_findings as corpus_findings
-from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from tests.conftest import CORPUS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import engine
 from urdfkit.lint.context import Context
@@ -20,18 +19,16 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-pytestmark = needs_corpus
+pytestmark = [needs_corpus, pytest.mark.usefixtures("only_the_corpus")]
 
 ENTRIES = list(manifest())
 #: Two tests of the urdf package that no XML reader takes.
 NOT_XML = {"fail_pr2_desc_no_joint2.urdf", "fail_three_links_one_joint.urdf"}
 READABLE = [
-    entry
-    for entry in ENTRIES
-    if "expect" in entry[1] and Path(entry[1]["path"]).name not in NOT_XML
+    entry for entry in ENTRIES if "expect" in entry.facts and entry.path.name not in NOT_XML
 ]
 #: Models that stock xacro does not expand, and the rule that says why.
-REFUSED = [entry for entry in ENTRIES if entry[1].get("expands") is False]
+REFUSED = [entry for entry in ENTRIES if entry.facts.get("expands") is False]
 REASONS = {
     "external-package-missing": "XAC011",
     "required-argument": "XAC010",
@@ -42,18 +39,10 @@ REASONS = {
 FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 1, "floating": 6}
 
 
-@pytest.fixture(autouse=True)
-def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
-    for variable in corpus_findings.SEARCH_PATHS:
-        monkeypatch.delenv(variable, raising=False)
-
-
 @pytest.mark.parametrize("entry", READABLE, ids=model_id)
-def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry
-    source = Source.read(directory / model["path"])
-    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
-    robot, expected = context.model, model["expect"]
+def test_the_model_is_as_independent_tools_measured_it(entry: CorpusRobot) -> None:
+    context = entry.alone
+    robot, expected = context.model, entry.facts["expect"]
     masses = [
         link.inertial.mass.value for link in robot.links if link.inertial and link.inertial.mass
     ]
@@ -70,12 +59,11 @@ def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[s
 
 
 @pytest.mark.parametrize("entry", REFUSED, ids=model_id)
-def test_the_reason_why_xacro_refuses_a_model_is_told(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry  # a check takes values for arguments from around the file
-    source = Source.read(directory / model["path"])
-    context = Context(source, Resolver(), corpus_findings.arguments_of(model))
+def test_the_reason_why_xacro_refuses_a_model_is_told(entry: CorpusRobot) -> None:
+    # A check takes values for arguments from around the file.
+    context = Context(Source.read(entry.path), Resolver(), entry.arguments)
     found = {problem.code for problem in context.reading.problems}
-    assert REASONS[model["expand_error_class"]] in found
+    assert REASONS[entry.facts["expand_error_class"]] in found
 
 
 @pytest.mark.parametrize("name", sorted(NOT_XML))
@@ -86,11 +74,11 @@ def test_what_is_no_xml(name: str) -> None:
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_the_findings_are_those_that_were_read(entry: tuple[Path, dict[str, Any]]) -> None:
+def test_the_findings_are_those_that_were_read(entry: CorpusRobot) -> None:
     report = corpus_findings.report_on(entry)
     assert report.crashed == ()
     now = corpus_findings.counts(report)
-    before = corpus_findings.read().get(str(model_id(entry)), {})
+    before = corpus_findings.read().get(str(entry), {})
     for skipped in report.skipped:  # what it needs is not installed
         before.pop(skipped.code, None)
     if any(skipped.code == "MSH015" for skipped in report.skipped):
@@ -113,11 +101,11 @@ def test_the_findings_are_those_that_were_read(entry: tuple[Path, dict[str, Any]
 
 
 def test_every_model_has_its_findings() -> None:
-    assert set(corpus_findings.read()) == {str(model_id(entry)) for entry in ENTRIES}
+    assert set(corpus_findings.read()) == {str(entry) for entry in ENTRIES}
 
 
 FILES = sorted(path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".xacro"))
-MODELS = {directory / model["path"] for directory, model in ENTRIES}
+MODELS = {entry.path for entry in ENTRIES}
 
 
 @cache

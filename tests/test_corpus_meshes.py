@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from tests.conftest import CORPUS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -32,8 +32,7 @@ NOT_XML = {"fail_pr2_desc_no_joint2.urdf", "fail_three_links_one_joint.urdf"}
 ENTRIES = [
     entry
     for entry in manifest()
-    if "meshes_missing" in entry[1].get("expect", {})
-    and entry[1]["path"].rpartition("/")[2] not in NOT_XML
+    if "meshes_missing" in entry.facts.get("expect", {}) and entry.path.name not in NOT_XML
 ]
 
 
@@ -46,10 +45,6 @@ def missing(path: Path, arguments: dict[str, str]) -> tuple[set[str], int]:
     return {mesh.at.value for mesh in meshes if mesh.located.path is None}, len(meshes)
 
 
-def arguments_of(model: dict[str, Any]) -> dict[str, str]:
-    return dict(argument.split(":=", 1) for argument in model["xacro_args"])
-
-
 def below_corpus(references: set[str]) -> set[str]:
     """With file:// paths as the corpus states them: relative to it."""
     return {reference.replace(f"file://{CORPUS}/", "file://") for reference in references}
@@ -57,11 +52,9 @@ def below_corpus(references: set[str]) -> set[str]:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_meshes_of_a_real_robot(entry: tuple[Path, dict[str, Any]]) -> None:
-    repository, model = entry
-    facts = model["expect"]
-    path = repository / model["path"]
-    found, count = missing(path, arguments_of(model))
+def test_meshes_of_a_real_robot(entry: CorpusRobot) -> None:
+    facts, path = entry.facts["expect"], entry.path
+    found, count = missing(path, entry.arguments)
     stated = set(facts["meshes_missing"]) | set(facts["meshes_absent_only_in_this_copy"])
     if len(facts["meshes_missing"]) < LISTED:
         assert below_corpus(found) == stated - {ON_THE_MODEL_PATH}
@@ -110,8 +103,8 @@ def test_models_that_only_an_installed_layout_makes_whole(tmp_path: Path) -> Non
         if package.is_dir():
             package.chmod(0o755)
             (package / "CMakeLists.txt").write_text(text, encoding="utf-8")
-    models = [model for repository, model in ENTRIES if repository.name == name]
-    assert len(models) == 16
-    for model in models:
-        found, _ = missing(copy / model["path"], arguments_of(model))
-        assert found == set(), model["path"]
+    robots = [entry for entry in ENTRIES if entry.repository.name == name]
+    assert len(robots) == 16
+    for robot in robots:
+        found, _ = missing(copy / robot.facts["path"], robot.arguments)
+        assert found == set(), robot.facts["path"]

@@ -12,24 +12,17 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
+from tests.conftest import CORPUS, MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit.lint.engine import check, contexts
 from urdfkit.lint.fix import fix
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
+pytestmark = pytest.mark.usefixtures("only_the_corpus")
+
 #: One entry of each file: with other arguments the same text is fixed.
-ENTRIES = list(
-    {(directory, model["path"]): (directory, model) for directory, model in manifest()}.values()
-)
-
-
-@pytest.fixture(autouse=True)
-def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
-    for variable in corpus_findings.SEARCH_PATHS:
-        monkeypatch.delenv(variable, raising=False)
+ENTRIES = list({entry.path: entry for entry in manifest()}.values())
 
 
 @pytest.fixture(scope="module")
@@ -42,9 +35,8 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry
-    file, arguments = copy / directory.name / model["path"], corpus_findings.arguments_of(model)
+def test_safe_fixes_leave_nothing_new(copy: Path, entry: CorpusRobot) -> None:
+    file, arguments = copy / entry.path.relative_to(CORPUS), entry.arguments
     fixes = fix(file, arguments=arguments, force=True)
     assert [one for one in fixes.left if one.diagnostic.fix and not one.reason] == []
     if not fixes.files:
@@ -58,14 +50,13 @@ def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, A
 
 
 #: Robots that are large, or much like others, are left out: their checks take long.
-SOME = [entry for entry in ENTRIES[::2] if "pr2" not in entry[1]["path"]]
+SOME = [entry for entry in ENTRIES[::2] if "pr2" not in entry.facts["path"]]
 
 
 @needs_corpus
 @pytest.mark.parametrize("entry", SOME, ids=model_id)
-def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry
-    file, arguments = directory / model["path"], corpus_findings.arguments_of(model)
+def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: CorpusRobot) -> None:
+    file, arguments = entry.path, entry.arguments
     fixes = fix(file, arguments=arguments, force=True, unsafe=True)
     texts = {rewrite.path: rewrite.after for rewrite in fixes.files}
     if texts:
@@ -134,7 +125,7 @@ SLIPS = (
 
 
 def _robots() -> list[Path]:
-    real = (directory / model["path"] for directory, model in ENTRIES)
+    real = (entry.path for entry in ENTRIES)
     small = [file for file in real if file.is_file() and file.stat().st_size < 30_000]
     return [
         *sorted(MODELS.rglob("*.urdf")),

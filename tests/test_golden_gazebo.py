@@ -80,9 +80,8 @@ def test_errors_on_real_robots_are_those_that_were_looked_at() -> None:
     if not robots:
         pytest.skip(f"{SHARED} is not beside this checkout")
     errors: Counter[tuple[str, str]] = Counter()
-    for directory, model in robots:
-        arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
-        report = engine.check(str(directory / model["path"]), arguments=arguments, select=FAMILY)
+    for robot in robots:
+        report = engine.check(robot.path, arguments=robot.arguments, select=FAMILY)
         assert report.crashed == ()
         errors.update(
             (one.code, one.message.partition(":")[0])

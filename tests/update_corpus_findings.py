@@ -11,36 +11,17 @@ import json
 import os
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
-from tests.conftest import CORPUS, manifest, model_id
+from tests.conftest import CORPUS, SEARCH_PATHS, CorpusRobot, manifest
 from urdfkit.lint import engine
 from urdfkit.lint.report import Report
 
 FILE = Path(__file__).with_name("corpus_findings.json")
 
-#: Variables that lead to packages of this machine.
-SEARCH_PATHS = (
-    "AMENT_PREFIX_PATH",
-    "ROS_PACKAGE_PATH",
-    "ROS_DISTRO",
-    "GAZEBO_MODEL_PATH",
-    "GZ_SIM_RESOURCE_PATH",
-    "IGN_GAZEBO_RESOURCE_PATH",
-)
 
-Entry = tuple[Path, dict[str, Any]]
-
-
-def arguments_of(model: dict[str, Any]) -> dict[str, str]:
-    """The xacro arguments of a manifest entry."""
-    return dict(argument.split(":=", 1) for argument in model["xacro_args"])
-
-
-def report_on(entry: Entry) -> Report:
+def report_on(entry: CorpusRobot) -> Report:
     """All rules on one model."""
-    directory, model = entry
-    return engine.check(directory / model["path"], arguments=arguments_of(model))
+    return engine.check(entry.path, arguments=entry.arguments)
 
 
 def counts(report: Report) -> dict[str, int]:
@@ -59,7 +40,7 @@ def main() -> None:
         os.environ.pop(variable, None)
     if not CORPUS.is_dir():
         raise SystemExit("the corpus of real robots is not beside this checkout")
-    findings = {str(model_id(entry)): counts(report_on(entry)) for entry in manifest()}
+    findings = {str(entry): counts(report_on(entry)) for entry in manifest()}
     lines = (f"{json.dumps(name)}: {json.dumps(found)}" for name, found in sorted(findings.items()))
     FILE.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
     total = sum(map(Counter, findings.values()), Counter[str]())

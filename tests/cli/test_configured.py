@@ -43,6 +43,7 @@ COMMANDS = [
     "kinematics FILE",
     "mass FILE",
     "mesh collision FILE --link SIDE_base --most 1",
+    "mesh spheres FILE --format urdf",
     "migrate FILE --to gz-harmonic",
     "render FILE -o OUT.png",
     "report FILE --quick",

@@ -29,7 +29,7 @@ def test_a_picture_is_written_and_a_missing_mesh_is_named(
     path = tmp_path / "robot.png"
     assert main(["render", MODEL, "-o", str(path), *SMALL]) == 0
     captured = capsys.readouterr()
-    assert captured.out == ""
+    assert captured.out == f"wrote {path}\n"
     assert captured.err.startswith("note: drawn as a striped box: the visual mesh of 'laser_frame'")
     with Image.open(path) as image:
         assert image.size == (160, 90)

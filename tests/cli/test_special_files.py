@@ -88,6 +88,7 @@ COMMANDS = {
         "view {} --no-open",
         "doctor {}",
         "mesh collision {}",
+        "mesh spheres {}",
         "mesh generate --model {}",
     ],
     ".urdf.xacro": ["check {}", "expand {}"],

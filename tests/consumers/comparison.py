@@ -15,7 +15,6 @@ from xml.etree import ElementTree
 
 from tests.conftest import CORPUS, MODELS, ROOT, manifest
 from tests.consumers.reading import Reading, oracle, read
-from tests.update_corpus_findings import arguments_of
 from urdfkit.lint import engine, rule_index
 from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import Unavailable
@@ -66,7 +65,7 @@ class Verdict(NamedTuple):
 
 def robots() -> list[Robot]:
     """The robots of the corpus and of the project, with their arguments."""
-    corpus = [(folder / model["path"], arguments_of(model)) for folder, model in manifest()]
+    corpus = [(robot.path, robot.arguments) for robot in manifest()]
     own = [path for path in sorted(MODELS.rglob("*")) if path.suffix in (".urdf", ".xacro")]
     return corpus + [(path, {}) for path in own]
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
+from tests.workspaces import add_file, add_package
 from urdfkit import check
 
 ROBOT = """\
@@ -95,3 +98,18 @@ def test_data_of_a_package_that_is_not_there(tmp_path: Path) -> None:
     (tmp_path / "r.urdf.xacro").write_text(robot)
     report = check(tmp_path / "r.urdf.xacro", select=["XAC001", "XAC011"])
     assert [one.code for one in report.diagnostics] == ["XAC011"]
+
+
+@pytest.mark.parametrize(
+    ("package", "severity"),
+    [("far/other", "warning"), ("clearpath_platfrom", "error"), ("", "error")],
+)
+def test_a_robot_outside_of_packages(tmp_path: Path, package: str, severity: str) -> None:
+    """A Husky's `robot.urdf.xacro`, which Clearpath's generator writes from a YAML file."""
+    (tmp_path / ".git").mkdir()
+    add_package(tmp_path / package, package.rpartition("/")[2] or "husky")
+    find = '<xacro:include filename="$(find clearpath_platform)/a.xacro"/>'
+    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{find}</robot>'
+    path = add_file(tmp_path / "robot.urdf.xacro", robot.encode())
+    (found,) = check(path, select=["XAC011"]).diagnostics
+    assert found.severity.value == severity

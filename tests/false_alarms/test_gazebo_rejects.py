@@ -26,6 +26,16 @@ REJECTED = {
 }
 READ = {
     "a sound robot": PAIR,
+    "two colours of visuals with one name": "".join(
+        link(
+            name,
+            BODY,
+            '<visual><geometry><box size="1 1 1"/></geometry><material name="m">'
+            f'<color rgba="{red} 1 1 1"/></material></visual>',
+        )
+        for name, red in (("a", 0), ("b", 1))
+    )
+    + joint("a", "b", "revolute"),
     "a bad number in a link": PAIR
     + link("c", BODY, '<visual><geometry><box size="1 1"/></geometry></visual>')
     + joint("a", "c"),

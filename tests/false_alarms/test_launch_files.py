@@ -331,3 +331,49 @@ def test_a_directory_whose_files_are_installed(tmp_path: Path, pattern: str, cou
     reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
     found = check(tmp_path / "arm" / "urdf" / "r.xacro", select=["PKG002"]).diagnostics
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("arguments", "content", "count"),
+    [
+        ("'-topic', 'robot_description', '-z6.35'", "", 0),
+        ("'-topic', 'robot_description', '-zoom'", "", 1),
+        ("'-file', FILE", '<robot name="cube"><link name="cube"/></robot>', 0),
+        ("'-file', FILE", '<robot name="cube"><link name="${name}"/></robot>', 1),
+    ],
+)
+def test_what_the_script_of_gazebo_takes(
+    tmp_path: Path, arguments: str, content: str, count: int
+) -> None:
+    """A receptionist's '-z' '6.35', which Python joins; a cube whose xacro is plain URDF."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch_ros.actions import Node\n"
+        "FILE = os.path.join(get_package_share_directory('arm'), 'cube.urdf.xacro')\n"
+        "spawn = Node(package='gazebo_ros', executable='spawn_entity.py',\n"
+        f"             arguments=['-entity', 'cube', {arguments}])\n"
+    )
+    files = {"cube.urdf.xacro": content}
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", program, files)) == count
+
+
+def test_the_launch_file_of_ros_1_is_not_suggested_in_ros_2(tmp_path: Path) -> None:
+    """A car's `empty_world.launch.py` of gazebo_ros, which has that of ROS 1 by a similar name."""
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch import LaunchDescription\n"
+        "from launch.actions import IncludeLaunchDescription\n"
+        "FILE = os.path.join(get_package_share_directory('gazebo_ros'), 'launch', '{}')\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([IncludeLaunchDescription(FILE)])\n"
+    )
+    name = "empty_world.launch.py"
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch.py", program.format(name))
+    assert "did you mean" not in found.message
+    assert "gazebo.launch.py" in found.help
+    (found,) = reported(
+        tmp_path / "arm", "LAU003", "a.launch.py", program.format("gazeb.launch.py")
+    )
+    assert found.help == "write gazebo.launch.py"

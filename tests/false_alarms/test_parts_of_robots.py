@@ -79,3 +79,19 @@ def test_an_srdf_of_macros_only_is_none(tmp_path: Path) -> None:
     for call, count in ((b"", 0), (b"<xacro:hand_srdf/>", 1)):
         add_file(tmp_path / "hand.srdf.xacro", macro % call)
         assert bool(check(robot, select=["SRD017"]).diagnostics) == bool(count)
+
+
+@pytest.mark.parametrize(("prefix", "codes"), [("", []), ("xacro:", [])])
+def test_an_example_that_an_environment_variable_includes(
+    tmp_path: Path, prefix: str, codes: list[str]
+) -> None:
+    """Jackal's `custom_example.urdf`: joints and calls of macros, without a name and links."""
+    space = ' xmlns:xacro="http://www.ros.org/wiki/xacro"' if prefix else ""
+    joint = '<joint name="j" type="fixed"><parent link="mount"/><child link="camera"/></joint>'
+    text = f'<robot{space}><{prefix}camera_mount name="front"/>{joint}</robot>'
+    example = add_file(tmp_path / "custom_example.urdf", text.encode())
+    found = check(example).diagnostics
+    assert [one.code for one in found if one.severity is not Severity.INFO] == codes
+    robot = text.replace("<robot", '<robot name="r"', 1)
+    example.write_text(robot)
+    assert any(one.severity is Severity.ERROR for one in check(example).diagnostics)

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebos import BASE, sensor
+from tests.gazebos import BASE, block, sensor
 from tests.reported import reported
 from tests.workspaces import add_file
 from urdfkit import check
 from urdfkit.core.suggest import nearest
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.xml_errors import syntax_mistakes
 
 
@@ -58,3 +59,13 @@ def test_sensors_of_a_file_that_is_included_twice(
     robot = add_file(tmp_path / "r.xacro", f"{head}{BASE}{twice}</robot>".encode())
     (found,) = check(robot, select=["GAZ010"], targets=[target]).diagnostics
     assert (found.severity.value, found.help) == (severity, "include its file once")
+
+
+@pytest.mark.parametrize(("target", "count"), [("classic-ros1", 0), ("gz-harmonic", 1)])
+def test_a_material_of_a_script_in_the_workspace(tmp_path: Path, target: str, count: int) -> None:
+    """Care-O-bot's worlds: `Media/materials/scripts/custom.material`."""
+    text = whole_robot(BASE + block("<material>wall_floor</material>"))
+    robot = add_file(tmp_path / "r.urdf", text.encode())
+    assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == 1
+    add_file(tmp_path / "Media" / "custom.material", b"material wall_floor\n{\n}\n")
+    assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == count

@@ -3,12 +3,10 @@
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from tests.conftest import CORPUS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import ConfigError
 from urdfkit.lint.config_reader import load
@@ -93,16 +91,11 @@ def laid_out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @needs_corpus
+@pytest.mark.usefixtures("only_the_corpus")
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_real_robots_expand_to_the_same(
-    laid_out: Path, entry: tuple[Path, dict[str, Any]], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    for variable in corpus_findings.SEARCH_PATHS:
-        monkeypatch.delenv(variable, raising=False)
-    directory, model = entry
-    arguments = corpus_findings.arguments_of(model)
-    before = expanded(directory / model["path"], arguments)
-    after = expanded(laid_out / directory.name / model["path"], arguments)
+def test_real_robots_expand_to_the_same(laid_out: Path, entry: CorpusRobot) -> None:
+    before = expanded(entry.path, entry.arguments)
+    after = expanded(laid_out / entry.path.relative_to(CORPUS), entry.arguments)
 
     def moved(text: str) -> str:
         return text.replace(str(CORPUS), str(laid_out))

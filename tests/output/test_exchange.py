@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit import Context, frames, load, read, to_yourdfpy
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableRobot
@@ -58,10 +57,9 @@ def is_one_tree(robot: Context) -> bool:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_yourdfpy_agrees_about_every_frame(entry: corpus_findings.Entry) -> None:
-    directory, model = entry
+def test_yourdfpy_agrees_about_every_frame(entry: CorpusRobot) -> None:
     try:
-        robot = read(directory / model["path"], arguments=corpus_findings.arguments_of(model))
+        robot = entry.read()
     except UnreadableRobot:
         pytest.skip("it cannot be read")
     if not is_one_tree(robot):

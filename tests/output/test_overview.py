@@ -5,13 +5,11 @@ from __future__ import annotations
 import builtins
 import json
 import math
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id
 from tests.massive import BALL, inertial, joint, link, shape
 from urdfkit.core.installation import install_command
 from urdfkit.lint.context import Context
@@ -19,7 +17,6 @@ from urdfkit.lint.loading import read
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.overview import summarise
 from urdfkit.text.source import Source
-from urdfkit.workspace.resolve import Resolver
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
@@ -147,18 +144,16 @@ def test_turned_primitives_are_measured_exactly() -> None:
 
 
 ENTRIES = [
-    entry for entry in manifest() if "expect" in entry[1] and "fail_" not in entry[1]["path"]
+    entry for entry in manifest() if "expect" in entry.facts and "fail_" not in entry.facts["path"]
 ]
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
+def test_real_robots(entry: CorpusRobot) -> None:
     """Masses and joints as other tools measured them, Pinocchio's nq and nv among them."""
-    directory, model = entry
-    source = Source.read(directory / model["path"])
-    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    context = entry.alone
     vars(context)["meshes"] = _NoMeshes()
-    found, expected = summarise(context), model["expect"]
+    found, expected = summarise(context), entry.facts["expect"]
     assert found.structure.joints == expected["joint_types"]
     assert found.weight.whole.mass == pytest.approx(expected["total_mass_kg"], rel=1e-9, abs=1e-12)
     pinocchio = expected["pinocchio"]

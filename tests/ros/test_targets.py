@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.conftest import manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, plugin
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
@@ -89,7 +88,9 @@ def test_a_plain_robot_gives_nothing_away() -> None:
     assert Context(source, Resolver(environment={})).targets == Targets(())
 
 
-WITH_PLUGINS = [entry for entry in manifest() if entry[1].get("expect", {}).get("gazebo_plugins")]
+WITH_PLUGINS = [
+    entry for entry in manifest() if entry.facts.get("expect", {}).get("gazebo_plugins")
+]
 
 
 def generation(plugins: list[str], is_ros2: bool) -> str:
@@ -101,11 +102,9 @@ def generation(plugins: list[str], is_ros2: bool) -> str:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", WITH_PLUGINS, ids=model_id)
-def test_the_generation_of_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, facts = entry
-    path = directory / facts["path"]
-    arguments = dict(word.split(":=", 1) for word in facts["xacro_args"])
-    targets = Context(Source.read(path), Resolver(), arguments).targets
+def test_the_generation_of_real_robots(entry: CorpusRobot) -> None:
+    path, facts = entry.path, entry.facts
+    targets = Context(Source.read(path), Resolver(), entry.arguments).targets
     package = next(at for at in path.parents if (at / "package.xml").is_file())
     is_ros2 = b"ament" in (package / "package.xml").read_bytes()
     expected = generation(facts["expect"]["gazebo_plugins"], is_ros2)

@@ -3,11 +3,10 @@
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from tests.conftest import CORPUS, CorpusRobot, manifest, model_id, needs_corpus
 from tests.xacro import models, stock
 from tests.xacro.stock import Outcome
 from urdfkit.text.source import Source
@@ -55,16 +54,15 @@ def check(expected: Outcome, got: Outcome) -> None:
             assert got.warnings == expected.warnings
 
 
+XACROS = [entry for entry in manifest() if entry.facts["kind"] == "xacro"]
+
+
 @needs_corpus
-@pytest.mark.parametrize("entry", [e for e in manifest() if e[1]["kind"] == "xacro"], ids=model_id)
-def test_a_model_of_the_corpus(
-    entry: tuple[Path, dict[str, Any]], packages: dict[str, str]
-) -> None:
-    directory, model = entry
-    arguments = dict(argument.split(":=") for argument in model["xacro_args"])
-    expected = stock.expand(directory / model["path"], arguments, packages)
-    check(expected, ours(directory / model["path"], arguments, packages))
-    assert (expected.error is None) == model["expands"]
+@pytest.mark.parametrize("entry", XACROS, ids=model_id)
+def test_a_model_of_the_corpus(entry: CorpusRobot, packages: dict[str, str]) -> None:
+    expected = stock.expand(entry.path, entry.arguments, packages)
+    check(expected, ours(entry.path, entry.arguments, packages))
+    assert (expected.error is None) == entry.facts["expands"]
 
 
 def xacro_files() -> list[Path]:

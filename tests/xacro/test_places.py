@@ -229,13 +229,12 @@ def test_every_element_of_the_corpus_is_at_its_place(corpus: Oracle) -> None:
     """All models with their arguments, and all other files that expand without any."""
     places: list[str] = []
     done: set[Path] = set()
-    for directory, model in manifest():
-        if model["kind"] == "xacro":
-            file = corpus.plain / "corpus" / directory.name / model["path"]
-            arguments = dict(argument.split(":=") for argument in model["xacro_args"])
-            found = compare(corpus, file, arguments)
+    for robot in manifest():
+        if robot.facts["kind"] == "xacro":
+            file = corpus.plain / "corpus" / robot.path.relative_to(CORPUS)
+            found = compare(corpus, file, robot.arguments)
             done.add(file)
-            assert bool(found) == model["expands"], file
+            assert bool(found) == robot.facts["expands"], file
             places += found
     assert len(places) == 21475
     assert sum(">" in place for place in places) > 12_000

@@ -16,6 +16,7 @@ from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
+from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
@@ -110,10 +111,10 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     from urdfkit.lint.engine import check_with
     from urdfkit.lint.options import Options
 
-    shown = options.words(values, "layers") or ["visual"]
-    roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
+    layers = options.words(values, "layers") or ["visual"]
+    roles = tuple(layer for layer in layers if layer in ("visual", "collision"))
     scene = render.build(robot, pose, roles)
-    scene = render.explained(scene, robot, [name for name in shown if name not in roles], pose)
+    scene = render.explained(scene, robot, [name for name in layers if name not in roles], pose)
     if not values["findings"]:
         return scene
     as_read = Options(arguments=robot.arguments, trust=robot.trust)
@@ -138,6 +139,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
             **_drawing(values),
         )
     render.save(image, values["output"])
+    output.page([f"wrote {shown(values['output'])}"])
 
 
 def _animation(
@@ -158,6 +160,7 @@ def _animation(
     with progress_bar() as bar:
         images = render.animated(shots, progress=bar, **_drawing(values))
     render.save_animation(images, path)
+    output.page([f"wrote {shown(path)}"])
 
 
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
@@ -182,6 +185,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
             **_drawing(values),
         )
     render.save(image, values["output"])
+    output.page([f"wrote {shown(values['output'])}"])
     return after
 
 

@@ -15,6 +15,7 @@ from urdfkit.output.report.csv import COLUMNS
 from urdfkit.output.report.translations import LANGUAGES
 from urdfkit.output.report.writing import form_of, report
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import shown
 
 
 @with_examples(
@@ -59,6 +60,7 @@ def command(
         if output_file:
             target = _of_variant(output_file, variant.name) if len(variants) > 1 else output_file
             atomic.write(target, output.encode(text))
+            output.page([f"wrote {shown(target)}"])
         else:
             output.write(text)
         for severity in Severity:

@@ -102,7 +102,8 @@ class Context(DescriptionFile):
 
         xacro = self.reading.xacro
         if xacro is None:
-            return deviations(self.document, plain=True)
+            calls = self.document.root.children if self.is_extension else ()
+            return deviations(self.document, plain=True, claimed={one.tag for one in calls})
         claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
 
@@ -126,6 +127,17 @@ class Context(DescriptionFile):
         )
 
     @cached_property
+    def is_extension(self) -> bool:
+        """True for joints without a robot's name and links, which a robot includes.
+
+        Clearpath's robots include the file that an environment variable names; what is no element
+        of URDF there is a call of a macro.
+        """
+        root = self.document.root
+        is_robot = root.get("name") is not None or root.child("link") is not None
+        return not is_robot and root.child("joint") is not None
+
+    @cached_property
     def is_part(self) -> bool:
         """True for a file that makes sense inside another one only, and is no robot by itself.
 
@@ -133,7 +145,7 @@ class Context(DescriptionFile):
         a name, or a link that is the root of the others.
         """
         xacro = self.reading.xacro
-        if (xacro is not None and xacro.is_library) or self._is_srdf:
+        if (xacro is not None and xacro.is_library) or self._is_srdf or self.is_extension:
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers

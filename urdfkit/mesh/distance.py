@@ -49,7 +49,7 @@ def one_way(
     given.
     """
     many = _evenly(vertices, _MANY_VERTICES)
-    spread, _ = _spread(vertices[faces], _MANY_SAMPLES)
+    spread, _ = sample_surface(vertices[faces], _MANY_SAMPLES)
     if counts:
         many, spread = many[counts(many)], spread[counts(spread)]
         if not len(many) + len(spread):
@@ -64,6 +64,21 @@ def one_way(
     far = other.far_from_guides(np.concatenate([many, spread]), FARTHEST)
     points = [_evenly(many, MAX_VERTICES), spread[:SAMPLES], far]
     return size * other.farthest(np.concatenate(points))
+
+
+def to_surface(points: Floats, vertices: Floats, faces: Integers) -> Floats:
+    """(n,), how far points (n, 3) are from a surface, in their unit.
+
+    From triangles that are near by a sample of the surface: never less than it is, and rarely more.
+
+    Args:
+        vertices: (k, 3).
+        faces: (m, 3), indices of vertices.
+    """
+    triangles = vertices[faces]
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    size = float((high - low).max()) or 1.0
+    return size * _Surface((triangles - low) / size).to_near_ones((points - low) / size)
 
 
 def _evenly(points: Floats, number: int) -> Floats:
@@ -82,7 +97,7 @@ class _Surface:
         from scipy.spatial import cKDTree
 
         self._triangles = triangles
-        spread, of_spread = _spread(triangles, _GUIDES)
+        spread, of_spread = sample_surface(triangles, _GUIDES)
         corners = np.repeat(np.arange(len(triangles)), 3)
         self._owner = np.concatenate([corners, of_spread])
         self._guides = cKDTree(np.concatenate([triangles.reshape(-1, 3), spread]))
@@ -99,7 +114,7 @@ class _Surface:
         one from above. Where it is the greatest, all triangles that may be nearer are looked at,
         until no other point can be farther away.
         """
-        bounds = self._to_near_ones(points)
+        bounds = self.to_near_ones(points)
         low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
         farthest = 0.0
         for i in np.argsort(-bounds):
@@ -112,7 +127,7 @@ class _Surface:
             farthest = max(farthest, float(found.min(initial=bounds[i])))
         return farthest
 
-    def _to_near_ones(self, points: Floats) -> Floats:
+    def to_near_ones(self, points: Floats) -> Floats:
         """(n,), from each point the distance to the nearest of a few near triangles."""
         _, nearest = self._guides.query(points, k=min(_NEAREST, len(self._owner)))
         near = self._owner[nearest.reshape(len(points), -1)]
@@ -133,7 +148,7 @@ def _to_triangles(points: Floats, triangles: Floats) -> Floats:
     return distances
 
 
-def _spread(triangles: Floats, number: int) -> tuple[Floats, Integers]:
+def sample_surface(triangles: Floats, number: int) -> tuple[Floats, Integers]:
     """Points spread evenly over a surface, (n, 3), and the triangle that each is on.
 
     None on one without area.

@@ -42,7 +42,7 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
 
     if isinstance(robot, RobotModel):
         resolver, path = Resolver(robot.packages), robot.document.sources[0].path
-        text = ElementTree.tostring(_written(robot.root))
+        text = ElementTree.tostring(element_tree(robot.root))
     else:
         context = robot if isinstance(robot, Context) else read(robot)
         resolver, path, text = context.resolver, context.source.path, context.text
@@ -57,10 +57,10 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
     return urdf
 
 
-def _written(element: Element) -> ElementTree.Element:
+def element_tree(element: Element) -> ElementTree.Element:
     """An element with all in it, for a writer of XML."""
     values = {name: attribute.value for name, attribute in element.attributes.items()}
     found = ElementTree.Element(element.tag, values)
     found.text = element.text
-    found.extend(map(_written, element.children))
+    found.extend(map(element_tree, element.children))
     return found

@@ -10,7 +10,8 @@ from urdfkit.text.source import Source
 def test_what_was_searched_and_how_to_name_it() -> None:
     (found,) = reported("XAC011", '<xacro:include filename="$(find lost_description)/arm.xacro"/>')
     assert found.span.text == "$(find lost_description)"
-    assert found.message.startswith("package 'lost_description' is not found; searched: ")
+    start = "package 'lost_description' is not found, so the robot is not checked; searched: "
+    assert found.message.startswith(start)
     assert "AMENT_PREFIX_PATH" in found.message
     assert "ROS_PACKAGE_PATH" in found.message
     assert found.help == "name its directory: --package lost_description=DIR"

@@ -211,6 +211,16 @@ def test_names_that_nobody_has(
     assert "did you mean" in found.message
 
 
+def test_settings_one_level_too_high(tmp_path: Path) -> None:
+    text = (
+        TWO.replace("[arm_controller]", "[arm_controller, hand]") + "hand:\n  joints: [knuckle]\n"
+    )
+    (tmp_path / "moveit_controllers.yaml").write_text(text)
+    (found,) = findings(tmp_path, "", "SRD001")
+    assert found.message.endswith("they stand at the top level of the file")
+    assert found.help == "indent the settings"
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [("shoulder, wrist", "a, b"), ("wrist", "$(arg wrist)"), ("joints: [", "joints: 3 # ")],

@@ -13,8 +13,7 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from tests.workspaces import add_file, add_package
 from urdfkit import bundle, check, read
 from urdfkit.core import temporary
@@ -351,13 +350,10 @@ def test_equal_bundles_have_equal_zips(robot: Path, tmp_path: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus_load_from_their_bundles(
-    entry: tuple[Path, dict[str, Any]], tmp_path: Path
-) -> None:
+def test_robots_of_the_corpus_load_from_their_bundles(entry: CorpusRobot, tmp_path: Path) -> None:
     pin = pytest.importorskip("pinocchio")
-    folder, model = entry
     try:
-        robot = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+        robot = entry.read()
         made, _ = bundle(robot, tmp_path / "out", consumer="mujoco")
     except UrdfkitError as error:
         pytest.skip(str(error))

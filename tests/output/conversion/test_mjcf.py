@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit import convert, read
 from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.text.source import Source
@@ -74,11 +73,9 @@ def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
-    folder, model = entry
-    robot = folder / model["path"]
+def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     try:
-        found = convert(read(robot, arguments=corpus_findings.arguments_of(model)), tmp_path / "o")
+        found = convert(entry.read(), tmp_path / "o")
     except UrdfkitError as error:
         pytest.skip(str(error))
     assert found.proof.holds

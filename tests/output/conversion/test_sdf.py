@@ -14,8 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
@@ -180,11 +179,10 @@ def require_equal(robot: Context, directory: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
+def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
-    folder, model = entry
     try:
-        found = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+        found = entry.read()
         converted = convert(found, tmp_path / "proved", to="sdf")
     except UrdfkitError as error:
         pytest.skip(str(error))
@@ -371,6 +369,13 @@ REFUSED = {
         child("a", inside=MASS + "<visual>" + BOX
               + "<material name='m'><color rgba='1 1 1'/></material></visual>"),
         "3 numbers, not 4"),
+    "a planar joint": (child("a", "planar"), "without planar joints"),
+    "a joint that follows itself": (
+        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "follows itself"),
+    "a frame with the name of a link": (block("<frame name='base'/>", ""), "is called 'base'"),
+    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "no number"),
+    "a number that is too large": (block("<kp>1e400</kp>"), "no number"),
+    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 elements"),
     "a pose of three numbers": (
         ARM + sensor("imu", "<pose>1 0 0</pose>", "arm"), "not 6 numbers"),
 }  # fmt: skip

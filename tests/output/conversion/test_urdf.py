@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
 
@@ -32,12 +30,9 @@ def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
-    folder, model = entry
-    path = folder / model["path"]
+def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     try:
-        robot = read(path, arguments=corpus_findings.arguments_of(model))
-        found = convert(robot, tmp_path / "o", to="urdf")
+        found = convert(entry.read(), tmp_path / "o", to="urdf")
     except UrdfkitError as error:
         pytest.skip(str(error))
     assert found.proof.holds

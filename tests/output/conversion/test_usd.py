@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from tests.output.conversion.test_mjcf import BOX, INERTIAL, LIMIT, PICKER, ROVER, arm
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
@@ -49,12 +48,9 @@ def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
 
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
-    folder, model = entry
-    path = folder / model["path"]
+def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     try:
-        robot = read(path, arguments=corpus_findings.arguments_of(model))
-        found = convert(robot, tmp_path / "o", to="usd")
+        found = convert(entry.read(), tmp_path / "o", to="usd")
     except UrdfkitError as error:
         pytest.skip(str(error))
     assert found.proof.holds

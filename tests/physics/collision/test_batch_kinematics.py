@@ -14,7 +14,6 @@ import itertools
 
 from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.physics.collision.robots import joint, link, revolute, robot
-from tests.update_corpus_findings import arguments_of
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.batch_kinematics import chain, matrix, slopes
@@ -25,7 +24,7 @@ MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'
 ENTRIES = [
     entry
     for entry in manifest()
-    if entry[1].get("expect", {}).get("dof") and "/fail_" not in entry[1]["path"]
+    if entry.facts.get("expect", {}).get("dof") and "/fail_" not in entry.facts["path"]
 ]
 
 
@@ -60,8 +59,7 @@ def test_every_kind_of_joint_with_mimic() -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_robots_of_the_corpus(entry: Any) -> None:
-    directory, model = entry
-    agrees(read(directory / model["path"], arguments=arguments_of(model)))
+    agrees(entry.read())
 
 
 def test_against_pinocchio() -> None:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS, manifest, model_id
+from tests.conftest import MODELS, CorpusRobot, manifest, model_id
 from tests.physics.collision.robots import (
     box,
     cube,
@@ -20,7 +19,6 @@ from tests.physics.collision.robots import (
     robot,
     sphere,
 )
-from tests.update_corpus_findings import arguments_of
 from urdfkit.lint.context import MAX_BODIES, Context, Unavailable
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.bodies import TOUCH
@@ -133,7 +131,7 @@ def test_meshes_need_coal_where_boxes_around_them_overlap(
 
 
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -> None:
+def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
     """Every overlap of two links where real robots begin is a contact, as deep at least."""
     pytest.importorskip("coal")
     from urdfkit.physics.collision.batch_kinematics import chain
@@ -141,10 +139,9 @@ def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -
     from urdfkit.physics.collision.geometry_arrays import solids
     from urdfkit.physics.collision.pair_queries import Examiner
 
-    directory, model = entry
-    if "expect" not in model or "/fail_" in model["path"]:
+    if "expect" not in entry.facts or "/fail_" in entry.facts["path"]:
         pytest.skip("it does not expand")
-    context = read(directory / model["path"], arguments=arguments_of(model))
+    context = entry.read()
     unit = context.targets.applies_units
     moving = chain(context.tree)
     bodies, _ = solids(context.model, context.meshes, unit=unit)

@@ -7,7 +7,6 @@ the XML alone. Velocities of our coordinates stand in another order than Pinocch
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -19,16 +18,13 @@ pin = pytest.importorskip("pinocchio")
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import manifest, model_id, needs_corpus
-from urdfkit.lint.context import Context
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit.lint.loading import read
 from urdfkit.physics.dynamics.conditioning import conditioning
 from urdfkit.physics.dynamics.robot import Dynamics
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.kinematics import frames, positions
 from urdfkit.text.source import Source
-from urdfkit.workspace.resolve import Resolver
 
 ALIGNED = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
@@ -118,16 +114,16 @@ def compare(text: bytes, ours: Dynamics, pose: dict[str, float]) -> None:
 
 
 ENTRIES = [
-    entry for entry in manifest() if "expect" in entry[1] and entry[1]["expect"]["pinocchio"]["ok"]
+    entry
+    for entry in manifest()
+    if "expect" in entry.facts and entry.facts["expect"]["pinocchio"]["ok"]
 ]
 
 
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_every_robot_of_the_corpus(entry: tuple[Path, dict[str, Any]]) -> None:
-    directory, model = entry
-    source = Source.read(directory / model["path"])
-    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+def test_every_robot_of_the_corpus(entry: CorpusRobot) -> None:
+    context = entry.alone
     if not context.tree.is_sound:
         return
     ours = Dynamics(context.tree)

@@ -1,18 +1,15 @@
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import pytest
 
-from tests.conftest import manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.massive import BALL, MESH, context, inertial, joint, link, masses, part, shape
 from urdfkit.lint import engine
 from urdfkit.robot.inertials.link_comparison import by_tensor
 from urdfkit.robot.inertials.masses import unlike
 
-PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
-EXPANDABLE = [entry for entry in manifest() if "mujoco_prepared" in entry[1].get("expect", ())]
+PLAIN = [entry for entry in manifest() if entry.facts["kind"] == "urdf"]
+EXPANDABLE = [entry for entry in manifest() if "mujoco_prepared" in entry.facts.get("expect", ())]
 BALANCED = (0.004, 0.004, 0.004)
 
 
@@ -130,13 +127,11 @@ def test_every_graph_and_every_number(joints: str) -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", EXPANDABLE, ids=model_id)
 def test_mujoco_refuses_what_breaks_the_triangle_inequality(
-    entry: tuple[Path, dict[str, Any]],
+    entry: CorpusRobot,
 ) -> None:
     """MuJoCo names the first body that it refuses, and stops there."""
-    directory, model = entry
-    verdict = model["expect"]["mujoco_prepared"]
-    arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
-    report = engine.check(directory / model["path"], arguments=arguments, select=["INE003"])
+    verdict = entry.facts["expect"]["mujoco_prepared"]
+    report = engine.check(entry.path, arguments=entry.arguments, select=["INE003"])
     found = [diagnostic for diagnostic in report.diagnostics if diagnostic.code == "INE003"]
     reported = [diagnostic.element.split("/")[1] for diagnostic in found]
     notes = [note.message for diagnostic in found for note in diagnostic.related]

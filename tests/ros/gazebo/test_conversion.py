@@ -36,8 +36,8 @@ def compare(conversion: SdfConversion, expected: Simulated) -> None:
 
 
 def robots() -> Iterator[object]:
-    for directory, model in manifest():
-        yield pytest.param(directory / model["path"], model, id=f"{directory.name}/{model['path']}")
+    for entry in manifest():
+        yield pytest.param(entry.path, entry.facts, id=str(entry))
 
 
 def context(path: Path, *arguments: str) -> Context:

@@ -2,7 +2,8 @@
 
 `<material>` in a `<gazebo>` block names a script of Gazebo, such as `Gazebo/Orange`: with the
 prefix, and with capitals where it has them. Gazebo Classic draws an unknown name white or as an
-error, and gz-sim falls back to the colour of the URDF.
+error, and gz-sim falls back to the colour of the URDF. What a `*.material` file of the workspace
+defines is not reported, unless the robot is for gz-sim.
 
 Gazebo Fortress has no material scripts at all, and from Garden on gz-sim substitutes the plain
 colours by name but draws no texture: an info. For these, give the colour in the URDF's `<material>`
@@ -14,16 +15,23 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
+import re
+
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.ros.targets import GZ
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
+from urdfkit.workspace.file_head import read_head
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<material>Orange</material>", reference="wheel"))
 FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
+
+#: Directories of a workspace that are searched for material scripts, and what is read of one.
+_MAX_DIRECTORIES, _MAX_BYTES = 2000, 1024 * 1024
 
 
 @rule(
@@ -49,8 +57,23 @@ def check(context: Context) -> Findings:
                     yield Finding(child, message, severity=Severity.INFO)
             # Another prefix is that of a vendor's own scripts.
             elif "/" not in name or name.lower().startswith("gazebo/"):
+                if name and not context.targets.any_of(GZ) and _is_scripted(context, name):
+                    continue
                 suggested = suggester.suggested(name.rpartition("/")[2])
                 yield _finding(child, name, bare.get(suggested, ""))
+
+
+def _is_scripted(context: Context, name: str) -> bool:
+    """True if a material script of Ogre in the workspace has a material."""
+    directories = context.resolver.directories
+    root = context.resolver.packages.workspace(context.source.path)
+    material = re.compile(rb"^\s*material\s+\"?" + re.escape(name.encode()) + rb"\b", re.MULTILINE)
+    scripts = [
+        file
+        for file in directories.files_below(root, _MAX_DIRECTORIES)
+        if file.endswith(".material")
+    ]
+    return any(material.search(read_head(file, _MAX_BYTES)) for file in scripts)
 
 
 def _finding(child: Element, name: str, right: str) -> Finding:

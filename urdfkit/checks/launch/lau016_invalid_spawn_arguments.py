@@ -70,7 +70,7 @@ def check(context: Context) -> Findings:
 def _value(context: Context, option: str, word: Word, place: Location) -> Findings:
     """The value of an option, if it is invalid."""
     text = word.text or ""
-    if option == "file" and text.endswith(".xacro"):
+    if option == "file" and text.endswith(".xacro") and not _is_expanded(context, text):
         message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
@@ -88,6 +88,14 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
         if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], 0.9):
             message = f"unknown {option} '{name}'; did you mean '{_TOPIC}'?"
             yield Finding(place, message, f"write {_TOPIC}")
+
+
+def _is_expanded(context: Context, path: str) -> bool:
+    """True for a xacro file with nothing to expand."""
+    if not disk.is_file(path) or not context.resolver.allows(path, context.source.path):
+        return False
+    data = context.resolver.read(path).data
+    return not any(mark in data for mark in (b"<xacro:", b"${", b"$("))
 
 
 def _missing(started: StartedProgram, spawner: Spawner, given: dict[str, Word]) -> Findings:

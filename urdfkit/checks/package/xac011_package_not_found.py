@@ -3,7 +3,8 @@
 Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
 all meshes of a package. If `package.xml` declares the package, ROS has it, or a submodule that is
 not checked out may hold it, only this machine lacks it: a warning where the robot cannot be
-checked, an info where only its meshes are not.
+checked, an info where only its meshes are not. A xacro outside of all packages has no `package.xml`
+that could declare them, as one that Clearpath's generator writes: a warning, too.
 `roslaunch` stops with "ResourceNotFound", `ros2 launch` with
 "package not found": an info where `package.xml` does not declare the package, and a warning where
 its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
@@ -47,12 +48,15 @@ def check(context: Context) -> Findings:
         severity = _severity(context, name, problem.span)
         known = context.resolver.packages.known(context.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
+        manifest = manifest_of(context.resolver, problem.span.source.path)
+        if manifest is None and not alike:
+            severity = Severity.WARNING
         help = finding.help + ("" if severity else did_you_mean(name, alike))
         message = finding.message
         if severity and context.reading.document is None:
             reason = "is not found, so the robot is not checked"
             message = message.replace("is not found", reason, 1)
-        elif severity is None and manifest_of(context.resolver, problem.span.source.path):
+        elif severity is None and manifest:
             reason = "is not found and not declared in package.xml"
             message = message.replace("is not found", reason, 1)
         yield finding._replace(message=message, help=help, group_key=name, severity=severity)

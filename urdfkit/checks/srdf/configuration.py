@@ -5,7 +5,12 @@ from collections.abc import Iterable
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
-from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
+from urdfkit.ros.moveit.config import (
+    MANAGER,
+    group_entries,
+    joint_entries,
+    names_without_settings,
+)
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Value
@@ -102,6 +107,10 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(Location(joint.span), message, "fix the name")
-    for name, others in names_without_settings(srdf, context.resolver):
-        message = f"controller '{name.text}' has no settings{did_you_mean(name.text, others)}"
-        yield Finding(Location(name.span), message, "fix the name")
+    for name, others, is_outside in names_without_settings(srdf, context.resolver):
+        hint = did_you_mean(name.text, others)
+        if is_outside:
+            hint = f" in {MANAGER}: they stand at the top level of the file"
+        message = f"controller '{name.text}' has no settings{hint}"
+        help = "indent the settings" if is_outside else "fix the name"
+        yield Finding(Location(name.span), message, help)

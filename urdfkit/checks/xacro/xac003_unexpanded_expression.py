@@ -31,7 +31,8 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 def check(context: Context) -> Findings:
     for finding in reported(context, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
-        yield finding._replace(help=help, severity=Severity.WARNING)
+        lowered = Severity.INFO if context.is_extension else Severity.WARNING
+        yield finding._replace(help=help, severity=lowered)
     data = context.source.data
     if context.reading.xacro or (b"${" not in data and b"$(" not in data):
         return

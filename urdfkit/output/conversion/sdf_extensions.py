@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from copy import deepcopy
+from math import inf, isinf
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement
 
@@ -44,6 +45,8 @@ TAKERS = {
 }
 
 _SCRIPTS = "file://media/materials/scripts/gazebo.material"
+#: That the converter reads.
+_LARGEST_INT = 2**31 - 1
 #: Tags with a pose in the frame of their link.
 _POSED = ("light", "projector", "sensor")
 
@@ -198,7 +201,7 @@ def _setting(child: Element) -> str:
     """The value of a setting, as SDF has it.
 
     Raises:
-        UrdfkitError: it begins with no number where one must stand.
+        UrdfkitError: it begins with no number where one must stand, or with one that is too large.
     """
     text = text_of(child)
     if child.tag in _TEXTS:
@@ -207,10 +210,17 @@ def _setting(child: Element) -> str:
         return "true" if text.lower() in ("false", "no", "0") else "false"
     if child.tag in _SWITCHES:
         return "true" if is_true(child) else "false"
-    read, _ = leading(text, whole=child.tag == "maxContacts")
-    if not read:
-        raise UrdfkitError(f"{child.span}: <{child.tag}> is no number: Gazebo rejects the robot")
-    return number_text(value(read))
+    is_whole = child.tag == "maxContacts"
+    read, _ = leading(text, whole=is_whole)
+    number = value(read) if read else inf
+    is_large = (
+        abs(number) > _LARGEST_INT if is_whole else isinf(number) and "inf" not in read.lower()
+    )
+    if not read or is_large:
+        raise UrdfkitError(
+            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends"
+        )
+    return number_text(number)
 
 
 def within(tag: Tag, *names: str) -> Tag:

@@ -146,15 +146,23 @@ def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
         losses.keep(joint.at.child(tag), what)
     for tag in ("axis", "limit", "dynamics", "mimic"):
         part = joint.at.child(tag)
-        if joint.kind == "fixed":
+        if part is not None and joint.kind == "fixed":
             losses.lose(part, "a fixed joint has none")
-            continue
-        losses.keep(part, what)
-        for name in ("effort", "velocity", "damping", "friction"):
-            losses.keep(part.attributes.get(name) if part else None, what)
-        for name in ("lower", "upper"):
-            if joint.kind == "continuous" and part is not None:
-                losses.lose(part.attributes.get(name), "a continuous joint has no range")
+        elif part is not None:
+            _of_axis(losses, joint, part)
+    leader = joint.mimic.joint if joint.mimic else None
+    if leader is not None and joint.kind != "fixed" and leader.value not in conversion.joint_names:
+        note = f"the SDF has no joint '{leader.value}' that it could follow"
+        losses.approximate(joint.at.child("mimic"), note)
+
+
+def _of_axis(losses: LossTable, joint: Joint, part: Element) -> None:
+    losses.keep(part, "joint")
+    for name in ("effort", "velocity", "damping", "friction"):
+        losses.keep(part.attributes.get(name), "joint")
+    for name in ("lower", "upper"):
+        if joint.kind == "continuous":
+            losses.lose(part.attributes.get(name), "a continuous joint has no range")
 
 
 def _extension(losses: LossTable, one: Extension, conversion: SdfConversion) -> None:

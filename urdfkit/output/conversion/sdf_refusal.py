@@ -12,12 +12,16 @@ from urdfkit.robot.model import Link
 from urdfkit.ros.gazebo.conversion import JOINT_TYPES, SdfConversion
 from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
 #: Older versions reject a joint of a ``<gazebo>`` tag with a link that is merged.
 _FOLLOWED = "GAZ067"
 #: What urdfdom reads, and what each of them needs.
 _SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
+
+#: Elements within one another that tinyxml2 reads, with which sdformat reads a URDF.
+_MAX_DEPTH = 500
 
 
 def require(robot: Context, conversion: SdfConversion) -> None:
@@ -40,12 +44,34 @@ def require(robot: Context, conversion: SdfConversion) -> None:
 
 
 def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
-    for link in conversion.model.links:
+    model = conversion.model
+    if not model.name:
+        yield model.root.span, "gz rejects the robot: it has no name"
+    deep = _too_deep(model.root)
+    if deep is not None:
+        message = f"Gazebo reads at most {_MAX_DEPTH} elements within one another"
+        yield deep.span, message
+    for link in model.links:
         yield from _of_link(link)
-    for joint in conversion.joints:
-        if joint.joint.kind not in JOINT_TYPES:
-            yield joint.joint.at.span, f"SDF has no {joint.joint.kind} joint"
+    for simulated in conversion.links:
+        joint = simulated.body.joint
+        if joint is not None and joint.kind not in JOINT_TYPES:
+            yield joint.at.span, f"gz rejects the robot: SDF is written without {joint.kind} joints"
+        leader = joint.mimic.joint if joint and joint.mimic else None
+        if leader is not None and joint is not None and leader.value == joint.name:
+            yield leader.span, "gz rejects the robot: the joint follows itself"
     yield from _of_frames(conversion)
+
+
+def _too_deep(root: Element) -> Element | None:
+    """The first element that has too many around it."""
+    stack = [(root, 1)]
+    while stack:
+        element, depth = stack.pop()
+        if depth > _MAX_DEPTH:
+            return element
+        stack += [(child, depth + 1) for child in reversed(element.children)]
+    return None
 
 
 def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
@@ -64,7 +90,7 @@ def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
 
 
 def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
-    """Frames of merged links that hang in the air, or have the name of something else."""
+    """Frames that hang in the air, or have the name of something else."""
     taken = {link.name for link in conversion.links} | conversion.joint_names
     taken |= conversion.added
     for joint in merged_joints(conversion):
@@ -84,4 +110,13 @@ def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
                     "another link, joint or frame"
                 )
                 yield joint.at.span, message
+            taken.add(name)
+    for block in conversion.model.gazebo:
+        for added in block.children if not block.get("reference") else ():
+            name = added.get("name") or ""
+            if added.tag not in ("frame", "model"):
+                continue
+            if name in taken:
+                message = f"gz-sim rejects the robot: another part is called '{name}'"
+                yield added.span, message
             taken.add(name)

@@ -28,7 +28,7 @@ IN_JOINTS = frozenset("URD003 URD004 URD005".split())
 #: Errors that reject the robot where they are about its root element.
 OF_ROOT = frozenset("URD003 URD011".split())
 #: Rules that also report what rejects nothing: only their errors count.
-_ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
+_ONLY_ERRORS = frozenset(("JNT002", "JNT006", "NAM001"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
 BY_GZ = frozenset(("JNT006",))
 

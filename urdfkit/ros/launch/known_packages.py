@@ -65,8 +65,13 @@ def unknown_file(included: IncludedFile) -> Problem | None:
     found = nearest(name, known, _TYPO) if name not in known else None
     if not found:
         return None
-    message = f"package '{package}' has no launch file '{name}'; did you mean '{found}'?"
-    return Problem("LAU003", included.span, message, f"write {found}", included.frame)
+    message, help = f"package '{package}' has no launch file '{name}'", f"write {found}"
+    same = [one for one in known if one.endswith(".py") == name.endswith(".py")]
+    if found in same or not same:
+        message += f"; did you mean '{found}'?"
+    else:  # that of the other ROS
+        help = f"write one of {', '.join(same)}"
+    return Problem("LAU003", included.span, message, help, included.frame)
 
 
 def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:

@@ -25,6 +25,8 @@ class Spawner(Record):
 
 
 _NUMBER = re.compile(r"-[\d.]")
+#: What argparse takes for an option and its value: ``-z0.5``.
+_WITH_NUMBER = re.compile(r"-([A-Za-z])(-?[\d.]+)$")
 
 
 def spawner_of(started: StartedProgram) -> Spawner | None:
@@ -50,6 +52,8 @@ def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word],
         if text.startswith("--ros-args"):
             break
         option, _, value = text.lstrip("-").partition("=")
+        if spawner.is_strict and (both := _WITH_NUMBER.match(text)):
+            option, value = both.groups()
         if not spawner.is_strict:
             option = option.replace("-", "_")  # gflags takes both
         given[option] = Word(value, word.span) if value else word

@@ -30,7 +30,7 @@ _OF_CONTROLLERS = (
     "fake_controllers.yaml",
 )
 _INITIAL = "initial_positions.yaml"
-_MANAGER = "moveit_simple_controller_manager"
+MANAGER = "moveit_simple_controller_manager"
 #: What only launch or a template fills in.
 _OPEN = ("$", "<", "{")
 
@@ -84,21 +84,26 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
 def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
     """The settings of the controllers of MoveIt 2, by the places of their names."""
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = root.get(_MANAGER) if isinstance(root, dict) else None
+    manager = root.get(MANAGER) if isinstance(root, dict) else None
     for key, entry in _mappings(manager):
         if not key.startswith(_OPEN):
             yield key, entry
 
 
-def names_without_settings(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
-    """The names of controllers for which there are no settings, with those that have some."""
+def names_without_settings(
+    srdf: Srdf, resolver: Resolver
+) -> Iterator[tuple[Value, list[str], bool]]:
+    """The names of controllers for which there are no settings, with those that have some.
+
+    True if the settings stand in the file, but not below the manager.
+    """
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = root.get(_MANAGER) if isinstance(root, dict) else None
+    manager = root.get(MANAGER) if isinstance(root, dict) else None
     names = manager.get("controller_names") if isinstance(manager, dict) else None
     known = [str(key) for key, _ in _mappings(manager)]
     for name in names if isinstance(names, list) else ():
         if isinstance(name, Value) and name.text not in known and not name.text.startswith(_OPEN):
-            yield name, known
+            yield name, known, isinstance(root, dict) and name.text in root
 
 
 def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:

@@ -1,0 +1,97 @@
+"""The command about spheres: its formats, what it prints, and its exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+import yaml
+
+pytest.importorskip("trimesh", reason="meshes need the extra meshes")
+
+from tests.conftest import MODELS
+from urdfkit import load
+from urdfkit.cli import main
+
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+BALLS = """<robot name="balls"><link name="base"><collision><origin xyz="0 0 1"/><geometry>
+<sphere radius="0.1"/></geometry></collision></link>
+<link name="arm"><collision><geometry><box size="0.02 0.02 0.02"/></geometry></collision></link>
+<link name="tip"/>
+<joint name="turn" type="continuous"><parent link="base"/><child link="arm"/>
+<axis xyz="0 0 1"/></joint>
+<joint name="end" type="fixed"><parent link="arm"/><child link="tip"/></joint></robot>"""
+
+
+@pytest.fixture
+def balls(tmp_path: Path) -> str:
+    file = tmp_path / "balls.urdf"
+    file.write_text(BALLS)
+    return str(file)
+
+
+def test_spheres_of_curobo(balls: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("coal")
+    out = tmp_path / "balls.yml"
+    assert main(["mesh", "spheres", balls, "-o", str(out)]) == 0
+    kinematics = yaml.safe_load(out.read_text())["robot_cfg"]["kinematics"]
+    assert kinematics["base_link"] == "base"
+    assert kinematics["collision_link_names"] == ["base", "arm"]
+    assert kinematics["self_collision_ignore"] == {"base": ["arm"]}
+    (ball,) = kinematics["collision_spheres"]["base"]
+    assert ball == {"center": [0, 0, 1], "radius": 0.1}
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[:2] for line in lines[1:4]] == [
+        ["base", "1"],
+        ["arm", "1"],
+        ["total", "2"],
+    ]
+
+
+def test_xrdf(balls: str, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("coal")
+    assert main(["mesh", "spheres", balls, "--format", "xrdf"]) == 0
+    found = yaml.safe_load(capsys.readouterr().out)
+    assert (found["format"], found["format_version"]) == ("xrdf", 1.0)
+    assert found["cspace"]["joint_names"] == ["turn"]
+    assert found["tool_frames"] == ["tip"]
+    assert found["self_collision"]["ignore"] == {"base": ["arm"]}
+    name = found["collision"]["geometry"]
+    assert list(found["geometry"][name]["spheres"]) == ["base", "arm"]
+
+
+def test_urdf_has_spheres_for_collisions(tmp_path: Path) -> None:
+    out = tmp_path / "arm.urdf"
+    assert main(["mesh", "spheres", ARM, "--format", "urdf", "-o", str(out), "--most", "9"]) == 0
+    before, after = load(ARM), load(str(out))
+    assert [joint.name for joint in after.joints] == [joint.name for joint in before.joints]
+    shapes = [body.shape for link in after.links for body in link.collisions]
+    assert {shape.kind for shape in shapes if shape} == {"sphere"}
+    assert len(shapes) <= 9
+    visuals = [len(link.visuals) for link in before.links]
+    assert [len(link.visuals) for link in after.links] == visuals
+
+
+def test_json_and_what_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "gone.urdf"
+    gone = '<collision><geometry><mesh filename="gone.stl"/></geometry></collision>'
+    file.write_text(BALLS.replace('<link name="tip"/>', f'<link name="tip">{gone}</link>'))
+    assert main(["mesh", "spheres", str(file), "--format", "json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["notes"] == ["collision 1 of link 'tip' is left out: the file is missing"]
+    assert found["total"]["spheres"] == 2
+    assert found["links"][0]["radii"] == [0.1]
+    assert found["links"][0]["coverage"] == 1
+
+
+def test_visual_geometry(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "seen.urdf"
+    file.write_text(BALLS.replace("collision", "visual"))
+    assert main(["mesh", "spheres", str(file), "--visual", "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["total"]["spheres"] == 2
+
+
+def test_without_geometry(balls: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["mesh", "spheres", balls, "--visual"]) == 2
+    assert "no link has geometry to cover with spheres" in capsys.readouterr().err

@@ -1,0 +1,129 @@
+"""Spheres that cover solids: closed forms, and what holds for all."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+pytest.importorskip("trimesh", reason="meshes need the extra meshes")
+
+from urdfkit.mesh import solids
+from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
+from urdfkit.mesh.inside import are_inside, closed, points_inside
+from urdfkit.mesh.sphere_fitting import Covering, Spheres, choose
+from urdfkit.mesh.sphere_quality import SphereQuality, measure, total
+
+
+def triangles(mesh: Mesh) -> Floats:
+    return mesh.vertices[mesh.faces]
+
+
+def fitted(
+    surface: Floats, *, margin: float = 0.01, most: int = 100, coverage: float = 0.99
+) -> tuple[Spheres, SphereQuality]:
+    covering = Covering(surface, coverage)
+    spheres = covering.refined(choose([covering], margin, most)[0])
+    return spheres, measure(surface, spheres)
+
+
+BALL = triangles(solids.as_mesh(solids.ball(0.1)))
+ROD = triangles(solids.as_mesh(solids.box((0.04, 0.04, 0.4))))
+
+
+def test_a_ball_is_one_sphere() -> None:
+    spheres, quality = fitted(np.add(BALL, (0.3, 0, 0)))
+    assert spheres.centers == pytest.approx(np.array([[0.3, 0, 0]]), abs=0.002)
+    assert spheres.radii == pytest.approx([0.1], abs=0.002)
+    assert quality.volume == pytest.approx(4 / 3 * np.pi * 0.1**3, rel=0.02)
+    assert quality.area == pytest.approx(4 * np.pi * 0.1**2, rel=0.01)
+    assert quality.coverage > 0.98
+
+
+def test_a_small_cube_is_one_sphere_through_its_corners_at_most() -> None:
+    """It sticks out by (sqrt(3) - 1) / 2 of an edge, here 7.3 mm, or less for 99 % of the cube."""
+    cube = triangles(solids.as_mesh(solids.box((0.02, 0.02, 0.02))))
+    spheres, quality = fitted(cube)
+    assert len(spheres.radii) == 1
+    assert 0.01 < spheres.radii[0] < 0.01 * np.sqrt(3)
+    assert quality.protrusion_max < 0.0074
+
+
+def test_a_rod_is_a_row_of_spheres() -> None:
+    """A sphere that sticks out by 10 mm covers no more than 20 mm to both sides of its center."""
+    spheres, quality = fitted(ROD)
+    reach = np.sqrt(0.03**2 - 0.02**2)  # where it leaves the faces of the rod
+    assert 0.4 / (2 * reach) - 1 <= len(spheres.radii) <= 0.4 / 0.02
+    assert np.abs(spheres.centers[:, :2]).max() < 0.02
+    assert quality.protrusion_max < 0.0115
+    assert quality.coverage > 0.98
+
+
+def test_fewer_spheres_stick_out_by_more() -> None:
+    few, many = fitted(ROD, most=4)[1], fitted(ROD)[1]
+    assert few.spheres <= 4 < many.spheres
+    assert few.protrusion_p95 > many.protrusion_p95
+
+
+def test_the_budget_is_shared_and_each_solid_has_a_sphere() -> None:
+    coverings = [Covering(surface, 0.99) for surface in (BALL, ROD, ROD)]
+    chosen = choose(coverings, 0.001, 9)
+    assert len(chosen[0]) == 1
+    assert sum(map(len, chosen)) <= 9
+    assert [len(one) for one in choose(coverings, 0.001, 1)] == [1, 1, 1]
+
+
+def test_the_same_every_time() -> None:
+    first, second = fitted(ROD)[0], fitted(ROD)[0]
+    assert np.array_equal(first.centers, second.centers)
+    assert np.array_equal(first.radii, second.radii)
+
+
+def test_a_measure_of_known_spheres() -> None:
+    """One sphere of half the radius: an eighth of the ball; one of twice the radius sticks out."""
+    small = measure(BALL, Spheres(np.zeros((1, 3)), np.array([0.05])))
+    assert small.coverage == pytest.approx(1 / 8, abs=0.01)
+    assert (small.surface_coverage, small.protrusion_max) == (0, 0)
+    assert small.max_uncovered_gap == pytest.approx(0.05, abs=0.001)
+    large = measure(BALL, Spheres(np.zeros((1, 3)), np.array([0.2])))
+    assert (large.coverage, large.surface_coverage, large.max_uncovered_gap) == (1, 1, 0)
+    assert large.protrusion_mean == pytest.approx(0.1, abs=0.001)
+    both = total([small, large])
+    assert both.spheres == 2
+    assert both.coverage == pytest.approx((small.coverage + 1) / 2)
+
+
+def test_inside_of_overlapping_solids() -> None:
+    both = np.concatenate([BALL, np.add(BALL, (0.1, 0, 0))])
+    points = np.array([[0, 0, 0], [0.05, 0.01, 0.01], [0.15, 0, 0.02], [0.25, 0, 0]])
+    assert are_inside(both, points + 0.0013).tolist() == [True, True, True, False]
+    _, volume = points_inside(both, 2000, 1)
+    ball = 4 / 3 * np.pi * 0.1**3
+    assert volume == pytest.approx(2 * ball - np.pi * (4 * 0.1 + 0.1) * 0.1**2 / 12, rel=0.02)
+
+
+def test_an_open_mesh_becomes_its_hull() -> None:
+    box = solids.as_mesh(solids.box((1, 1, 1)))
+    part = box.parts[0]
+    open_box = Mesh((MeshPart(part.vertices, part.faces[2:]),))
+    assert closed(box) is box
+    assert len(closed(open_box).faces) == 12
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.tuples(*[st.floats(0.01, 0.5)] * 3),
+    st.floats(0.005, 0.05),
+    st.sampled_from([3, 20, 100]),
+)
+def test_boxes_are_covered_as_stated(
+    size: tuple[float, float, float], margin: float, most: int
+) -> None:
+    surface = triangles(solids.as_mesh(solids.box(size)))
+    spheres, quality = fitted(surface, margin=margin, most=most)
+    assert 1 <= len(spheres.radii) <= most
+    assert quality.coverage > 0.95
+    assert (spheres.radii > 0).all()
+    low, high = surface.min(axis=(0, 1)), surface.max(axis=(0, 1))
+    assert ((spheres.centers > low) & (spheres.centers < high)).all()

@@ -1,0 +1,104 @@
+"""How well spheres stand for a solid, by samples of their own and exact triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.spatial.distance import cdist
+
+from urdfkit.core.record import Record
+from urdfkit.mesh.distance import sample_surface, to_surface
+from urdfkit.mesh.geometry import Floats, areas
+from urdfkit.mesh.inside import are_inside, points_inside
+from urdfkit.mesh.sphere_fitting import Spheres
+
+#: Lines through the inside, points of the surface, and of each sphere.
+_COLUMNS, _SURFACE, _ON_SPHERE = 1200, 3000, 100
+_SEED = 23
+
+
+class SphereQuality(Record):
+    """Of the spheres of a link, or of a robot; the names are cuRobo's.
+
+    Source of the definitions: https://nvlabs.github.io/curobo/latest/reference/sphere_fitting.html
+    """
+
+    spheres: int
+    volume: float  # of the solid, in m^3
+    area: float  # of its surface, in m^2
+    coverage: float  # the part of the inside that lies in a sphere, from 0 to 1
+    surface_coverage: float  # the part of the surface that does
+    max_uncovered_gap: float  # the greatest distance from the surface to the spheres, in m
+    #: How far points of the spheres that are outside of the solid are from it, in m.
+    protrusion_mean: float
+    protrusion_p95: float
+    protrusion_max: float
+    protrusions: Floats  # (n,), from which these are
+
+    @property
+    def facts(self) -> dict[str, float]:
+        return {name: value for name, value in self._asdict().items() if name != "protrusions"}
+
+
+def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
+    """Compare spheres with the solid that they stand for.
+
+    Args:
+        triangles: (m, 3, 3), of closed surfaces in m.
+    """
+    turned = triangles[:, :, [1, 2, 0]]  # lines along another axis than the fit has used
+    inside, volume = points_inside(turned, _COLUMNS, _SEED)
+    surface, _ = sample_surface(triangles, _SURFACE)
+    inner = inside[:, [2, 0, 1]] if len(inside) else surface
+    gaps = _to_spheres(surface, spheres)
+    random = np.random.default_rng(_SEED)
+    directions = random.normal(size=(len(spheres.radii), _ON_SPHERE, 3))
+    directions /= np.linalg.norm(directions, axis=2, keepdims=True)
+    on = (spheres.centers[:, None] + spheres.radii[:, None, None] * directions).reshape(-1, 3)
+    outside = on[~are_inside(turned, on[:, [1, 2, 0]])]
+    faces = np.arange(3 * len(triangles)).reshape(-1, 3)
+    beyond = to_surface(outside, triangles.reshape(-1, 3), faces)
+    return _quality(
+        len(spheres.radii),
+        volume,
+        float(areas(triangles.reshape(-1, 3), faces).sum()),
+        float((_to_spheres(inner, spheres) <= 0).mean()),
+        float((gaps <= 0).mean()),
+        max(0.0, float(gaps.max())),
+        beyond,
+    )
+
+
+def total(parts: Sequence[SphereQuality]) -> SphereQuality:
+    """Of all links: coverage by volume and by area, protrusion over all points."""
+    volumes, surfaces = np.array([(one.volume, one.area) for one in parts]).T
+    return _quality(
+        sum(one.spheres for one in parts),
+        float(volumes.sum()),
+        float(surfaces.sum()),
+        float(np.average([one.coverage for one in parts], weights=volumes)),
+        float(np.average([one.surface_coverage for one in parts], weights=surfaces)),
+        max(one.max_uncovered_gap for one in parts),
+        np.concatenate([one.protrusions for one in parts]),
+    )
+
+
+def _quality(
+    number: int,
+    volume: float,
+    area: float,
+    coverage: float,
+    surface: float,
+    gap: float,
+    beyond: Floats,
+) -> SphereQuality:
+    some = beyond if len(beyond) else np.zeros(1)
+    mean, p95, most = float(some.mean()), float(np.quantile(some, 0.95)), float(some.max())
+    return SphereQuality(number, volume, area, coverage, surface, gap, mean, p95, most, beyond)
+
+
+def _to_spheres(points: Floats, spheres: Spheres) -> Floats:
+    """(n,), how far points are from the nearest sphere; negative inside of one."""
+    distances: Floats = (cdist(points, spheres.centers) - spheres.radii).min(axis=1)
+    return distances

@@ -1,0 +1,161 @@
+"""Spheres for the links of a robot, as motion planners take them."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.lint.loading import read
+from urdfkit.robot.assets.geometry import body_mesh
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from urdfkit.core.progress import Progress
+    from urdfkit.mesh.geometry import Floats, Mesh
+    from urdfkit.mesh.sphere_fitting import Spheres
+    from urdfkit.mesh.sphere_quality import SphereQuality
+    from urdfkit.robot.model import Link
+
+
+class LinkSpheres(Record):
+    """The spheres of a link."""
+
+    link: str
+    spheres: Spheres  # in the frame of the link, in m
+    quality: SphereQuality
+
+
+class RobotSpheres(Record):
+    """The spheres of a robot."""
+
+    links: tuple[LinkSpheres, ...]  # those with geometry, in the order of the document
+    total: SphereQuality
+    #: Geometry that is replaced or left out, and why: sentences.
+    notes: tuple[str, ...]
+
+    @property
+    def is_partial(self) -> bool:
+        """True if some geometry is left out."""
+        return any("left out" in note for note in self.notes)
+
+    @property
+    def facts(self) -> dict[str, object]:
+        """As JSON has it."""
+        return {
+            "version": 1,
+            "links": [
+                {
+                    "link": one.link,
+                    **one.quality.facts,
+                    "centers": one.spheres.centers.tolist(),
+                    "radii": one.spheres.radii.tolist(),
+                }
+                for one in self.links
+            ],
+            "total": self.total.facts,
+            "notes": list(self.notes),
+        }
+
+
+def fit_spheres(
+    robot: Context | str | os.PathLike[str],
+    *,
+    most: int = 100,
+    margin: float = 0.01,
+    coverage: float = 0.99,
+    visual: bool = False,
+    progress: Progress | None = None,
+) -> RobotSpheres:
+    """Cover the links of a robot with spheres.
+
+    Args:
+        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
+        most: spheres at most, unless there are more links.
+        margin: how far a sphere may stick out, in m; farther where that needs more spheres.
+        coverage: the part of the inside of each link that lies in a sphere, from 0 to 1.
+        visual: the visual geometry instead of the collision geometry.
+        progress: called with the number of steps done, and of all.
+
+    Raises:
+        UrdfkitError: there is no geometry to cover.
+    """
+    from urdfkit.mesh.sphere_fitting import Covering, choose
+    from urdfkit.mesh.sphere_quality import measure, total
+
+    context = robot if isinstance(robot, Context) else read(robot)
+    notes: list[str] = []
+    solids = _solids(context, visual, notes)
+    if not solids:
+        raise UrdfkitError("no link has geometry to cover with spheres")
+    report = progress or (lambda done, of: None)
+    exact = {name: found for name in solids if (found := _exact(context, name, visual))}
+    coverings = {}
+    for number, (name, triangles) in enumerate(solids.items(), 1):
+        if name not in exact:
+            coverings[name] = Covering(triangles, coverage)
+        report(number, 2 * len(solids))
+    left = most - sum(len(one.radii) for one in exact.values())
+    chosen = dict(zip(coverings, choose([*coverings.values()], margin, left), strict=True))
+    links = []
+    for number, (name, triangles) in enumerate(solids.items(), len(solids) + 1):
+        spheres = exact.get(name) or coverings[name].refined(chosen[name])
+        links.append(LinkSpheres(name, spheres, measure(triangles, spheres)))
+        report(number, 2 * len(solids))
+    return RobotSpheres(tuple(links), total([one.quality for one in links]), tuple(notes))
+
+
+def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
+    """The geometry of a link that consists of spheres; None if it has others, too."""
+    from numpy import array
+
+    from urdfkit.mesh.sphere_fitting import Spheres
+    from urdfkit.robot.shapes import primitive
+
+    link = robot.model.links_by_name[name]
+    bodies = link.visuals if visual else link.collisions
+    shapes = [primitive(body) for body in bodies]
+    if not all(one and one.kind == "sphere" for one in shapes):
+        return None
+    centers = array([body.origin.position for body in bodies])
+    return Spheres(centers, array([one.radius for one in shapes if one]))
+
+
+def _solids(robot: Context, visual: bool, notes: list[str]) -> Mapping[str, Floats]:
+    """The triangles (m, 3, 3) of each link with geometry, in its frame."""
+    from urdfkit.mesh.geometry import Mesh
+
+    found = {}
+    for link in robot.model.links_by_name.values():
+        meshes = _meshes(robot, link, visual, notes)
+        if meshes:
+            whole = Mesh(tuple(part for mesh in meshes for part in mesh.parts))
+            found[link.name] = whole.vertices[whole.faces]
+    return found
+
+
+def _meshes(robot: Context, link: Link, visual: bool, notes: list[str]) -> list[Mesh]:
+    from urdfkit.mesh.convex_hull import NoHull
+    from urdfkit.mesh.inside import closed
+    from urdfkit.mesh.transforms import moved
+
+    found = []
+    for number, body in enumerate(link.visuals if visual else link.collisions, 1):
+        what = f"{'visual' if visual else 'collision'} {number} of link '{link.name}'"
+        mesh = body_mesh(robot, body)
+        if mesh is None:
+            why = robot.meshes.reason(body.shape) if body.shape else ""
+            notes.append(f"{what} is left out: {why or 'it has no shape'}")
+            continue
+        try:
+            solid = closed(mesh)
+        except NoHull as reason:
+            notes.append(f"{what} is left out: {reason}")
+            continue
+        if solid is not mesh:
+            notes.append(f"{what} is not closed; its convex hull is covered")
+        found.append(moved(solid, body.origin))
+    return found

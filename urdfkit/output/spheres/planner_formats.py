@@ -1,0 +1,139 @@
+"""Spheres in the files of motion planners, with the pairs of links that need no check."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree
+
+import yaml
+
+from urdfkit.output.exchange import element_tree
+from urdfkit.physics.collision.matrix import Matrix, PairVerdict
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Context
+    from urdfkit.output.spheres import LinkSpheres, RobotSpheres
+
+#: Configurations in which links are compared.
+_SAMPLES = 10_000
+#: Decimals of a length in m: a micrometre.
+_DECIMALS = 6
+#: What Isaac Sim's editor writes into an XRDF, as a URDF has no such limits: in rad/s^2 and
+#: rad/s^3, or m/s^2 and m/s^3.
+_ACCELERATION, _JERK = 10.0, 10_000.0
+
+
+def curobo(robot: Context, found: RobotSpheres) -> str:
+    """The part of cuRobo's robot configuration that is about collisions.
+
+    Source: https://curobo.org/tutorials/1_robot_configuration.html
+
+    Raises:
+        Unavailable: coal is not installed, which compares links.
+    """
+    names = [one.link for one in found.links]
+    kinematics = {
+        "base_link": robot.tree.roots[0].name,
+        "collision_link_names": names,
+        "collision_spheres": _spheres(found),
+        "collision_sphere_buffer": 0.0,
+        "self_collision_ignore": _ignored(robot, names),
+        "self_collision_buffer": dict.fromkeys(names, 0.0),
+    }
+    return _yaml({"robot_cfg": {"kinematics": kinematics}})
+
+
+def xrdf(robot: Context, found: RobotSpheres) -> str:
+    """An XRDF 1.0 file, for Isaac Sim and cuMotion.
+
+    Source: https://nvidia-isaac-ros.github.io/concepts/manipulation/xrdf.html
+
+    Raises:
+        Unavailable: coal is not installed, which compares links.
+    """
+    names = [one.link for one in found.links]
+    joints = [joint.name for joint in robot.model.joints if joint.degrees_of_freedom == 1]
+    parents = {joint.parent.value for joint in robot.model.joints if joint.parent}
+    buffers = dict.fromkeys(names, 0.0)
+    document = {
+        "format": "xrdf",
+        "format_version": 1.0,
+        "default_joint_positions": dict.fromkeys(joints, 0.0),
+        "cspace": {
+            "joint_names": joints,
+            "acceleration_limits": [_ACCELERATION] * len(joints),
+            "jerk_limits": [_JERK] * len(joints),
+        },
+        "tool_frames": [link.name for link in robot.model.links if link.name not in parents],
+        "collision": {"geometry": "spheres", "buffer_distance": buffers},
+        "self_collision": {
+            "geometry": "spheres",
+            "buffer_distance": dict(buffers),
+            "ignore": _ignored(robot, names),
+        },
+        "geometry": {"spheres": {"spheres": _spheres(found)}},
+    }
+    return _yaml(document)
+
+
+def urdf(robot: Context, found: RobotSpheres) -> str:
+    """The robot without xacro, its collisions replaced by spheres, as VAMP and foam have it."""
+    root = element_tree(robot.document.root)
+    spheres = {one.link: one for one in found.links}
+    for link in root.iter("link"):
+        for collision in link.findall("collision"):
+            link.remove(collision)
+        for one in _plain(spheres.get(link.get("name", ""))):
+            collision = ElementTree.SubElement(link, "collision")
+            xyz = " ".join(map(str, one["center"]))
+            ElementTree.SubElement(collision, "origin", {"xyz": xyz, "rpy": "0 0 0"})
+            geometry = ElementTree.SubElement(collision, "geometry")
+            ElementTree.SubElement(geometry, "sphere", {"radius": str(one["radius"])})
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+#: The function of each format, by its name.
+FORMATS = {"curobo": curobo, "xrdf": xrdf, "urdf": urdf}
+
+
+def _spheres(found: RobotSpheres) -> dict[str, list[dict[str, Any]]]:
+    return {one.link: _plain(one) for one in found.links}
+
+
+def _plain(one: LinkSpheres | None) -> list[dict[str, Any]]:
+    if one is None:
+        return []
+    centers, radii = one.spheres.centers.tolist(), one.spheres.radii.tolist()
+    return [
+        {"center": [round(x, _DECIMALS) + 0.0 for x in center], "radius": round(r, _DECIMALS)}
+        for center, r in zip(centers, radii, strict=True)
+    ]
+
+
+def _ignored(robot: Context, links: Sequence[str]) -> dict[str, list[str]]:
+    """The pairs of links that need no check, each once, by the name of the first.
+
+    Those that a joint holds together, that collide in nearly all configurations, or in none of the
+    samples; of those that collide where the joints begin, the ones that do so mostly.
+    """
+    matrix: Matrix = robot.collisions.matrix(samples=_SAMPLES, seed=0, begin={})
+    checked = (PairVerdict.SOMETIMES, PairVerdict.UNKNOWN)
+    pairs = {
+        frozenset((one.first, one.second))
+        for one in matrix.pairs
+        if one.verdict not in checked and not one.is_seldom
+    }
+    joints = robot.model.joints
+    pairs |= {frozenset((j.parent.value, j.child.value)) for j in joints if j.parent and j.child}
+    return {
+        first: others
+        for number, first in enumerate(links, 1)
+        if (others := [second for second in links[number:] if {first, second} in pairs])
+    }
+
+
+def _yaml(document: dict[str, Any]) -> str:
+    text: str = yaml.safe_dump(document, sort_keys=False, default_flow_style=None, width=100)
+    return text
