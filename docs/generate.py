@@ -36,8 +36,8 @@ def index(rules: list[Rule]) -> str:
         "# Rules",
         "",
         "`urdfkit explain CODE` says the same. A code is never reused or renamed.",
-        "*error*: a mainstream consumer rejects the robot or simulates it wrongly; *warning*: it",
-        "loads but is hardly meant; *info*: style or a hint.",
+        "*error*: a mainstream program rejects the robot or simulates it wrongly; *warning*: it",
+        "loads but is probably not intended; *info*: style or a hint.",
     ]
     for family, members in groupby(rules, key=lambda rule: rule.code[:3]):
         lines += ["", f"## {family}: {FAMILIES[family]}", ""]

@@ -300,10 +300,11 @@ def _package(data: bytes) -> None:
 def _archives() -> list[bytes]:
     """A robot as an archive of each kind."""
     made = []
-    with zipfile.ZipFile(file := io.BytesIO(), "w", zipfile.ZIP_DEFLATED) as packed:
-        packed.writestr("a/r.urdf", _ARM)
-        packed.writestr("../r.urdf", _ARM)
-    made.append(file.getvalue())
+    for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA):
+        with zipfile.ZipFile(file := io.BytesIO(), "w", method) as packed:
+            for name in ("a/r.urdf", "a/r.xacro", "../r.urdf"):
+                packed.writestr(name, _ARM)
+        made.append(file.getvalue())
     modes: tuple[Literal["w", "w:gz", "w:bz2", "w:xz"], ...] = ("w", "w:gz", "w:bz2", "w:xz")
     for mode in modes:
         with tarfile.open(fileobj=(file := io.BytesIO()), mode=mode) as tar:

@@ -8,7 +8,7 @@ const PAUSE = 400; // ms without a key before the robot is checked
 
 const element = (id) => document.getElementById(id);
 const status = (text) => (element("status").textContent = text);
-status("loading");
+status("loading Python (8 MB)");
 
 // --- the worker
 

@@ -15,10 +15,11 @@ import pytest
 
 pytest.importorskip("mcp")
 from mcp import ClientSession, StdioServerParameters, stdio_client
+from mcp.server.mcpserver.exceptions import ToolError
 
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
-from urdfkit.cli.mcp_tools import MAX_BYTES
+from urdfkit.cli.mcp_tools import MAX_BYTES, Tools
 
 MODEL = "gazebo_pkg/urdf/waking_robot_new.xacro"
 
@@ -197,3 +198,9 @@ def test_without_the_sdk_it_says_what_to_install(
     assert "urdfkit mcp needs mcp: " in capsys.readouterr().err
     assert main(["mcp", "/no/such"]) == 2
     assert "no such directory" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("path", ["a\0b", "a\ud800"])
+def test_what_no_file_is_called_is_an_error(path: str, tmp_path: Path) -> None:
+    with pytest.raises(ToolError, match="no file can have such a name"):
+        Tools(str(tmp_path), may_write=False).check(path)

@@ -95,3 +95,23 @@ def test_a_workshop_is_no_link(tmp_path: Path) -> None:
     with pytest.raises(OSError, match="irectory"), temporary.workshop(str(tmp_path / "out")):
         pass
     assert (tmp_path / "outside").exists()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such locks")
+def test_a_directory_that_another_process_takes_for_abandoned_is_left_to_it(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = tempfile.mkdtemp
+    locked: list[int] = []
+
+    def locked_by_another(*words: str) -> str:
+        path = made(*words)
+        if not locked:
+            locked.append(temporary._lock(path) or -1)
+        return path
+
+    monkeypatch.setattr(tempfile, "mkdtemp", locked_by_another)
+    with temporary.scratch() as path:
+        assert os.path.isdir(path)
+    os.close(locked[0])
+    assert len(list(home.iterdir())) == 1

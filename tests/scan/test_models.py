@@ -148,3 +148,39 @@ def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:
 def test_a_missing_source_is_an_error(zoo: Path) -> None:
     with pytest.raises(UnreadableFile, match=r"file not found; did you mean 'x\.urdf'"):
         list(models([str(zoo / "b" / "xx.urdf")]))
+
+
+@pytest.mark.parametrize("kind", [tarfile.GNUTYPE_LONGNAME, tarfile.XHDTYPE])
+def test_headers_of_a_tar_do_not_fill_the_memory(kind: bytes, tmp_path: Path) -> None:
+    header = tarfile.TarInfo("header")
+    header.type, header.size = kind, 2**20 + 1
+    archive = tmp_path / "a.tar"
+    archive.write_bytes(header.tobuf(tarfile.GNU_FORMAT) + bytes(2**21))
+    with pytest.raises(UnreadableFile, match="it has a header of 1,048,577 bytes"):
+        list(models([str(archive)]))
+
+
+def test_a_name_with_a_nul_is_not_extracted(tmp_path: Path) -> None:
+    with tarfile.open(tmp_path / "a.tar", "w", format=tarfile.PAX_FORMAT) as tar:
+        tar.addfile(member := tarfile.TarInfo("a.urdf"))
+        member.pax_headers = {"path": "b\0.urdf"}
+        tar.addfile(member)
+    _cannot_be_extracted(tmp_path / "a.tar")
+
+
+def test_damaged_lzma_is_an_error(tmp_path: Path) -> None:
+    pytest.importorskip("lzma")
+    archive = tmp_path / "a.zip"
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_LZMA) as packed:
+        packed.writestr("a.urdf", "<robot/>" * 100)
+    data = bytearray(archive.read_bytes())
+    data[45:60] = b"\xff" * 15
+    archive.write_bytes(data)
+    _cannot_be_extracted(archive)
+
+
+def _cannot_be_extracted(archive: Path) -> None:
+    with Extraction() as extraction:
+        first, *_ = models([str(archive)])
+        with pytest.raises(UnreadableFile, match="cannot be extracted"):
+            extraction.on_disk(first)

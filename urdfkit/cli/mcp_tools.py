@@ -168,8 +168,12 @@ class Tools:
         Raises:
             ToolError: it lies outside.
         """
-        if "\0" in path:
-            raise ToolError("a path has no NUL")
+        try:
+            named = os.fsencode(path)
+        except UnicodeEncodeError:  # half of a pair of surrogates
+            named = b"\0"
+        if b"\0" in named:
+            raise ToolError("no file can have such a name")
         file = disk.real(os.path.join(self._root, path))
         if os.path.commonpath((file, self._root)) != self._root:
             raise ToolError(f"{path} is outside of the workspace")

@@ -27,10 +27,12 @@ def scratch() -> Iterator[str]:
     remove_abandoned()
     while True:
         path = tempfile.mkdtemp(_SUFFIX, _PREFIX)
-        descriptor = _lock(path)
+        try:
+            descriptor = _lock(path)
+        except BlockingIOError:
+            continue  # another process takes it for abandoned, and removes it
         if descriptor is not None:
-            break
-        # Else another process took it for abandoned before it was locked.
+            break  # else that process was still faster
     try:
         yield path
     finally:

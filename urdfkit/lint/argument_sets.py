@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.lint.context import Context
+    from urdfkit.ros.launch.robot_arguments import RobotArguments
 
 
 #: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
@@ -35,10 +36,7 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     found, failed = [], {}
     sets = given(job.path, names, context.resolver)
     for one in sets[:MAX_GIVEN]:
-        values = {name: (one.arguments[name], one.launch) for name in names}
-        arguments = {**one.arguments, **job.arguments}
-        launched = _launched(job, values)
-        now = job._replace(frame=one.frame, launched=launched, arguments=arguments)
+        now = _started(job, one, names)
         if one.frame is None:
             now = now._replace(assumed=_named(one.arguments))
         pair = (now, read(now))
@@ -68,10 +66,7 @@ def _as_started(
     found = []
     for one in given(job.path, (), context.resolver)[:MAX_GIVEN]:
         if one.frame is not None and one.arguments:
-            values = {name: (value, one.launch) for name, value in one.arguments.items()}
-            arguments = {**one.arguments, **job.arguments}
-            launched = _launched(job, values)
-            now = job._replace(frame=one.frame, launched=launched, arguments=arguments)
+            now = _started(job, one, one.arguments)
             found.append((now, read(now)))
     return [pair for pair in found if pair[1].reading.document is not None]
 
@@ -134,6 +129,13 @@ def _note_unchecked(
         for (name, why), values in left.items()
         if values
     )
+
+
+def _started(job: Job, given: RobotArguments, names: Iterable[str]) -> Job:
+    """A job with the arguments that a launch file gives; it is named as the origin of some."""
+    launched = _launched(job, {name: (given.arguments[name], given.launch) for name in names})
+    arguments = {**given.arguments, **job.arguments}
+    return job._replace(frame=given.frame, launched=launched, arguments=arguments)
 
 
 def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:

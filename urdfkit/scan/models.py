@@ -23,6 +23,19 @@ from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
 from urdfkit.workspace.file_head import read_head
 
+TYPE_CHECKING = False
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+try:
+    from lzma import LZMAError
+except ImportError:  # this Python reads no such archives
+
+    class LZMAError(Exception):  # type: ignore[no-redef]
+        pass
+
+
 #: What a directory or an archive stands for: every file with one of these suffixes.
 SUFFIXES = (".urdf", ".urdf.xacro")
 #: Other xacro files of a directory are robots if the root has a name, which no library needs.
@@ -33,9 +46,22 @@ _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
 #: Bytes that archives of few bytes may hold, and how many times their own size others may.
 _LARGE, _MOST_TIMES = 2 * 10**9, 100
+#: What holds a long name or other facts about the next member of a tar, and their bytes at most.
+_HEADERS = (
+    tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE,
+    tarfile.SOLARIS_XHDTYPE,
+)  # fmt: skip
+_LARGEST_HEADER = 2**20
+
+
+class _HugeHeader(Exception):
+    """Nothing that describes a file is as large."""
+
+
 #: What a damaged or encrypted archive raises.
 _UNREADABLE = (
-    OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile, zlib.error,
+    OSError, EOFError, RuntimeError, ValueError, IndexError,
+    tarfile.TarError, zipfile.BadZipFile, zlib.error, LZMAError, _HugeHeader,
 )  # fmt: skip
 
 
@@ -78,6 +104,17 @@ def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Itera
         else:
             _require_readable(source)
             yield Model(source, source)
+
+
+class _TarMember(tarfile.TarInfo):
+    """A member whose headers are small: tarfile takes them into memory, whatever their size."""
+
+    @classmethod
+    def frombuf(cls, buf: bytes | bytearray, encoding: str | None, errors: str) -> Self:
+        member = super().frombuf(buf, encoding, errors)  # type: ignore[arg-type]  # of typeshed
+        if member.type in _HEADERS and member.size > _LARGEST_HEADER:
+            raise _HugeHeader(f"it has a header of {member.size:,} bytes")
+        return member
 
 
 class Extraction:
@@ -165,10 +202,12 @@ def _members(archive: str) -> Iterator[str]:
 def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """The files in an archive, each with what opens it before the next one is asked for."""
     size = 0
-    with tarfile.open(archive) as tar:
+    with tarfile.open(archive, tarinfo=_TarMember) as tar:
         for member in tar:
             size += member.size
-            _check_ratio(archive, size)  # before it is unpacked to find the next one
+            _check_ratio(
+                archive, max(size, member.offset_data)
+            )  # before it is unpacked to find the next one
             if member.isfile():
                 yield member.name, partial(tar.extractfile, member)
 
@@ -196,7 +235,7 @@ def _extract(archive: str, directory: str) -> None:
     free = shutil.disk_usage(directory).free
     try:
         if archive.lower().endswith(_TARS):
-            with tarfile.open(archive) as tar:
+            with tarfile.open(archive, tarinfo=_TarMember) as tar:
                 _check_room(archive, sum(member.size for member in tar), free)
                 tar.extractall(directory, filter="data")
         else:

@@ -12,7 +12,7 @@ from urdfkit.text.source import Span
 class Severity(str, Enum):
     """How bad a finding is.
 
-    ``error``: a mainstream consumer rejects the robot or simulates it wrongly;
+    ``error``: a mainstream program rejects the robot or simulates it wrongly;
     ``warning``: it loads but is probably not intended; ``info``: style or a hint.
     """
 

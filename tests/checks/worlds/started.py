@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from tests.launched import reported
 from urdfkit import Diagnostic
@@ -77,3 +78,8 @@ def found(
     if world is not None:
         written["worlds/hall.sdf"] = WORLD.format(world)
     return reported(directory, code, name, launch, written)
+
+
+def messages(directory: Path, code: str, **files: Any) -> list[str]:
+    """The same, without the places."""
+    return [one.message for one in found(directory, code, **files)]

@@ -6,15 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, found, systems
+from tests.checks.worlds.started import INCLUDE, SENSOR, found, messages, systems
 from urdfkit import Severity
 
 CODE = "WLD001"
 DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
-
-
-def messages(directory: Path, **files: object) -> list[str]:
-    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -48,7 +44,9 @@ def test_each_sensor_needs_its_system(kind: str, system: str, tmp_path: Path) ->
 
 
 def test_a_world_without_plugins_has_the_defaults(tmp_path: Path) -> None:
-    (one,) = messages(tmp_path, world="<gravity>0 0 -9.8</gravity>", robot=SENSOR.format("imu"))
+    (one,) = messages(
+        tmp_path, CODE, world="<gravity>0 0 -9.8</gravity>", robot=SENSOR.format("imu")
+    )
     assert "the system Imu" in one
 
 
@@ -62,26 +60,26 @@ def test_a_world_without_plugins_has_the_defaults(tmp_path: Path) -> None:
 )
 def test_the_world_loads_it(more: str, tmp_path: Path) -> None:
     world = f"{systems(*DEFAULTS)}\n{more}"
-    assert messages(tmp_path, world=world, robot=SENSOR.format("camera")) == []
+    assert messages(tmp_path, CODE, world=world, robot=SENSOR.format("camera")) == []
 
 
 def test_the_robot_loads_it(tmp_path: Path) -> None:
     robot = f"{SENSOR.format('imu')}<gazebo>{systems('imu')}</gazebo>"
-    assert messages(tmp_path, world=systems(*DEFAULTS), robot=robot) == []
+    assert messages(tmp_path, CODE, world=systems(*DEFAULTS), robot=robot) == []
 
 
 def test_a_model_in_the_world_loads_it(tmp_path: Path) -> None:
     include = "<include><uri>model://lamp</uri></include>"
     files = {"models/lamp/model.sdf": f"<sdf><model>{systems('imu')}</model></sdf>"}
     robot = SENSOR.format("imu")
-    assert messages(tmp_path, world=include, robot=robot, files=files) == []
+    assert messages(tmp_path, CODE, world=include, robot=robot, files=files) == []
     (tmp_path / "models/lamp/model.sdf").write_text("<sdf/>")
-    assert len(messages(tmp_path, world=include, robot=robot)) == 1
+    assert len(messages(tmp_path, CODE, world=include, robot=robot)) == 1
 
 
 def test_a_server_configuration_may_load_it(tmp_path: Path) -> None:
     launch = f"import os\nos.environ['GZ_SIM_SERVER_CONFIG_PATH'] = share\n{INCLUDE}"
-    assert messages(tmp_path, world="", robot=SENSOR.format("imu"), launch=launch) == []
+    assert messages(tmp_path, CODE, world="", robot=SENSOR.format("imu"), launch=launch) == []
 
 
 @pytest.mark.parametrize(
@@ -103,7 +101,7 @@ def test_worlds_that_come_with_gazebo(start: str, tmp_path: Path) -> None:
 
 def test_one_that_has_all(tmp_path: Path) -> None:
     start = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r sensors_demo.sdf"')
-    assert messages(tmp_path, robot=SENSOR.format("camera"), launch=start) == []
+    assert messages(tmp_path, CODE, robot=SENSOR.format("camera"), launch=start) == []
 
 
 @pytest.mark.parametrize(
@@ -112,27 +110,27 @@ def test_one_that_has_all(tmp_path: Path) -> None:
 )
 def test_defaults_that_a_world_leaves_out(missing: str, what: str, tmp_path: Path) -> None:
     world = systems(*(one for one in DEFAULTS if one != missing))
-    (one,) = messages(tmp_path, world=world)
+    (one,) = messages(tmp_path, CODE, world=world)
     assert what in one
     assert "up to Gazebo Harmonic" in one
     policy = "<include_server_config_plugins>{}</include_server_config_plugins>"
     kept = f"<gz:policies>{policy.format('true')}</gz:policies>"
-    assert messages(tmp_path, world=world + kept) == []
-    (one,) = messages(tmp_path, world=world + kept.replace("true", "false"))
+    assert messages(tmp_path, CODE, world=world + kept) == []
+    (one,) = messages(tmp_path, CODE, world=world + kept.replace("true", "false"))
     assert "Harmonic" not in one
 
 
 def test_spawning_needs_user_commands(tmp_path: Path) -> None:
     world = systems("physics", "scene-broadcaster")
-    assert messages(tmp_path, world=world) == []
+    assert messages(tmp_path, CODE, world=world) == []
     spawn = '\nNode(package="ros_gz_sim", executable="create", arguments=["-file", "a.sdf"])\n'
-    (one,) = messages(tmp_path, world=world, launch=INCLUDE + spawn)
+    (one,) = messages(tmp_path, CODE, world=world, launch=INCLUDE + spawn)
     assert "UserCommands: the node that spawns the robot waits for ever" in one
 
 
 def test_without_a_window_nobody_needs_the_scene(tmp_path: Path) -> None:
     launch = INCLUDE.replace('"-r "', '"-s -r "')
-    assert messages(tmp_path, world=systems("physics", "user-commands"), launch=launch) == []
+    assert messages(tmp_path, CODE, world=systems("physics", "user-commands"), launch=launch) == []
 
 
 def test_classic_has_no_systems(tmp_path: Path) -> None:
@@ -143,12 +141,12 @@ def test_classic_has_no_systems(tmp_path: Path) -> None:
 <param name="robot_description" command="xacro $(dirname)/../robot.urdf"/>"""
     name = "robot.launch"
     robot = SENSOR.format("camera")
-    assert messages(tmp_path, world="", robot=robot, launch=launch, name=name) == []
+    assert messages(tmp_path, CODE, world="", robot=robot, launch=launch, name=name) == []
     gz = launch.replace("gazebo_ros", "ros_gz_sim").replace(
         "empty_world.launch", "gz_server.launch"
     )
     gz = gz.replace("world_name", "world_sdf_file")
-    (one,) = messages(tmp_path, world="", robot=robot, launch=gz, name=name)
+    (one,) = messages(tmp_path, CODE, world="", robot=robot, launch=gz, name=name)
     assert "Sensors" in one
 
 
@@ -172,18 +170,18 @@ def test_classic_without_the_factory(command: str, tmp_path: Path) -> None:
     )
     assert one.severity is Severity.ERROR
     loaded = START.format(f'{command}, "-s", "libgazebo_ros_factory.so"')
-    assert messages(tmp_path, world="", launch=launch + loaded + SPAWN) == []
-    assert messages(tmp_path, world="", launch=launch + START.format(command)) == []
+    assert messages(tmp_path, CODE, world="", launch=launch + loaded + SPAWN) == []
+    assert messages(tmp_path, CODE, world="", launch=launch + START.format(command)) == []
 
 
 def test_the_launch_files_of_classic_load_the_factory(tmp_path: Path) -> None:
     launch = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
     launch = launch.replace('"gz_args": ["-r ", share', '"world": [share')
-    assert messages(tmp_path, world="", launch=launch + SPAWN) == []
+    assert messages(tmp_path, CODE, world="", launch=launch + SPAWN) == []
 
 
 def test_a_world_may_load_the_factory(tmp_path: Path) -> None:
     launch = INCLUDE.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
     start = START.format('"gazebo", share + "/worlds/hall.sdf"')
     plugin = '<plugin name="f" filename="libgazebo_ros_factory.so"/>'
-    assert messages(tmp_path, world=plugin, launch=launch + start + SPAWN) == []
+    assert messages(tmp_path, CODE, world=plugin, launch=launch + start + SPAWN) == []

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, WORLD, found, systems
+from tests.checks.worlds.started import INCLUDE, SENSOR, WORLD, found, messages, systems
 from urdfkit import Diagnostic, Severity
 
 CODE = "WLD002"
@@ -18,10 +18,6 @@ SPAWN = '\nNode(package="ros_gz_sim", executable="create", arguments=["-topic", 
 def one(directory: Path, world: str, **files: object) -> Diagnostic:
     (found_one,) = found(directory, CODE, world=world, **files)  # type: ignore[arg-type]
     return found_one
-
-
-def messages(directory: Path, **files: object) -> list[str]:
-    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -40,7 +36,7 @@ def test_a_system_of_gz_in_classic(tmp_path: Path) -> None:
     reported = one(tmp_path, systems("physics"), launch=CLASSIC)
     assert "is for gz-sim, and world 'hall' is started in Gazebo Classic" in reported.message
     state = '<plugin name="p" filename="libgazebo_ros_state.so"/>'
-    assert messages(tmp_path, world=state, launch=CLASSIC) == []
+    assert messages(tmp_path, CODE, world=state, launch=CLASSIC) == []
 
 
 @pytest.mark.parametrize(
@@ -69,9 +65,11 @@ def test_names_of_plugins(file: str, name: str, problem: str, tmp_path: Path) ->
 def test_render_engines(engine: str, problem: str, tmp_path: Path) -> None:
     world = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors">'
     world += f"<render_engine>{engine}</render_engine></plugin>"
-    assert [problem in one for one in messages(tmp_path, world=world)] == [True] * bool(problem)
+    assert [problem in one for one in messages(tmp_path, CODE, world=world)] == [True] * bool(
+        problem
+    )
     line = INCLUDE.replace('"-r "', f'"-r --render-engine {engine} "')
-    written = messages(tmp_path, world="", launch=line)
+    written = messages(tmp_path, CODE, world="", launch=line)
     assert [problem in one for one in written] == [True] * bool(problem)
 
 
@@ -81,22 +79,22 @@ def test_what_the_old_engine_lacks(kind: str, tmp_path: Path) -> None:
     world += "<render_engine>ogre</render_engine></plugin>"
     reported = one(tmp_path, world, robot=SENSOR.format(kind))
     assert reported.message == f"the render engine ogre has no {kind}, which sensor 's' is"
-    assert messages(tmp_path, world=world, robot=SENSOR.format("camera")) == []
+    assert messages(tmp_path, CODE, world=world, robot=SENSOR.format("camera")) == []
     newer = world.replace("ogre", "ogre2")
-    assert messages(tmp_path, world=newer, robot=SENSOR.format(kind)) == []
+    assert messages(tmp_path, CODE, world=newer, robot=SENSOR.format(kind)) == []
 
 
 def test_models_that_are_not_there(tmp_path: Path) -> None:
     include = "<include><uri>model://{}</uri></include>"
     files = {"models/big_shelf/model.config": "<model/>"}
-    assert messages(tmp_path, world=include.format("big_shelf"), files=files) == []
-    (typo,) = messages(tmp_path, world=include.format("big_shlef"))
+    assert messages(tmp_path, CODE, world=include.format("big_shelf"), files=files) == []
+    (typo,) = messages(tmp_path, CODE, world=include.format("big_shlef"))
     assert typo == "model 'model://big_shlef' is not found; did you mean 'big_shelf'?"
-    assert messages(tmp_path, world=include.format("cafe")) == []
+    assert messages(tmp_path, CODE, world=include.format("cafe")) == []
     for name in ("sun", "ground_plane"):
-        (online,) = messages(tmp_path, world=include.format(name))
+        (online,) = messages(tmp_path, CODE, world=include.format(name))
         assert f"gz sim does not come with 'model://{name}'" in online
-        assert messages(tmp_path, world=include.format(name), launch=CLASSIC) == []
+        assert messages(tmp_path, CODE, world=include.format(name), launch=CLASSIC) == []
 
 
 def test_files_that_are_no_worlds(tmp_path: Path) -> None:
@@ -105,10 +103,10 @@ def test_files_that_are_no_worlds(tmp_path: Path) -> None:
     assert reported.message.startswith("'hall.sdf' is not a world: ")
     assert reported.span.source.path == str(path)
     path.write_text("<sdf><model name='m'/></sdf>")
-    (none,) = messages(tmp_path)
+    (none,) = messages(tmp_path, CODE)
     assert none == "'hall.sdf' is not a world: it has no <world> in an <sdf>"
     path.write_text(f"<% n = 3 %>{WORLD.format('')}")
-    assert messages(tmp_path) == []
+    assert messages(tmp_path, CODE) == []
 
 
 @pytest.mark.parametrize(
@@ -118,5 +116,5 @@ def test_spawned_into_another_world(argument: str, tmp_path: Path) -> None:
     reported = one(tmp_path, "", launch=INCLUDE + SPAWN.format(argument))
     assert "and world 'hall' is started" in reported.message
     same = SPAWN.format('"-world", "hall"')
-    assert messages(tmp_path, world="", launch=INCLUDE + same) == []
-    assert messages(tmp_path, world="", launch=INCLUDE + SPAWN.format("")) == []
+    assert messages(tmp_path, CODE, world="", launch=INCLUDE + same) == []
+    assert messages(tmp_path, CODE, world="", launch=INCLUDE + SPAWN.format("")) == []

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, found
+from tests.checks.worlds.started import INCLUDE, found, messages
 from urdfkit import Severity
 
 CODE = "WLD003"
@@ -29,10 +29,6 @@ def wheeled(joint: str = "continuous", world: str = "") -> str:
     return text
 
 
-def messages(directory: Path, **files: object) -> list[str]:
-    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize(
     ("launch", "z", "depth"),
     [
@@ -49,7 +45,7 @@ def messages(directory: Path, **files: object) -> list[str]:
     ],
 )  # fmt: skip
 def test_it_is_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
-    (one,) = messages(tmp_path, robot=wheeled(), launch=launch)
+    (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=launch)
     assert one == (
         f"the robot is spawned at z = {z} m, where link 'left' is {depth} m below the ground"
     )
@@ -67,25 +63,25 @@ def test_the_place_and_what_to_write(tmp_path: Path) -> None:
 @pytest.mark.parametrize("z", ["0.3", "0.295", "1"])
 def test_it_is_high_enough(z: str, tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(f'{TOPIC}, "-z", "{z}"')
-    assert messages(tmp_path, robot=wheeled(), launch=launch) == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=launch) == []
 
 
 def test_the_floor_of_the_world(tmp_path: Path) -> None:
     launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.5"')
     for height, depth in (("0.2", []), ("0.3", ["0.1"])):
-        found = messages(tmp_path, robot=wheeled(), launch=launch, world=PLANE.format(height))
+        found = messages(tmp_path, CODE, robot=wheeled(), launch=launch, world=PLANE.format(height))
         assert [one.split(" is ")[2].split()[0] for one in found] == depth
     include = "<include><uri>model://ground_plane</uri></include>"
     low = launch.replace("0.5", "0.1")
-    assert len(messages(tmp_path, robot=wheeled(), launch=low, world=include)) == 1
-    (one,) = messages(tmp_path, robot=wheeled(), launch=low, world="")
+    assert len(messages(tmp_path, CODE, robot=wheeled(), launch=low, world=include)) == 1
+    (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=low, world="")
     assert one == "world 'hall' has nothing to stand on, so the robot falls"
     spawned = low + SPAWN.format('"-file", "floor.sdf"')
-    assert messages(tmp_path, robot=wheeled(), launch=spawned, world="") == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=spawned, world="") == []
     hilly = f"{include}<model><collision><geometry><heightmap/></geometry></collision></model>"
-    assert messages(tmp_path, robot=wheeled(), launch=low, world=hilly) == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=low, world=hilly) == []
     inclined = PLANE.format(0).replace("0 0 0</pose>", "0 0.1 0</pose>")
-    assert messages(tmp_path, robot=wheeled(), launch=low, world=inclined) == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=low, world=inclined) == []
 
 
 @pytest.mark.parametrize(
@@ -98,15 +94,15 @@ def test_the_floor_of_the_world(tmp_path: Path) -> None:
 )
 def test_what_is_not_known(arguments: str, tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(arguments)
-    assert messages(tmp_path, robot=wheeled(), launch=launch) == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=launch) == []
 
 
 def test_what_does_not_roll(tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(TOPIC)
-    assert messages(tmp_path, robot=wheeled("fixed"), launch=launch) == []
+    assert messages(tmp_path, CODE, robot=wheeled("fixed"), launch=launch) == []
     fixed = '<link name="world"/><joint name="w" type="fixed"><parent link="world"/>'
     fixed += '<child link="base"/></joint>'
-    assert messages(tmp_path, robot=wheeled(world=fixed), launch=launch) == []
+    assert messages(tmp_path, CODE, robot=wheeled(world=fixed), launch=launch) == []
 
 
 def test_classic(tmp_path: Path) -> None:
@@ -115,7 +111,7 @@ def test_classic(tmp_path: Path) -> None:
 <param name="robot_description" command="xacro $(dirname)/../robot.urdf"/>
 <node name="s" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model c"/>
 """
-    (one,) = messages(tmp_path, robot=wheeled(), launch=launch, name="robot.launch")
+    (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=launch, name="robot.launch")
     assert "0.3 m below" in one
     high = launch.replace("-model c", "-model c -z 0.4")
-    assert messages(tmp_path, robot=wheeled(), launch=high, name="robot.launch") == []
+    assert messages(tmp_path, CODE, robot=wheeled(), launch=high, name="robot.launch") == []

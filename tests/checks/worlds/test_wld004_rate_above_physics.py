@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, found
+from tests.checks.worlds.started import INCLUDE, SENSOR, found, messages
 
 CODE = "WLD004"
 PHYSICS = '<physics name="p" type="ode"><max_step_size>{}</max_step_size></physics>'
@@ -19,10 +19,6 @@ YAML = """controller_manager:
   ros__parameters:
     update_rate: {}
 """
-
-
-def messages(directory: Path, **files: object) -> list[str]:
-    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -48,21 +44,21 @@ def test_the_controller_manager(step: str, rate: int, steps: str, tmp_path: Path
 def test_it_is_slow_enough(step: str, rate: int, tmp_path: Path) -> None:
     robot = CONTROL.replace("$(find arm)", str(tmp_path))
     files = {"control.yaml": YAML.format(rate)}
-    assert messages(tmp_path, world=PHYSICS.format(step), robot=robot, files=files) == []
+    assert messages(tmp_path, CODE, world=PHYSICS.format(step), robot=robot, files=files) == []
 
 
 def test_the_default_step(tmp_path: Path) -> None:
     sensor = SENSOR.format("imu").replace(">30<", ">{}<")
-    (one,) = messages(tmp_path, world="", robot=sensor.format("1500"))
+    (one,) = messages(tmp_path, CODE, world="", robot=sensor.format("1500"))
     assert "sensor 's': update rate is 1500 Hz" in one
-    assert messages(tmp_path, world="", robot=sensor.format("1000")) == []
+    assert messages(tmp_path, CODE, world="", robot=sensor.format("1000")) == []
     empty = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r empty.sdf"')
-    assert len(messages(tmp_path, robot=sensor.format("1500"), launch=empty)) == 1
+    assert len(messages(tmp_path, CODE, robot=sensor.format("1500"), launch=empty)) == 1
 
 
 def test_a_sensor_in_a_slow_world(tmp_path: Path) -> None:
     sensor = SENSOR.format("imu").replace(">30<", ">400<")
-    (one,) = messages(tmp_path, world=PHYSICS.format("0.005"), robot=sensor)
+    (one,) = messages(tmp_path, CODE, world=PHYSICS.format("0.005"), robot=sensor)
     assert "400 Hz, but world 'hall' steps at 200 Hz" in one
     several = PHYSICS.format("0.005") + PHYSICS.format("0.001").replace('"p"', '"q"')
-    assert messages(tmp_path, world=several, robot=sensor) == []
+    assert messages(tmp_path, CODE, world=several, robot=sensor) == []

@@ -17,6 +17,7 @@ import trimesh
 from tests.conftest import CORPUS, needs_corpus
 from tests.mesh.defects import KINDS, shapes
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
+from tests.mesh.test_measuring import soup
 from urdfkit.mesh.geometry import Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.io.load import load
@@ -46,14 +47,8 @@ def test_a_healthy_mesh_is_not_touched(name: str) -> None:
     assert done.mesh is mesh
     assert not done.steps
     assert not done.changed
-    loose = mesh._replace(parts=(_unindexed(mesh.parts[0]),))  # as STL has it
+    loose = mesh._replace(parts=(soup(mesh.parts[0]),))  # as STL has it
     assert repair(loose).mesh is loose
-
-
-def _unindexed(part: MeshPart) -> MeshPart:
-    return MeshPart(
-        part.vertices[part.faces].reshape(-1, 3), np.arange(3 * len(part.faces)).reshape(-1, 3)
-    )
 
 
 @pytest.mark.parametrize("kind", range(len(KINDS)), ids=lambda kind: KINDS[kind].__name__)

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.own_robots import ROVER, own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.text.source import Source
@@ -24,11 +25,8 @@ from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.proof import LENGTH, PART, prove
 from urdfkit.output.conversion.result import REPORT
 
-HERE = Path(__file__).parents[2]
 #: Each tree is converted, loaded and compared in 100 poses, which takes 0.1 s.
 FEWER = settings(max_examples=settings().max_examples // 3)
-ROVER = HERE / "carriers" / "rover" / "urdf" / "rover.urdf.xacro"
-PICKER = HERE / "carriers" / "picker" / "urdf" / "picker.urdf"
 
 BOX = '<geometry><box size="0.2 0.4 0.6"/></geometry>'
 INERTIAL = (
@@ -58,13 +56,9 @@ def loaded(robot: Source | Path, out: Path, **options: Any) -> tuple[Any, dict[s
     return model, {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
 
 
-@pytest.mark.parametrize(
-    "robot",
-    [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))],
-    ids=lambda path: path.stem,
-)
-def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
-    convert(robot, tmp_path / "out")
+@own_robots
+def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
+    convert(path, tmp_path / "out")
     proof = json.loads((tmp_path / "out" / REPORT).read_text())["proof"]
     assert proof["frames"] < LENGTH / 1e3
     assert proof["mass_matrix"] < PART / 1e3

@@ -17,7 +17,8 @@ pytest.importorskip("pinocchio")
 pytest.importorskip("trimesh")
 Image = pytest.importorskip("PIL.Image")
 
-from tests.output.conversion.test_mjcf import INERTIAL, LIMIT, PICKER, arm, loaded
+from tests.output.conversion.test_mjcf import INERTIAL, LIMIT, arm, loaded
+from tests.own_robots import PICKER
 from tests.physics.dynamics.test_against_pinocchio import robots
 
 #: Two triangles with an image, a part without, which is red, and a triangle that is blue.

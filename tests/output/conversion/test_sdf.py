@@ -14,8 +14,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
+from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
 from urdfkit.errors import UrdfkitError
@@ -27,10 +28,6 @@ from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
-
-CARRIERS = Path(__file__).parents[2] / "carriers"
-ROVER = CARRIERS / "rover" / "urdf" / "rover.urdf.xacro"
-PICKER = CARRIERS / "picker" / "urdf" / "picker.urdf"
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 
@@ -67,9 +64,7 @@ def text(place: Element, path: str) -> str:
     return at(place, path).text.strip()
 
 
-@pytest.mark.parametrize(
-    "path", [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))], ids=lambda path: path.stem
-)
+@own_robots
 def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
     found = convert(path, tmp_path / "o", to="sdf")

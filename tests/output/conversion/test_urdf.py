@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.own_robots import ROVER, own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
 
@@ -14,15 +15,10 @@ pytest.importorskip("trimesh")
 
 from urdfkit.output.conversion.urdf import prove
 
-CARRIERS = Path(__file__).parents[2] / "carriers"
-ROVER = CARRIERS / "rover" / "urdf" / "rover.urdf.xacro"
 
-
-@pytest.mark.parametrize(
-    "robot", [ROVER, *sorted((MODELS / "good").rglob("*.urdf"))], ids=lambda path: path.stem
-)
-def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
-    found = convert(robot, tmp_path / "o", to="urdf")
+@own_robots
+def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
+    found = convert(path, tmp_path / "o", to="urdf")
     assert found.proof.holds
     assert {one.result.value for one in found.entries} <= {"kept", "approximated"}
     assert (tmp_path / "o" / found.file).is_file()

@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
-from tests.output.conversion.test_mjcf import BOX, INERTIAL, LIMIT, PICKER, ROVER, arm
+from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.output.conversion.test_mjcf import BOX, INERTIAL, LIMIT, arm
+from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.source import Source
@@ -34,13 +35,9 @@ def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:
     return Usd.Stage.Open(str(out / found.file)), parts
 
 
-@pytest.mark.parametrize(
-    "robot",
-    [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))],
-    ids=lambda path: path.stem,
-)
-def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
-    convert(robot, tmp_path / "out", to="usd")
+@own_robots
+def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
+    convert(path, tmp_path / "out", to="usd")
     facts = json.loads((tmp_path / "out" / REPORT).read_text())
     assert facts["proof"]["holds"] is True
     assert facts["to"] == "usd"

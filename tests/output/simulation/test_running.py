@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.own_robots import ROVER, own_robots
 from urdfkit import read
 from urdfkit.core.spatial import Transform
 from urdfkit.output.simulation import motion, simulate
@@ -14,10 +14,6 @@ from urdfkit.text.source import Source
 
 for library in ("mujoco", "numpy", "trimesh"):
     pytest.importorskip(library)
-
-HERE = Path(__file__).parents[2]
-ROVER = HERE / "carriers" / "rover" / "urdf" / "rover.urdf.xacro"
-PICKER = HERE / "carriers" / "picker" / "urdf" / "picker.urdf"
 
 
 def link(name: str, at: str = "0 0 0", mass: float = 1.0) -> str:
@@ -52,9 +48,7 @@ def failures(source: Source | Path, base: str = "auto") -> dict[str, tuple[str, 
     return {one.test: one.names for one in found.verdicts if not one.passes}
 
 
-@pytest.mark.parametrize(
-    "path", [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))], ids=lambda path: path.stem
-)
+@own_robots
 def test_sound_robots_behave(path: Path) -> None:
     assert failures(path) == {}
 
