@@ -86,6 +86,7 @@ ADMITTED = "Resolver.locate"
 IN_PACKAGE = "found by its name in a package or workspace"
 NAMED = "named by the user"
 READERS = {
+    "checks/gazebo/gaz007_unknown_material.py": "Resolver.allows",
     "checks/mesh_contents/msh007_unsupported_format.py": ADMITTED,
     "checks/package/build_files.py": IN_PACKAGE,
     "checks/package/pkg005_invalid_package.py": IN_PACKAGE,

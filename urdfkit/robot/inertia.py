@@ -189,9 +189,8 @@ def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
     """A tensor given along the axes of a child frame, along those of the parent."""
     if rotation is IDENTITY:
         return tensor
-    xx, xy, xz, yy, yz, zz = tensor
-    rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     x, y, z = rotation
+    rows = tensor.rows
     tx, ty, tz = rotate(rows, x), rotate(rows, y), rotate(rows, z)
     return Tensor(dot(x, tx), dot(x, ty), dot(x, tz), dot(y, ty), dot(y, tz), dot(z, tz))
 

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, from_rpy
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step
@@ -59,6 +59,12 @@ class Tensor(Record):
     iyy: float
     iyz: float
     izz: float
+
+    @property
+    def rows(self) -> Rotation:
+        """As a symmetric matrix."""
+        xx, xy, xz, yy, yz, zz = self
+        return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
 
 
 class Inertial(Record):

@@ -55,3 +55,9 @@ def test_given_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
 )
 def test_calm_in_xml(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU015", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(("value", "count"), [("'a.urdf'", 1), ("'<robot/>'", 0)])
+def test_the_path_of_a_file(tmp_path: Path, value: str, count: int) -> None:
+    text = NODE.format(f", parameters=[{{'robot_description': {value}}}]")
+    assert len(reported(tmp_path, "LAU015", "a.launch.py", text)) == count

@@ -81,3 +81,26 @@ def test_clocks(tmp_path: Path, given: str, count: int) -> None:
     )
     assert len(messages(tmp_path, STATE.format(given) + other + spawn + bridge)) == count
     assert messages(tmp_path, STATE.format(given) + other) == []
+
+
+BRIDGE = NODE.format(
+    "ros_gz_bridge", "parameter_bridge", "arguments=['{}@sensor_msgs/msg/Imu[gz.msgs.IMU'{}]"
+)
+FILTER = NODE.format("robot_localization", "ekf_node", "parameters=['../ekf.yaml']{}")
+EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (BRIDGE.format("/imu", "") + FILTER.format(""), 0),
+        (BRIDGE.format("/imu/data", "") + FILTER.format(""), 1),
+        (FILTER.format(""), 0),  # what publishes it is not known
+        (BRIDGE.format("/imu/data", "") + FILTER.format("") + NODE.format("a", "driver", ""), 0),
+        (BRIDGE.format("/imu/data", "") + FILTER.format(", remappings=[('imu', 'imu/data')]"), 0),
+        (BRIDGE.format("/imu/data", "") + FILTER.format(", namespace='robot'"), 0),
+    ],
+)
+def test_topics(tmp_path: Path, text: str, count: int) -> None:
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, {"ekf.yaml": EKF})
+    assert len([one for one in found if "waits for '/imu'" in one.message]) == count

@@ -32,7 +32,8 @@ def messages(directory: Path, node: str, names: str, yaml: str) -> list[str]:
         ('name="controller"', "/**", 0),
         ('name="controller"', "/robot/controller", 0),
         ('name="controller"', "controller_server", 1),
-        ("", "controller", 0),  # the program knows its name
+        ("", "controller", 1),  # servers of Nav2 are called as their programs
+        ("", "other", 0),
         ('name="controller", namespace="robot"', "other", 0),
     ],
 )
@@ -72,3 +73,66 @@ def test_plugins_of_a_costmap(tmp_path: Path, plugins: str, section: str, count:
     )
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
     assert len([one for one in found if "no parameters for" in one]) == count
+
+
+COSTMAP = "local_costmap:\n  local_costmap:\n    ros__parameters:\n      {}\n"
+LAYER = "layer: {{plugin: {}, observation_sources: scan, scan: {{data_type: {}}}}}"
+
+
+@pytest.mark.parametrize(
+    ("plugin", "data", "message"),
+    [
+        ("nav2_costmap_2d::ObstacleLayer", "LaserScan", ""),
+        ("nav2_costmap_2d::VoxelLayer", "PointCloud2", ""),
+        (
+            "nav2_costmap_2d::VoxelLayers",
+            "PointCloud2",
+            "did you mean 'nav2_costmap_2d::Vox",
+        ),
+        ("nav2_costmap_2d/VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::Vox"),
+        ("costmap_2d::VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::Vox"),
+        ("nav2_costmap_2d::SemanticLayer", "PointCloud2", ""),  # of a newer Nav2, perhaps
+        ("my_layers::ObstacleLayer", "Image", ""),
+        ("nav2_costmap_2d::ObstacleLayer", "laserscan", "stops at data_type 'laserscan'"),
+    ],
+)
+def test_layers(tmp_path: Path, plugin: str, data: str, message: str) -> None:
+    yaml = COSTMAP.format(LAYER.format(f'"{plugin}"', data))
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert [message in one for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("key", "count"),
+    [
+        ("local_costmap", 1),
+        ("robot/local_costmap", 1),
+        ("local_costmap/local_costmap", 0),
+        ("/**/local_costmap", 0),
+    ],
+)
+def test_a_costmap_is_its_own_namespace(tmp_path: Path, key: str, count: int) -> None:
+    yaml = f"{key}:\n  ros__parameters:\n    robot_base_frame: base_link\n"
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert len([one for one in found if "local_costmap/local_costmap'" in one]) == count
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        ("controller_frequency: 20", "20 is an integer"),
+        ("controller_frequency: -20", "-20 is an integer"),
+        ("controller_frequency: 20.0", ""),
+        ("controller_frequency: '20'", ""),
+        ("min_particles: 20", ""),
+        ("frequency: 20", ""),  # of a filter alone
+        ("frequency: 20\n    odom0_config: []", "20 is an integer"),
+        ("a: [[1, 2], [3, 4]]", "a is a list of lists"),
+        ("a: [[1, 2]]", ""),  # is read as if it were flat
+    ],
+)
+def test_types(tmp_path: Path, value: str, message: str) -> None:
+    yaml = f"controller_server:\n  ros__parameters:\n    {value}\n"
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    found = [one for one in found if "values, not 15" not in one]
+    assert [message in one for one in found] == [True] * bool(message)

@@ -181,3 +181,19 @@ def test_registered_or_unclear_is_calm(
     tmp_path: Path, manifest: str, setup: str, more: list[str]
 ) -> None:
     assert reported_python(tmp_path, manifest, setup, *more) == []
+
+
+@pytest.mark.parametrize(
+    ("last", "count"),
+    [
+        ("ament_package()", 0),
+        ("ament_auto_package()", 0),
+        ("# ament_package()", 1),
+        ("", 1),
+        ("include(cmake/package.cmake)", 0),
+    ],
+)
+def test_ament_package_is_called(tmp_path: Path, last: str, count: int) -> None:
+    text = f"project(arm)\nfind_package(ament_cmake REQUIRED)\n{last}\n"
+    (tmp_path / "CMakeLists.txt").write_text(text)
+    assert len(reported(tmp_path, MANIFEST)) == count

@@ -32,6 +32,7 @@ FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
 
 #: Directories of a workspace that are searched for material scripts, and what is read of one.
 _MAX_DIRECTORIES, _MAX_BYTES = 2000, 1024 * 1024
+_MATERIAL = rb"(?m)^[ \t]*material[ \t]+\"?([^\s\"{:]+)"
 
 
 @rule(
@@ -45,6 +46,7 @@ def check(context: Context) -> Findings:
     suggester = Suggester(bare)
     is_fortress = context.targets.any_of(("gz-fortress",))
     is_gz = context.targets.any_of(("gz-harmonic", "gz-jetty"))
+    scripted: set[str] | None = None  # not known
     for block in context.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
@@ -57,23 +59,23 @@ def check(context: Context) -> Findings:
                     yield Finding(child, message, severity=Severity.INFO)
             # Another prefix is that of a vendor's own scripts.
             elif "/" not in name or name.lower().startswith("gazebo/"):
-                if name and not context.targets.any_of(GZ) and _is_scripted(context, name):
+                if scripted is None:
+                    scripted = set() if context.targets.any_of(GZ) else _scripted(context)
+                if name in scripted:
                     continue
                 suggested = suggester.suggested(name.rpartition("/")[2])
                 yield _finding(child, name, bare.get(suggested, ""))
 
 
-def _is_scripted(context: Context, name: str) -> bool:
-    """True if a material script of Ogre in the workspace has a material."""
-    directories = context.resolver.directories
+def _scripted(context: Context) -> set[str]:
+    """The materials that the material scripts of Ogre in the workspace define."""
     root = context.resolver.packages.workspace(context.source.path)
-    material = re.compile(rb"^\s*material\s+\"?" + re.escape(name.encode()) + rb"\b", re.MULTILINE)
-    scripts = [
-        file
-        for file in directories.files_below(root, _MAX_DIRECTORIES)
-        if file.endswith(".material")
-    ]
-    return any(material.search(read_head(file, _MAX_BYTES)) for file in scripts)
+    return {
+        name.decode("utf-8", "replace")
+        for file in context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
+        if file.endswith(".material") and context.resolver.allows(file, context.source.path)
+        for name in re.findall(_MATERIAL, read_head(file, _MAX_BYTES))
+    }
 
 
 def _finding(child: Element, name: str, right: str) -> Finding:

@@ -1,7 +1,8 @@
 """The robot_state_publisher is started without a robot description.
 
 In ROS 2 it takes the robot from its parameter `robot_description` and stops without it: "parameter
-must not be empty". A misspelt name of the parameter does the same.
+must not be empty". A misspelt name of the parameter does the same, and the path of a file in place
+of its text.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
@@ -31,6 +32,10 @@ def check(context: Context) -> Findings:
         given = node.parameters.every
         if node.package != "robot_state_publisher" or given is None or node.words:
             continue
+        if (given.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
+            message = f"{_PARAMETER} is the path of a file: the node takes the text of the robot"
+            help = 'write ParameterValue(Command(["xacro ", path]), value_type=str)'
+            yield Finding(Location(node.span, node.frame), message, help)
         if _PARAMETER not in given:
             mistake = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""

@@ -16,6 +16,8 @@
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
   /controller_manager/list_controllers". A relative name is in the namespace of the spawner.
+- A filter or a costmap that reads odometry, an IMU or a scan from a topic that nothing publishes,
+  while such messages are published under another name. All that the workspace starts must be known.
 
 A file is left out that includes what is not at hand, unless that is part of ROS.
 
@@ -31,6 +33,7 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
 from urdfkit.checks.launch.simulated_hardware import mock_hardware
 from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
+from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -79,6 +82,7 @@ def check(context: Context) -> Findings:
     yield from mock_hardware(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
         yield from unpublished_description(started)
+        yield from unpublished_inputs(context)
         yield from other_manager(context, started)
 
 

@@ -12,7 +12,8 @@ is that of the launch file, else those that the other launch files of the worksp
 that a program of the workspace names is left out. `map`,
 `odom` and `world` as the fixed frame are reported where a launch file starts RViz with
 joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is neither
-its `odom_frame` nor its `map_frame`, at which the filter stops.
+its `odom_frame` nor its `map_frame`, at which the filter stops, and an `odom_frame` that is one of
+the others ("Invalid frame configuration!").
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
@@ -200,8 +201,18 @@ def _other_world(context: Context) -> Findings:
             world, base = section.get("world_frame"), section.get("base_link_frame")
             others = [section.get(key) for key in ("odom_frame", "map_frame")]
             names = [one.text for one in others if isinstance(one, Value)]
-            is_filter = isinstance(base, Value) and len(names) == len(others)
-            if is_filter and isinstance(world, Value) and world.text not in names:
+            if not isinstance(base, Value) or len(names) < len(others):
+                continue
+            odom = section["odom_frame"]
+            if isinstance(odom, Value) and odom.text in (base.text, names[1]):
+                key = "base_link_frame" if odom.text == base.text else "map_frame"
+                yield Finding(
+                    Location(odom.span),
+                    f"odom_frame and {key} are both '{odom.text}': robot_localization asks for "
+                    "three different frames",
+                    "write odom_frame: odom, map_frame: map and the robot's link",
+                )
+            elif isinstance(world, Value) and world.text not in names:
                 yield Finding(
                     Location(world.span),
                     f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "

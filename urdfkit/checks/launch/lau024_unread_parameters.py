@@ -7,6 +7,9 @@
 - A costmap names a plugin in `plugins` or `filters` for which there are no parameters: "Can not get
   'plugin' param value for voxel_layer". The same holds for `controller_plugins` and
   `planner_plugins`.
+- A costmap's layer has a class that Nav2 does not have, or a `data_type` that it does not take.
+- The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
+- A whole number stands for a fraction: "expected [double] got [integer]". A list is in a list.
 - `observation_sources` names a source without parameters (warning): the layer then listens to a
   topic of that name.
 - A lifecycle manager waits for a node that nothing starts, or a node of Nav2 is started that no
@@ -24,16 +27,17 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
-from urdfkit.checks.launch.lifecycle import not_activated
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.checks.launch.costmap_parameters import COSTMAPS, misplaced, plugins
+from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
+from urdfkit.checks.launch.parameter_types import wrong_types
+from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
 from urdfkit.ros.launch.transforms import mistakes
-from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.text.located_yaml import Key
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -57,14 +61,6 @@ FILES = {
 #: Values of a row of robot_localization: position, angles, velocities, rates, accelerations.
 _STATES = 15
 _CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
-#: Lists of plugins, each with the value that needs no parameters.
-_PLUGINS = {
-    "plugins": ["static_layer", "obstacle_layer", "inflation_layer"],
-    "filters": [],
-    "controller_plugins": ["FollowPath"],
-    "planner_plugins": ["GridBased"],
-}
-_COSTMAPS = ("local_costmap", "global_costmap")
 #: Programs that hold nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
 
@@ -82,8 +78,10 @@ def check(context: Context) -> Findings:
     for several in found.values():
         for one in several:
             yield from _configurations(one)
+            yield from wrong_types(one)
             if names.count(one.name) == 1:  # others would complete it
-                yield from _plugins(one)
+                yield from plugins(one)
+                yield from misplaced(one)
     yield from _of_others(context, found)
     yield from not_activated(context)
     for started in context.launch.started:
@@ -103,43 +101,6 @@ def _configurations(node: NodeParameters) -> Findings:
             )
 
 
-def _plugins(node: NodeParameters) -> Findings:
-    for key, defaults in _PLUGINS.items():
-        if key in ("plugins", "filters") and node.name not in _COSTMAPS:
-            continue
-        listed = list(_words(node.values.get(key)))
-        if [one.text for one in listed] == defaults:
-            continue
-        sections = {name for name, value in node.values.items() if isinstance(value, dict)}
-        for one in listed:
-            if one.text not in sections and f"{one.text}.plugin" not in node.values:
-                yield Finding(
-                    Location(one.span),
-                    f"'{node.name}': no parameters for '{one.text}' of {key}"
-                    f"{did_you_mean(one.text, sections)}",
-                    f"add {one.text} with its plugin, or fix the name",
-                )
-    for layer in node.values.values():
-        yield from _sources(layer) if isinstance(layer, dict) else ()
-
-
-def _sources(layer: dict[str, Node]) -> Findings:
-    given = layer.get("observation_sources")
-    sections = {name for name, value in layer.items() if isinstance(value, dict)}
-    for name in given.text.split() if isinstance(given, Value) else ():
-        if isinstance(given, Value) and name not in sections:
-            yield Finding(
-                Location(given.span),
-                f"observation source '{name}' has no parameters{did_you_mean(name, sections)}",
-                f"add {name} with its topic and data_type, or fix the name",
-                severity=Severity.WARNING,
-            )
-
-
-def _words(node: Node) -> Iterator[Value]:
-    yield from (one for one in node if isinstance(one, Value)) if isinstance(node, list) else ()
-
-
 def _of_others(context: Context, found: dict[str, list[NodeParameters]]) -> Findings:
     """The files whose parameters are those of another node than the one that gets them."""
     launch = context.launch
@@ -147,16 +108,33 @@ def _of_others(context: Context, found: dict[str, list[NodeParameters]]) -> Find
     for path, several in found.items():
         users = [one for one in started if path in one.parameters.files]
         names = {one.name for one in several}
+        yield from _misnamed(several, users)
         is_known = users and all(map(_is_named, users)) and not launch.has_scopes
         if not names or not is_known or any("*" in name for name in names):
             continue
-        if names.isdisjoint(one.name for one in users) and names.isdisjoint(_COSTMAPS):
+        if names.isdisjoint(one.name for one in users) and names.isdisjoint(COSTMAPS):
             who = users[0]
             yield Finding(
                 Location(several[0].at),
                 f"parameters of '{several[0].name}' are not read: the node is called '{who.name}'",
                 f"write {who.name}, or name the node {several[0].name}",
                 related=(Related(who.span, "the node that gets the file"),),
+                severity=Severity.WARNING,
+            )
+
+
+def _misnamed(several: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """The sections that are meant for servers of Nav2 of similar names, which have none."""
+    servers = {one.executable: one for one in users if one.executable in MANAGED and not one.name}
+    lacking = servers.keys() - {one.name for one in several}
+    for one in several:
+        meant = nearest(one.name, lacking) if one.name not in servers else None
+        if meant and meant.startswith(one.name.partition("_")[0]):
+            yield Finding(
+                Location(one.at),
+                f"parameters of '{one.name}' are not read: the node is called '{meant}'",
+                f"write {meant}",
+                related=(Related(servers[meant].span, "the node that gets the file"),),
                 severity=Severity.WARNING,
             )
 

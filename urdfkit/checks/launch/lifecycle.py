@@ -9,7 +9,7 @@ from urdfkit.ros.launch.argument_checks import is_included
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES = "node_names"
 #: Executables of Nav2 that are lifecycle nodes of the same name.
-_MANAGED = frozenset(
+MANAGED = frozenset(
     "amcl behavior_server bt_navigator collision_monitor controller_server map_server "
     "planner_server smoother_server velocity_smoother waypoint_follower".split()
 )
@@ -29,7 +29,7 @@ def not_activated(context: Context) -> Findings:
         return
     names = {name for several in listed for name in several or () if name}
     nodes = {one.name or one.executable: one for one in started}
-    managed = {name: one for name, one in nodes.items() if one.executable in _MANAGED}
+    managed = {name: one for name, one in nodes.items() if one.executable in MANAGED}
     if names.isdisjoint(nodes) or is_included(context.source.path, context.resolver):
         return
     for name, one in managed.items():

@@ -38,6 +38,19 @@ def other_name(name: str, directory: str) -> Findings:
         return
 
 
+def not_finished(directory: str) -> Findings:
+    """A CMakeLists.txt that does not end in ament_package(): ROS does not find the package."""
+    source = _read(directory, "CMakeLists.txt")
+    text = re.sub(rb"#.*", b"", source.data) if source else b""
+    found = source and re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
+    if source and found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
+        yield Finding(
+            Location(Span(source, *found.span(1))),
+            "ament_package() is not called: ROS does not find the package after the build",
+            "write ament_package() as the last line",
+        )
+
+
 def not_registered(name: str, directory: str) -> Findings:
     """A Python package of ROS 2 that ROS or colcon does not find."""
     if disk.exists(os.path.join(directory, "CMakeLists.txt")):

@@ -7,8 +7,11 @@ from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.moveit.config import (
     MANAGER,
+    controller_entries,
+    controller_manager,
     group_entries,
     joint_entries,
+    misplaced_controllers,
     names_without_settings,
 )
 from urdfkit.ros.moveit.joint_limits import planned_limits
@@ -32,6 +35,11 @@ _SOLVERS = (
     "ur_kinematics/UR10KinematicsPlugin",
     "ur_kinematics/UR3KinematicsPlugin",
     "ur_kinematics/UR5KinematicsPlugin",
+)
+_MANAGERS = (
+    "moveit_ros_control_interface/Ros2ControlManager",
+    "moveit_ros_control_interface/Ros2ControlMultiManager",
+    "moveit_simple_controller_manager/MoveItSimpleControllerManager",
 )
 #: The plugins of IKFast are named after the robot, and are similar.
 _OF_ROBOTS = "IKFast"
@@ -107,6 +115,7 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(Location(joint.span), message, "fix the name")
+    yield from _manager(context, srdf)
     for name, others, is_outside in names_without_settings(srdf, context.resolver):
         hint = did_you_mean(name.text, others)
         if is_outside:
@@ -114,3 +123,23 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
         message = f"controller '{name.text}' has no settings{hint}"
         help = "indent the settings" if is_outside else "fix the name"
         yield Finding(Location(name.span), message, help)
+
+
+def _manager(context: Context, srdf: Srdf) -> Findings:
+    """A misspelt plugin, a section that it does not read, and controllers without joints."""
+    plugin = controller_manager(srdf, context.resolver)
+    if plugin is None:
+        return
+    meant = nearest(plugin.text, _MANAGERS, _SOLVER_TYPO)
+    if meant and plugin.text != meant:
+        hint = f"unknown controller manager '{plugin.text}'; did you mean '{meant}'?"
+        yield Finding(Location(plugin.span), hint, f"write {meant}")
+    if meant != _MANAGERS[-1]:
+        return
+    for key, section in misplaced_controllers(srdf, context.resolver):
+        message = f"MoveIt reads its controllers below {section}, not below '{key}'"
+        yield Finding(Location(key.span), message, f"write {section}")
+    for key, entry in controller_entries(srdf, context.resolver):
+        if "type" in entry and "joints" not in entry:
+            message = f"controller '{key}' has no joints, so MoveIt leaves it out"
+            yield Finding(Location(key.span), message, "list the joints that it moves")

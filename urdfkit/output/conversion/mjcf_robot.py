@@ -268,8 +268,7 @@ def _is_physical(tensor: Tensor) -> bool:
 
 def _principal(tensor: Tensor) -> tuple[Any, Rotation]:
     """The principal moments, and their axes as a rotation."""
-    xx, xy, xz, yy, yz, zz = tensor
-    moments, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    moments, axes = np.linalg.eigh(tensor.rows)
     axes[:, 0] *= np.sign(np.linalg.det(axes))
     first, second, third = (vector(row) for row in axes)
     return moments, (first, second, third)

@@ -102,10 +102,10 @@ class OwnDynamics:
 
 def _spatial_inertia(tree: KinematicTree, link: str, frame: Transform) -> Floats:
     """Of a link, (6, 6)."""
-    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(tree.model.links_by_name[link], frame)
+    mass, center, moments = properties_of(tree.model.links_by_name[link], frame)
     x, y, z = center
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    tensor = np.array(moments.rows)
     return np.block(
         [
             [tensor + mass * cross @ cross.T, mass * cross],

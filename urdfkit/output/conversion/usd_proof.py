@@ -177,9 +177,8 @@ def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
 
 
 def _about_top(link: Any, frame: Transform) -> Floats:
-    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(link, Transform())
-    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    return _pseudo(mass, np.array(center), tensor, frame)
+    mass, center, tensor = properties_of(link, Transform())
+    return _pseudo(mass, np.array(center), np.array(tensor.rows), frame)
 
 
 def _pseudo(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:

@@ -265,8 +265,8 @@ def _build(
 
 def _inertia(link: Link) -> pin.Inertia:
     """Of a link in its own frame."""
-    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(link, Transform())
-    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    mass, center, moments = properties_of(link, Transform())
+    tensor = np.array(moments.rows)
     if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < LARGEST:
         raise Unsuitable(f"link '{link.name}' has a mass, place or inertia beyond all robots")
     inertia = pin.Inertia.Zero()  # whose constructor rejects what Pinocchio's own parser accepts

@@ -17,17 +17,21 @@ class NodeParameters(Record):
     name: str  # of the node, without its namespace
     at: Span  # where the name is written
     values: dict[str, Node]  # its parameters; those in sections are mappings
+    namespace: str = ""  # as the file writes it, with slashes between its parts
 
 
 def node_parameters(source: Source) -> Iterator[NodeParameters]:
     """The nodes of a file, in its order; keys above ``ros__parameters`` are namespaces."""
-    stack: list[tuple[Node, Key | None]] = [(load(source), None)]
+    stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
     while stack:
-        node, above = stack.pop()
+        node, above, outside = stack.pop()
         if not isinstance(node, dict):
             continue
         inside = node.get(_PARAMETERS)
         if above is not None and isinstance(inside, dict):
-            yield NodeParameters(above.rpartition("/")[2], above.span, inside)
+            namespace, _, name = f"{outside}/{above}".rpartition("/")
+            yield NodeParameters(name, above.span, inside, namespace)
             continue
-        stack += [(value, key) for key, value in reversed(node.items()) if isinstance(key, Key)]
+        within = f"{outside}/{above}" if above else ""
+        keys = [(key, value) for key, value in reversed(node.items()) if isinstance(key, Key)]
+        stack += [(value, key, within) for key, value in keys]

@@ -90,6 +90,22 @@ def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, di
             yield key, entry
 
 
+def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
+    """The plugin by which MoveIt 2 talks to controllers."""
+    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
+    found = root.get("moveit_controller_manager") if isinstance(root, dict) else None
+    return found if isinstance(found, Value) else None
+
+
+def misplaced_controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, str]]:
+    """Sections with the names of controllers in a file without the one that is read, its name."""
+    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
+    if isinstance(root, dict) and MANAGER not in root:
+        for key, section in _mappings(root):
+            if isinstance(section.get("controller_names"), list) and "ros__parameters" not in root:
+                yield key, MANAGER
+
+
 def names_without_settings(
     srdf: Srdf, resolver: Resolver
 ) -> Iterator[tuple[Value, list[str], bool]]:

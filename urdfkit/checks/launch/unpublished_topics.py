@@ -1,0 +1,128 @@
+"""Topics that a filter or a costmap reads and nothing publishes.
+
+Told only where all that runs is known, and some of it publishes such messages under another name.
+
+Sources: ``ros_filter.cpp`` of robot_localization, ``obstacle_layer.cpp`` of nav2_costmap_2d, the
+publishers of ros2_controllers (all of humble to rolling).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.text.located_yaml import Node, Value
+
+#: Packages whose programs publish none of these messages.
+_SILENT = re.compile(
+    r"robot_state_publisher|joint_state_publisher(_gui)?|ros_gz_(sim|image)|rviz2|tf2_ros"
+    r"|moveit_ros_move_group|nav2_(?!costmap_2d)\w+"
+)
+_CONTROLLERS = "controller_manager"
+_PUBLISHERS = (_CONTROLLERS, "robot_localization", "ros_gz_bridge")
+#: What robot_localization publishes itself.
+_FILTERED = "/odometry/filtered"
+_INPUT = re.compile(r"(odom|imu)\d+")
+_READ = {"odom": "Odometry", "imu": "Imu"}
+#: Of controllers, by the end of their type, the messages that they publish and the topic.
+_PUBLISHED = {
+    "DiffDriveController": ("Odometry", "odom"),
+    "MecanumDriveController": ("Odometry", "odometry"),
+    "IMUSensorBroadcaster": ("Imu", "imu"),
+}
+
+
+class _Read(Record):
+    """A topic that a node reads."""
+
+    topic: Value
+    message: str  # without its package
+    who: str
+
+
+def unpublished_inputs(context: Context) -> Findings:
+    wanted = [one for one in _read(context) if not one.topic.text.startswith(("$", "~"))]
+    if not wanted or is_included(context.source.path, context.resolver):
+        return
+    others = launches_of_workspace(context.source.path, context.resolver)
+    for one in wanted:
+        # Where a launch file starts no publisher of such messages, another one does.
+        for launches in ((context.launch,), others):
+            started = [x for launch in launches for x in (*launch.started, *launch.included)]
+            published = dict(_published(context, started, one.message))
+            if published:
+                break
+        is_known = all(_is_known(x, one.message) for x in started)
+        name = "/" + one.topic.text.strip("/")
+        if not published or name in published or name == _FILTERED or not is_known:
+            continue
+        if any(launch.has_scopes for launch in launches):
+            continue
+        other = nearest(name, published, 0) or next(iter(published))
+        yield Finding(
+            Location(one.topic.span),
+            f"'{one.who}' waits for '{name}', which nothing publishes; {one.message} messages are "
+            f"on '{other}'",
+            f"write {other}",
+            related=(Related(published[other].span, "their publisher is started here"),),
+        )
+
+
+def _is_known(started: StartedProgram, message: str) -> bool:
+    """True for a program of which it is known what it publishes of a message, and where."""
+    package = started.package
+    is_other = package == _CONTROLLERS and message not in _READ.values()
+    if is_other or _SILENT.fullmatch(package):
+        return True
+    is_plain = started.is_sure and not started.is_remapped and started.namespace == ""
+    return is_plain and package in _PUBLISHERS
+
+
+def _read(context: Context) -> Iterator[_Read]:
+    for file in context.launch.parameters:
+        try:
+            nodes = list(node_parameters(context.resolver.read(file.path)))
+        except UnreadableFile:
+            continue
+        for node in nodes:
+            for key, value in node.values.items():
+                found = _INPUT.fullmatch(key)
+                if found and isinstance(value, Value) and f"{key}_config" in node.values:
+                    yield _Read(value, _READ[found.group(1)], node.name)
+                elif isinstance(value, dict):
+                    yield from _of_layer(value, node.name)
+
+
+def _of_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
+    for source in layer.values() if "observation_sources" in layer else ():
+        if isinstance(source, dict):
+            topic, message = source.get("topic"), source.get("data_type")
+            if isinstance(topic, Value) and isinstance(message, Value):
+                yield _Read(topic, message.text, who)
+
+
+def _published(
+    context: Context, started: list[StartedProgram], message: str
+) -> Iterator[tuple[str, StartedProgram]]:
+    """The topics on which some messages are known to be published, and by what."""
+    types = {name: one.type for name, one in defined_controllers(context).items()}
+    for one in started:
+        for topic in bridged_topics(one, context.resolver):
+            if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
+                yield "/" + topic.ros_topic.strip("/"), one
+        for word in controllers(one):
+            name = (word.text or "").strip("/")
+            kind = types.get(name, "").rpartition("/")[2]
+            if _PUBLISHED.get(kind, ("", ""))[0] == message:
+                yield f"/{name}/{_PUBLISHED[kind][1]}", one
