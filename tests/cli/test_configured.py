@@ -43,7 +43,7 @@ COMMANDS = [
     "kinematics FILE",
     "mass FILE",
     "mesh collision FILE --link SIDE_base --most 1",
-    "mesh spheres FILE --format urdf",
+    "mesh spheres FILE --format urdf --most 2",
     "migrate FILE --to gz-harmonic",
     "render FILE -o OUT.png",
     "report FILE --quick",
