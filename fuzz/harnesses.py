@@ -475,7 +475,7 @@ def _lsp(data: bytes) -> None:
     """An edited text, and questions at some places of it."""
     from lsprotocol import types as lsp
 
-    from urdfkit.lsp import actions, completion, hover, navigation, outline
+    from urdfkit.lsp import actions, completion, hover, inlay_hints, navigation, outline
     from urdfkit.lsp.text import PositionEncoding
     from urdfkit.lsp.workspace import Workspace
 
@@ -487,6 +487,9 @@ def _lsp(data: bytes) -> None:
     robot = workspace.robot(path)
     page = robot.page(path)
     outline.outline(robot, page)
+    outline.symbols([robot], "a")
+    list(navigation.links(robot, page))
+    list(inlay_hints.inlay_hints(robot, page, 0, len(data)))
     for _ in range(5):
         place = lsp.Position(random.randint(0, 60), random.randint(0, 80))
         offset = PositionEncoding("utf-16").offset(page.source, place)

@@ -1,9 +1,12 @@
+from pathlib import Path
+
 import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
+from urdfkit.mesh import samples
 
 
 def box(mass: float) -> str:
@@ -99,3 +102,12 @@ def test_when_links_are_told_one_by_one(masses: tuple[float, ...], number: int) 
 def test_gravity_is_then_not_weighed() -> None:
     assert len(messages("DYN003", chain(3, 5000, 4000))) == 1
     assert messages("DYN003", chain(6000, 5000, 4000)) == []
+
+
+def test_a_mesh_of_a_size_that_nothing_has(tmp_path: Path) -> None:
+    """Its density is 0."""
+    (tmp_path / "box.stl").write_bytes(samples.stl(samples.box((0, 0, 0), (1, 1, 1))))
+    scaled = '<mesh filename="box.stl" scale="1e300 1e300 1e300"/>'
+    path = str(tmp_path / "robot.urdf")
+    (found,) = reported("INE010", part("a", 1, (1, 1, 1), scaled), path)
+    assert "make 0 kg/m³" in found.message

@@ -81,7 +81,7 @@ def _finding(one: LinkInertia) -> Finding:
         _advice(one),
         _in_kilograms(one) if unit_mistake(one) == "g" else None,
         confidence=Confidence.INFERRED,
-        weight=max(density / HEAVIEST, LIGHTEST / density),
+        weight=max(density / HEAVIEST, LIGHTEST / max(density, 1e-300)),
         group_key="density",
         severity=Severity.INFO if _is_harmless(one, density) else None,
     )
