@@ -156,7 +156,7 @@ def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place
     assert text == (
         "error: urdfkit.toml: 'rule-packages': no rule package is installed as 'evil'; importing a "
         "module runs its code: pass --trust or --config FILE\n"
-    ).replace("urdfkit.toml", str(place.project / "urdfkit.toml"))
+    )
 
 
 @pytest.mark.parametrize("words", [["--trust"], ["--config", "urdfkit.toml"]])

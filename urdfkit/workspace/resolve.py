@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import product
 from stat import S_ISDIR, S_ISREG
 
@@ -16,6 +16,7 @@ from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.package_directories import upwards
 from urdfkit.workspace.package_files import PackageFiles, join
 from urdfkit.workspace.packages import Packages, path_list
 from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
@@ -52,6 +53,9 @@ class Resolver:
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
         self._admits_everything = False
+        self._admitted_roots: set[str] = set()
+        self._admitted_levels: set[str] = set()
+        self._without_levels: list[str] = []  # files whose levels nobody has asked for yet
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
         """One for other texts, which knows what this one has found of packages and directories."""
@@ -71,14 +75,23 @@ class Resolver:
             path: of the file; before one is admitted, the caller vouches for what it reads.
             trust: they may read everything.
         """
-        self.admitted.setdefault(self.packages.workspace(path), path)
         self._admits_everything = self._admits_everything or trust
+        workspace = self.packages.workspace(path)
+        if workspace not in self.admitted:
+            self.admitted[workspace] = path
+            self._admitted_roots |= self._roots(path)
+            self._without_levels.append(path)
 
     def admits(self, path: str) -> bool:
         """True if a model may read a file, as far as the files are known that the user named."""
         if self._admits_everything or not self.admitted:
             return True
-        return any(self.allows(path, near) for near in self.admitted.values())
+        return self._is_within_reach(path, self._admitted_roots, self._levels_of_admitted)
+
+    def _levels_of_admitted(self) -> set[str]:
+        while self._without_levels:
+            self._admitted_levels |= self._levels(self._without_levels.pop())
+        return self._admitted_levels
 
     def given(self, path: str) -> Source:
         """A text file that the user names, wherever it lies; models may read what is around it.
@@ -157,7 +170,28 @@ class Resolver:
         Args:
             path: the file, which need not exist.
         """
-        path, near = os.path.abspath(path), os.path.abspath(near)
+        return self._is_within_reach(path, self._roots(near), lambda: self._levels(near))
+
+    def _roots(self, near: str) -> set[str]:
+        """The real directories of the workspaces of a file and of what it is a link to."""
+        near = os.path.abspath(near)
+        real = self.directories.real
+        return {real(self.packages.workspace(at)) for at in (near, real(near))}
+
+    def _levels(self, near: str) -> set[str]:
+        """The real directories that are scanned for the packages that a file refers to."""
+        levels = self.packages.levels(os.path.abspath(near))
+        return {self.directories.real(level.root) for level in levels}
+
+    def _is_within_reach(self, path: str, roots: set[str], levels: Callable[[], set[str]]) -> bool:
+        """True if a file is in a workspace or in a package that is scanned or chosen.
+
+        Args:
+            path: the file.
+            roots: real directories of workspaces, of which there may be thousands.
+            levels: gives the real directories that are scanned for packages.
+        """
+        path = os.path.abspath(path)
         if "\0" in path:
             return False
         try:
@@ -168,12 +202,9 @@ class Resolver:
             pass  # missing: only its place counts
         real = self.directories.real(path)
         chosen = self._package_files.chosen
-        roots = [
-            self.packages.workspace(near),
-            self.packages.workspace(self.directories.real(near)),
-        ]
-        roots += [candidate.directory for candidate in chosen if candidate.certain]
-        if any(_within(real, self.directories.real(root)) for root in roots):
+        certain = {self.directories.real(one.directory) for one in chosen if one.certain}
+        above = upwards(real)
+        if not roots.isdisjoint(above) or not certain.isdisjoint(above):
             return True
         if any(_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True
@@ -182,8 +213,7 @@ class Resolver:
         around += [
             candidate.directory for candidate in chosen if _within(real, candidate.directory)
         ]
-        levels = [self.directories.real(level.root) for level in self.packages.levels(near)]
-        return any(_within(directory, level) for directory in around for level in levels)
+        return any(not levels().isdisjoint(upwards(directory)) for directory in around)
 
     def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
