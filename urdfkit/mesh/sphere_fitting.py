@@ -20,7 +20,7 @@ from scipy.spatial.distance import cdist
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import sample_surface
 from urdfkit.mesh.geometry import Flags, Floats, Integers
-from urdfkit.mesh.inside import points_inside
+from urdfkit.mesh.inside import are_inside, points_inside
 
 #: Lines on which points inside are looked for, which are to be covered.
 _COLUMNS = 1500
@@ -28,10 +28,10 @@ _COLUMNS = 1500
 _MEDIAL, _ELSEWHERE = 1200, 800
 #: Points of the surface by which depths are known.
 _SURFACE = 6000
-#: A solid with fewer points inside is thin.
-_FEW = 200
-#: Each margin that is tried is larger than the last one by this factor.
-_STEP = 1.03
+#: A solid with fewer points inside is thin; of more than so many some are to be covered.
+_FEW, _MANY = 200, 10_000
+#: The margin is larger than one that does not do by less than this factor.
+_CLOSE = 1.03
 #: A ball that is entered by no more than this part of its radius is one of the medial axis.
 _SAME = 0.999
 #: Rounds in which centres move, directions tried in each, and what a step is of the last one.
@@ -42,6 +42,8 @@ _SWAPS = 60
 _INSIDE = 0.9
 #: Of what may stay out, this part is covered, as other points show a little less.
 _SPARE = 0.1
+#: Less than any area of a triangle that counts.
+_TINY = 1e-300
 _SEED = 11
 
 
@@ -65,14 +67,16 @@ class Covering:
         self._coverage = coverage
         self._tree = cKDTree(surface)
         # The centers fit their own points better than others, so the radii have points of theirs.
-        self._points = self._sample(triangles, _COLUMNS, surface)
+        points = self._sample(triangles, _COLUMNS, surface)
+        self._points = np.random.default_rng(_SEED).permutation(points)[:_MANY]
         self._others = self._sample(triangles, 2 * _COLUMNS, surface[_MEDIAL:])
         normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-        own = normals[owner[:_MEDIAL]]
-        own /= np.linalg.norm(own, axis=1, keepdims=True)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), _TINY)
+        self._normals = normals[owner]
         size = float(np.ptp(surface, axis=0).max())
         self._step = size / 20
-        medial = self._medial(surface[:_MEDIAL], own, size)
+        medial = self._medial(surface[:_MEDIAL], self._normals[:_MEDIAL], size)
+        medial = medial[are_inside(triangles, medial)]
         self._centers = np.concatenate(
             [medial, self._points[:: max(1, len(self._points) // _ELSEWHERE)]]
         )
@@ -135,8 +139,10 @@ class Covering:
                 # Within its depth a center stays inside.
                 reach = min(step, _INSIDE * depths[number])
                 tried = np.vstack([centers[number], centers[number] + reach * directions])
-                below, _ = self._tree.query(tried)
+                below, at = self._tree.query(tried)
+                outside = np.einsum("ij,ij->i", tried - self._tree.data[at], self._normals[at]) > 0
                 sticks_out = cdist(tried, own).max(axis=1) - below
+                sticks_out[outside] = np.inf
                 nearest = int(sticks_out.argmin())
                 centers[number], depths[number] = tried[nearest], below[nearest]
             step *= _SHORTER
@@ -166,16 +172,27 @@ def choose(coverings: Sequence[Covering], margin: float, most: int) -> list[list
         margin: the least; a larger one is taken where that needs more spheres.
         most: of all solids together, but at least one of each.
     """
-    while True:
-        found: list[list[int]] = []
-        for number, covering in enumerate(coverings, 1):
-            left = most - sum(map(len, found)) - (len(coverings) - number)
-            found.append(covering.chosen(margin, max(left, 1)))
-            if not found[-1]:
-                break
+    low = high = margin
+    while not (found := _chosen(coverings, high, most)):
+        low, high = high, 2 * high
+    while high > _CLOSE * low:
+        middle = (low * high) ** 0.5
+        if fewer := _chosen(coverings, middle, most):
+            found, high = fewer, middle
         else:
-            return found
-        margin *= _STEP
+            low = middle
+    return found
+
+
+def _chosen(coverings: Sequence[Covering], margin: float, most: int) -> list[list[int]]:
+    """The candidates of each solid that cover it with a margin; nothing if they are too many."""
+    found: list[list[int]] = []
+    for number, covering in enumerate(coverings, 1):
+        left = most - sum(map(len, found)) - (len(coverings) - number)
+        found.append(covering.chosen(margin, max(left, 1)))
+        if not found[-1]:
+            return []
+    return found
 
 
 def _greedy(covers: Flags, coverage: float, most: int) -> list[int]:

@@ -60,7 +60,7 @@ class _HugeHeader(Exception):
 
 #: What a damaged or encrypted archive raises.
 _UNREADABLE = (
-    OSError, EOFError, RuntimeError, ValueError, IndexError,
+    OSError, EOFError, RuntimeError, ValueError, IndexError, MemoryError,
     tarfile.TarError, zipfile.BadZipFile, zlib.error, LZMAError, _HugeHeader,
 )  # fmt: skip
 
