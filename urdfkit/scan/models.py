@@ -178,7 +178,7 @@ def _listed(path: str) -> Iterator[str]:
                 if line and not line.startswith("#"):
                     yield os.path.join(directory, line)
     except (OSError, ValueError) as error:
-        raise UnreadableFile(f"{path}: not a list of files ({error})") from error
+        raise UnreadableFile(f"{path}: not a list of files ({_why(error)})") from error
 
 
 def _members(archive: str) -> Iterator[str]:
@@ -191,7 +191,7 @@ def _members(archive: str) -> Iterator[str]:
             if _is_robot(name, partial(_head, opens))
         ]
     except _UNREADABLE as error:
-        raise UnreadableFile(f"{archive}: not a readable archive ({error})") from error
+        raise UnreadableFile(f"{archive}: not a readable archive ({_why(error)})") from error
     plain = map(os.path.normpath, names)
     # What lies outside of the archive is not extracted, and a file of that name is another one.
     yield from sorted(
@@ -243,7 +243,11 @@ def _extract(archive: str, directory: str) -> None:
                 _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
                 packed.extractall(directory)
     except _UNREADABLE as error:
-        raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
+        raise UnreadableFile(f"{archive}: cannot be extracted ({_why(error)})") from error
+
+
+def _why(error: Exception) -> str:
+    return "too little memory for it" if isinstance(error, MemoryError) else str(error)
 
 
 def _check_ratio(archive: str, size: int) -> None:
