@@ -33,7 +33,7 @@ def files_outside(workspace: Path) -> list[Path]:
 
 
 COMMANDS = [
-    "convert meshes/a.stl OUT",
+    "convert meshes/a.stl -o OUT",
     "repair meshes/a.stl -o OUT",
     "simplify meshes/a.stl --triangles 100 -o OUT",
     "hull meshes/a.stl -o OUT",
@@ -117,5 +117,5 @@ def test_a_texture_names_no_other_kind_of_file(workspace: Path) -> None:
     corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n"
     faces = "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n"
     (workspace / "in" / "a.obj").write_text(f"mtllib a.mtl\n{corners}usemtl a\n{faces}")
-    assert main(["mesh", "convert", "in/a.obj", "out/b.obj"]) == 0
+    assert main(["mesh", "convert", "in/a.obj", "-o", "out/b.obj"]) == 0
     assert (workspace / "out" / "Makefile").read_text() == "mine"
