@@ -202,9 +202,10 @@ class Resolver:
             pass  # missing: only its place counts
         real = self.directories.real(path)
         chosen = self._package_files.chosen
-        certain = {self.directories.real(one.directory) for one in chosen if one.certain}
-        above = upwards(real)
-        if not roots.isdisjoint(above) or not certain.isdisjoint(above):
+        if not roots.isdisjoint(upwards(real)):
+            return True
+        certain = (self.directories.real(one.directory) for one in chosen if one.certain)
+        if any(_within(real, directory) for directory in certain):
             return True
         if any(_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True

@@ -79,7 +79,7 @@ def test_json_and_what_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture
     file.write_text(BALLS.replace('<link name="tip"/>', f'<link name="tip">{gone}</link>'))
     assert main(["mesh", "spheres", str(file), "--format", "json"]) == 1
     found = json.loads(capsys.readouterr().out)
-    assert found["notes"] == ["collision 1 of link 'tip' is left out: the file is missing"]
+    assert found["left_out"] == ["collision 1 of link 'tip' is left out: the file is missing"]
     assert found["total"]["spheres"] == 2
     assert found["links"][0]["radii"] == [0.1]
     assert found["links"][0]["coverage"] == 1

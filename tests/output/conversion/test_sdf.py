@@ -391,6 +391,10 @@ def test_what_gazebo_would_not_take_is_an_error(case: str, tmp_path: Path) -> No
         ("<mass>3<", "<mass>3.1<"),
         ("1 2 3 0 0 0</pose>", "1 2 3.1 0 0 0</pose>"),
         ('to="base">\n      <pose>1 2 3 0 0', 'to="base">\n      <pose>1 2 3 0 1'),
+        (
+            "<pose>1 2 3 0 0 0</pose>\n        <geometry>",
+            "<pose>1 2 3 0 1 0</pose>\n        <geometry>",
+        ),
         ("<effort>1<", "<effort>2<"),
         ("<xyz>0 1 0<", "<xyz>0 -1 0<"),
         ('type="revolute"', 'type="prismatic"'),

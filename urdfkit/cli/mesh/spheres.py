@@ -77,16 +77,16 @@ def command(asked: dict[str, Any], out: str | None, form: str, **options: Any) -
     else:
         atomic.write(out, output.encode(text))
         output.page([*render(found), f"wrote {shown(out)}"])
-    return int(found.is_partial)
+    return int(bool(found.left_out))
 
 
 def render(found: RobotSpheres) -> Iterator[str]:
-    """The table, and what is left out."""
+    """The table, and what is replaced or left out."""
     head = ("link", "spheres", "coverage", "surface", "sticks out: mean", "p95", "max")
     rows: list[tuple[str, ...]] = [head]
     rows += [_row(one.link, one.quality) for one in found.links]
     yield from tables.columns([*rows, _row("total", found.total)])
-    for note in found.notes:
+    for note in (*found.replaced, *found.left_out):
         yield from output.indented(note, first="")
 
 

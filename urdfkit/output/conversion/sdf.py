@@ -38,10 +38,7 @@ MODEL, CONFIG = "model.sdf", "model.config"
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; "
-            f"see 'urdfkit check {robot.source.path}'"
-        )
+        raise UrdfkitError(robot.tree.unsound)
     conversion = SdfConversion(robot.tree, NEW)
     require(robot, conversion)
     bundle = Bundle(robot, _CONSUMER)

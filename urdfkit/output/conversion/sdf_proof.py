@@ -51,7 +51,7 @@ class SdfProof(Record):
     centers: float  # of their centres of mass, in m
     inertia: float  # of their tensors, as a part of the largest entry
     joints: float  # of a limit, as a part of it; 1 for other ends or another kind
-    shapes: float  # of the place of a visual or collision, in m
+    shapes: float  # of the placement of a visual or collision, in m and of entries of its rotation
     missing: int  # visuals and collisions that should be there
     is_rounded: bool  # True if sdformat takes a pitch for a right angle in what it merges
     part: str  # whose frame differs most
@@ -211,6 +211,15 @@ def _apart(one: Transform, other: Transform) -> float:
     return max(abs(a - b) for a, b in pairs)
 
 
+def _off(ours: Transform, theirs: Transform) -> float:
+    """How far apart shapes are; less what urdfdom rounds."""
+    is_rounded = abs(ours.rotation[2][0]) >= SNAP
+    apart = _apart(ours, theirs)
+    return (
+        length(minus(ours.position, theirs.position)) if is_rounded and apart < ROUNDED else apart
+    )
+
+
 def _drawn(tree: KinematicTree, random: Random) -> dict[str, float]:
     """Positions within the limits."""
     found = {}
@@ -249,12 +258,12 @@ def _shapes(
     for top, names in groups.items():
         for kind in ("visual", "collision") if top else ():
             ours = [
-                (at_zero[top].inverse @ at_zero[name] @ body.origin).position
+                at_zero[top].inverse @ at_zero[name] @ body.origin
                 for name in names
                 for body in (links[name].visuals if kind == "visual" else links[name].collisions)
             ]
-            theirs = [_pose(one)[1].position for one in sdf.links[top].all(kind)]
-            near = (min((length(minus(one, a)) for a in ours), default=1.0) for one in theirs)
+            theirs = [_pose(one)[1] for one in sdf.links[top].all(kind)]
+            near = (min((_off(a, one) for a in ours), default=1.0) for one in theirs)
             yield max(near, default=0.0), abs(len(ours) - len(theirs))
 
 

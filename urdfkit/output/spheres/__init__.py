@@ -34,13 +34,9 @@ class RobotSpheres(Record):
 
     links: tuple[LinkSpheres, ...]  # those with geometry, in the order of the document
     total: SphereQuality
-    #: Geometry that is replaced or left out, and why: sentences.
-    notes: tuple[str, ...]
-
-    @property
-    def is_partial(self) -> bool:
-        """True if some geometry is left out."""
-        return any("left out" in note for note in self.notes)
+    #: Geometry that is left out, or replaced by its hull, and why: sentences.
+    left_out: tuple[str, ...]
+    replaced: tuple[str, ...]
 
     @property
     def facts(self) -> dict[str, object]:
@@ -57,7 +53,8 @@ class RobotSpheres(Record):
                 for one in self.links
             ],
             "total": self.total.facts,
-            "notes": list(self.notes),
+            "left_out": list(self.left_out),
+            "replaced": list(self.replaced),
         }
 
 
@@ -87,8 +84,9 @@ def fit_spheres(
     from urdfkit.mesh.sphere_quality import measure, total
 
     context = robot if isinstance(robot, Context) else read(robot)
-    notes: list[str] = []
-    solids = _solids(context, visual, notes)
+    left_out: list[str] = []
+    replaced: list[str] = []
+    solids = _solids(context, visual, left_out, replaced)
     if not solids:
         raise UrdfkitError("no link has geometry to cover with spheres")
     report = progress or (lambda done, of: None)
@@ -105,7 +103,8 @@ def fit_spheres(
         spheres = exact.get(name) or coverings[name].refined(chosen[name])
         links.append(LinkSpheres(name, spheres, measure(triangles, spheres)))
         report(number, 2 * len(solids))
-    return RobotSpheres(tuple(links), total([one.quality for one in links]), tuple(notes))
+    whole = total([one.quality for one in links])
+    return RobotSpheres(tuple(links), whole, tuple(left_out), tuple(replaced))
 
 
 def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
@@ -124,20 +123,24 @@ def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
     return Spheres(centers, array([one.radius for one in shapes if one]))
 
 
-def _solids(robot: Context, visual: bool, notes: list[str]) -> Mapping[str, Floats]:
+def _solids(
+    robot: Context, visual: bool, left_out: list[str], replaced: list[str]
+) -> Mapping[str, Floats]:
     """The triangles (m, 3, 3) of each link with geometry, in its frame."""
     from urdfkit.mesh.geometry import Mesh
 
     found = {}
     for link in robot.model.links_by_name.values():
-        meshes = _meshes(robot, link, visual, notes)
+        meshes = _meshes(robot, link, visual, left_out, replaced)
         if meshes:
             whole = Mesh(tuple(part for mesh in meshes for part in mesh.parts))
             found[link.name] = whole.vertices[whole.faces]
     return found
 
 
-def _meshes(robot: Context, link: Link, visual: bool, notes: list[str]) -> list[Mesh]:
+def _meshes(
+    robot: Context, link: Link, visual: bool, left_out: list[str], replaced: list[str]
+) -> list[Mesh]:
     from urdfkit.mesh.convex_hull import NoHull
     from urdfkit.mesh.inside import closed
     from urdfkit.mesh.transforms import moved
@@ -148,14 +151,14 @@ def _meshes(robot: Context, link: Link, visual: bool, notes: list[str]) -> list[
         mesh = body_mesh(robot, body)
         if mesh is None:
             why = robot.meshes.reason(body.shape) if body.shape else ""
-            notes.append(f"{what} is left out: {why or 'it has no shape'}")
+            left_out.append(f"{what} is left out: {why or 'it has no shape'}")
             continue
         try:
             solid = closed(mesh)
         except NoHull as reason:
-            notes.append(f"{what} is left out: {reason}")
+            left_out.append(f"{what} is left out: {reason}")
             continue
         if solid is not mesh:
-            notes.append(f"{what} is not closed; its convex hull is covered")
+            replaced.append(f"{what} is not closed; its convex hull is covered")
         found.append(moved(solid, body.origin))
     return found
