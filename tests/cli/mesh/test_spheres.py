@@ -94,4 +94,21 @@ def test_visual_geometry(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
 
 def test_without_geometry(balls: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", "spheres", balls, "--visual"]) == 2
-    assert "no link has geometry to cover with spheres" in capsys.readouterr().err
+    assert "no link has geometry to cover" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("shape", "why"),
+    [
+        ('<box size="1 1 1e-9"/>', "its <box> has no size, or one that no robot has"),
+        ('<mesh filename="no.stl"/>', "the file is missing"),
+    ],
+)
+def test_a_reason_is_given(shape: str, why: str, tmp_path: Path, capsys) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        f'<robot name="r"><link name="a"><collision><geometry>{shape}</geometry></collision>'
+        "</link></robot>"
+    )
+    assert main(["mesh", "spheres", str(file)]) == 2
+    assert f"collision 1 of link 'a' is left out: {why}" in capsys.readouterr().err

@@ -6,10 +6,12 @@ import os
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.robot.assets.geometry import body_mesh
+from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -88,7 +90,8 @@ def fit_spheres(
     replaced: list[str] = []
     solids = _solids(context, visual, left_out, replaced)
     if not solids:
-        raise UrdfkitError("no link has geometry to cover with spheres")
+        why = f": {few(left_out, 1)}" if left_out else ""
+        raise UrdfkitError(f"{shown(context.source.path)}: no link has geometry to cover{why}")
     report = progress or (lambda done, of: None)
     exact = {name: found for name in solids if (found := _exact(context, name, visual))}
     coverings = {}

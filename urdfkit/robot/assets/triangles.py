@@ -30,7 +30,7 @@ class Meshes:
         return None if isinstance(loaded, str) else loaded
 
     def reason(self, shape: Shape) -> str:
-        """Why the mesh of a shape cannot be loaded; empty if it can."""
+        """Why a shape has no triangles; empty if a mesh has some."""
         loaded = self._load(shape)
         return loaded if isinstance(loaded, str) else ""
 
@@ -49,6 +49,8 @@ class Meshes:
         return mesh.scaled((x * factor, y * factor, z * factor))
 
     def _load(self, shape: Shape) -> Mesh | str:
+        if shape.filename is None:
+            return f"its <{shape.kind}> has no size, or one that no robot has"
         path = self._files.path(shape)
         if path is None:
             return "the file is missing"
