@@ -64,7 +64,7 @@ class MjcfRobot:
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
-        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
+        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
 
