@@ -133,7 +133,7 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
             yield f"- {role}: {', '.join(shapes[:MAX_SHOWN])}"
     if robot.document is not None:
         for joint in robot.context.tree.parents.get(link.name, ())[:1]:
-            parent = joint.parent.value if joint.parent else ""
+            parent = joint.parent_name
             kind, name = _kind(joint), _code(joint.name)
             yield f"- child of `{_code(parent)}` by the {kind} joint `{name}`"
 

@@ -159,10 +159,9 @@ def _depths(tree: KinematicTree) -> dict[str, int]:
     queue = list(depths)
     for name in queue:  # grows while it is walked
         for joint in tree.children[name]:
-            assert joint.child is not None
-            if joint.child.value not in depths:
-                depths[joint.child.value] = depths[name] + 1
-                queue.append(joint.child.value)
+            if joint.child_name not in depths:
+                depths[joint.child_name] = depths[name] + 1
+                queue.append(joint.child_name)
     return depths
 
 

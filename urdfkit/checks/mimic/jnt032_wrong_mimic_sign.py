@@ -51,9 +51,8 @@ def _are_fingers(joint: Joint, leader: Joint) -> bool:
     """True for two sliding joints on one link that go equally far; stages of a lift do not."""
     return (
         joint.kind == leader.kind == "prismatic"
-        and joint.parent is not None
-        and leader.parent is not None
-        and joint.parent.value == leader.parent.value
+        and bool(joint.parent_name)
+        and joint.parent_name == leader.parent_name
         and not leader.mimic
         and joint.mimic is not None
         and abs(joint.mimic.multiplier) == 1

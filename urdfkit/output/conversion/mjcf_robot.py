@@ -64,7 +64,7 @@ class MjcfRobot:
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
-        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
+        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
 
@@ -87,8 +87,7 @@ class MjcfRobot:
 
     def _merge(self, link: Link, joint: Joint) -> None:
         """A link without a body of its own: a site where its frame is."""
-        assert joint.parent is not None
-        parent = joint.parent.value
+        parent = joint.parent_name
         self.bodies[link.name] = self.bodies[parent]
         self.frames[link.name] = frame = self.frames[parent] @ joint.origin
         self.bodies[parent].add_site(
@@ -102,8 +101,7 @@ class MjcfRobot:
     def _body(self, link: Link, joint: Joint | None) -> Any:
         parent, frame = self.spec.worldbody, Transform()
         if joint is not None:
-            assert joint.parent is not None
-            above = joint.parent.value
+            above = joint.parent_name
             parent, frame = self.bodies[above], self.frames[above] @ joint.origin
         body = parent.add_body(name=link.name, pos=frame.position, quat=quaternion(frame.rotation))
         if joint is not None:
@@ -207,8 +205,7 @@ class MjcfRobot:
         """The link that bears the inertia of another one."""
         while link not in self._inertials:
             joint = self._tree.parents[link][0]
-            assert joint.parent is not None
-            link = joint.parent.value
+            link = joint.parent_name
         return link
 
     def _couple(self, tree: KinematicTree) -> None:

@@ -131,9 +131,8 @@ def _apart(one: Rotation, other: Rotation) -> float:
 
 
 def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
-    assert joint.child is not None
-    if joint.child.value in conversion.dropped:
-        losses.lose(joint.at, f"Gazebo drops '{joint.child.value}'")
+    if joint.child_name in conversion.dropped:
+        losses.lose(joint.at, f"Gazebo drops '{joint.child_name}'")
         return
     is_merged = joint.name not in conversion.joint_names
     what = "frame" if is_merged else "joint"

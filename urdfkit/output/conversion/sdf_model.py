@@ -54,9 +54,7 @@ class SdfModel:
         tag = Tag("model", {"name": model.name})
         frames = []
         for joint in merged_joints(conversion):
-            assert joint.parent is not None
-            assert joint.child is not None
-            link, into = joint.child.value, joint.parent.value
+            link, into = joint.child_name, joint.parent_name
             frames += [_frame(joint.name, into, joint.origin), _frame(link, joint.name)]
             self.extensions.merge(link, into, joint.origin)
             self._inertias.merge(link, into, joint.origin)
@@ -124,8 +122,7 @@ class SdfModel:
     def _joint(self, simulated: SimulatedJoint) -> Tag:
         joint, parent = simulated.joint, simulated.parent
         tag = Tag("joint", {"type": simulated.type, "name": joint.name})
-        assert joint.parent is not None
-        at = self._frames.get(joint.parent.value, Transform()) @ joint.origin
+        at = self._frames.get(joint.parent_name, Transform()) @ joint.origin
         pose = set_value(tag, "pose", pose_text(at.position, to_rpy(at.rotation)))
         pose.set("relative_to", "__model__" if parent == WORLD else parent)
         set_value(tag, "parent", parent)
@@ -147,8 +144,7 @@ def is_merged(joint: Joint, conversion: SdfConversion) -> bool:
     return (
         joint.kind == "fixed"
         and joint.name not in conversion.preserved
-        and joint.parent is not None
-        and joint.parent.value != WORLD
+        and joint.parent_name not in ("", WORLD)
     )
 
 
@@ -176,7 +172,7 @@ def in_order(tree: KinematicTree) -> Iterator[str]:
         name = stack.pop()
         yield name
         joints = _children(tree, name)
-        stack += [joint.child.value for joint in reversed(joints) if joint.child]
+        stack += [joint.child_name for joint in reversed(joints)]
 
 
 def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
@@ -186,9 +182,9 @@ def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
     while stack:
         name, joint, is_done = stack.pop()
         below = [
-            (one.child.value, one, False)
+            (one.child_name, one, False)
             for one in reversed(_children(tree, name))
-            if one.child and is_merged(one, conversion) != is_done
+            if is_merged(one, conversion) != is_done
         ]
         if not is_done:
             stack.append((name, joint, True))

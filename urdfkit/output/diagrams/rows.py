@@ -40,8 +40,7 @@ def rows(tree: KinematicTree) -> Iterator[TreeRow]:
             below = tree.children[row.link]
             for index in range(len(below) - 1, -1, -1):
                 joint, is_last = below[index], index == len(below) - 1
-                assert joint.child is not None
-                child = joint.child.value
+                child = joint.child_name
                 stack.append(TreeRow(child, joint, row.link, row.depth + 1, is_last, False))
 
 

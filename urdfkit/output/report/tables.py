@@ -86,8 +86,8 @@ def _joint(joint: Joint) -> Row:
     return {
         "name": joint.name,
         "type": joint.kind,
-        "parent": joint.parent.value if joint.parent else "",
-        "child": joint.child.value if joint.child else "",
+        "parent": joint.parent_name,
+        "child": joint.child_name,
         "axis": list(joint.axis.value) if joint.axis else None,
         **limits,
         "mimic": mimic,

@@ -198,9 +198,7 @@ def chain(tree: KinematicTree) -> Chain:
     steps: list[TreeStep] = []
     parts = list(range(len(names)))
     for joint in tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
-        parent, child = number[joint.parent.value], number[joint.child.value]
+        parent, child = number[joint.parent_name], number[joint.child_name]
         law = followed.get(joint.name, LOCKED)
         steps.append(_step(joint, parent, child, law, columns))
         if joint.kind not in ("planar", "floating"):
