@@ -110,14 +110,12 @@ def _joints(context: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
     order = {name: number for number, name in enumerate(joints)}
     found = []
     for joint in context.tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
         entry = {
             "name": joint.name,
             "order": order.get(joint.name, 0),
             "type": joint.kind,
-            "parent": numbers[joint.parent.value],
-            "child": numbers[joint.child.value],
+            "parent": numbers[joint.parent_name],
+            "child": numbers[joint.child_name],
             "origin": _matrix(joint.origin),
             "axis": list(direction(joint)),
         }
