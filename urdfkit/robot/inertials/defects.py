@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import ORIGIN
 from urdfkit.robot.inertia import principal_moments, scaled
-from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
+from urdfkit.robot.inertials.link_comparison import (
+    LARGEST_PART,
+    SIGNIFICANT,
+    LinkInertia,
+    by_tensor,
+)
 from urdfkit.robot.shapes import MeshSolid
 
 if TYPE_CHECKING:
@@ -39,9 +44,6 @@ NEAR = 1.2
 
 #: Densities of most of them; a mistake in the unit must lead to one of these.
 USUAL = (100.0, 8000.0)
-
-#: Parts of robots are smaller than this, in m; their sizes in millimetres are larger.
-LARGEST_PART = 10.0
 
 #: A centre of mass outside the shapes by this part of their length, where a mistake explains it;
 #: and where it was left at zero, as on many links.
