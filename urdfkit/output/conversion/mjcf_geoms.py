@@ -21,9 +21,9 @@ from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.writers import encode
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
