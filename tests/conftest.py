@@ -317,6 +317,8 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
     numbers = {
         "distance": ("MAX_VERTICES", "SAMPLES", "FARTHEST", "_MANY_SAMPLES", "_GUIDES"),
         "convex_decomposition": ("_VOXELS",),
+        "sphere_fitting": ("_COLUMNS", "_MEDIAL", "_ELSEWHERE", "_SURFACE", "_MANY"),
+        "sphere_quality": ("_COLUMNS", "_SURFACE"),
     }
     for name, constants in numbers.items():
         module = importlib.import_module(f"urdfkit.mesh.{name}")

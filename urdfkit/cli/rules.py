@@ -3,23 +3,15 @@
 import json
 from collections.abc import Sequence
 
-import click
-
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import RULES, with_examples
+from urdfkit.cli.decorators import RULES, choice, with_examples
 from urdfkit.lint.rule_index import all_rules
 from urdfkit.lint.rule_packages import add, installed
 from urdfkit.lint.rules import Rule
 
 
 @with_examples("rules", "urdfkit rules", "urdfkit rules --format json")
-@click.option(
-    "--format",
-    "kind",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    help="Text table, or JSON with full explanations.",
-)
+@choice("--format", "kind", of=["text", "json"], help="Text table, or JSON with full explanations.")
 @RULES
 def command(kind: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.

@@ -9,11 +9,11 @@ from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import check_job, check_one_of_many, check_sets, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
+from urdfkit.lint.findings import diagnose
 from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, planned
 from urdfkit.lint.report import Report
-from urdfkit.lint.runner import diagnose
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
