@@ -142,11 +142,7 @@ def structure(tree: KinematicTree) -> Structure:
         depths.get(deepest, 0),
         deepest,
         free,
-        {
-            joint.name: joint.mimic.joint.value
-            for joint in model.joints
-            if joint.mimic and joint.mimic.joint
-        },
+        {joint.name: joint.leader for joint in model.joints if joint.leader},
         sum(nq for nq, _ in sizes),
         sum(nv for _, nv in sizes),
         tuple(sorted(driven(model) & model.joints_by_name.keys())),
@@ -159,10 +155,9 @@ def _depths(tree: KinematicTree) -> dict[str, int]:
     queue = list(depths)
     for name in queue:  # grows while it is walked
         for joint in tree.children[name]:
-            assert joint.child is not None
-            if joint.child.value not in depths:
-                depths[joint.child.value] = depths[name] + 1
-                queue.append(joint.child.value)
+            if joint.child_name not in depths:
+                depths[joint.child_name] = depths[name] + 1
+                queue.append(joint.child_name)
     return depths
 
 

@@ -163,8 +163,8 @@ def _bodies(
             moment = plus(moment, times(frame.position, extra))
             mass += own + extra
         joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
-        if joint is not None and joint.parent is not None:
-            parent, frame = placed[joint.parent.value]
+        if joint is not None:
+            parent, frame = placed[joint.parent_name]
             at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING
             if joint.kind in (*TURNING, *SLIDING):
                 law = followed[joint.name]

@@ -19,8 +19,8 @@ class ElementLookup:
         for link in model.links:
             self._links.setdefault(link.at.path, link.name)
         for joint in model.joints:
-            if joint.child and joint.child.value in known:
-                self._links.setdefault(joint.at.path, joint.child.value)
+            if joint.child_name in known:
+                self._links.setdefault(joint.at.path, joint.child_name)
                 self._joints.setdefault(joint.at.path, joint.name)
         for block in model.gazebo:
             if (name := block.get("reference")) in known:

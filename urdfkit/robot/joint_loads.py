@@ -31,6 +31,8 @@ def effort(joint: Joint) -> float | None:
 def overloadable(tree: KinematicTree) -> list[Joint]:
     """The joints with an effort that gravity may exceed in some pose.
 
+    What cannot move (JNT003) is held by its stops, and needs no effort.
+
     Args:
         tree: of the model; joints of one that is not sound are none.
     """
@@ -41,8 +43,13 @@ def overloadable(tree: KinematicTree) -> list[Joint]:
     return [
         joints[name]
         for name, load in most.items()
-        if (limit := effort(joints[name])) is not None and load > limit
+        if (limit := effort(joints[name])) is not None and load > limit and _moves(joints[name])
     ]
+
+
+def _moves(joint: Joint) -> bool:
+    lower, upper = span(joint)
+    return lower < upper
 
 
 def largest(tree: KinematicTree) -> dict[str, float]:
@@ -57,16 +64,15 @@ def largest(tree: KinematicTree) -> dict[str, float]:
         mass[name] = abs(link.mass)
         lever[name] = mass[name] * (hypot(*link.inertial.origin.position) if link.inertial else 0)
         for joint in tree.children[name]:
-            assert joint.child is not None
-            child = joint.child.value
+            child = joint.child_name
             mass[name] += mass[child]
             lever[name] += lever[child] + mass[child] * (
                 hypot(*joint.origin.position) + _travel(joint)
             )
     own = {
-        joint.name: GRAVITY * (mass if joint.kind in SLIDING else lever)[joint.child.value]
+        joint.name: GRAVITY * (mass if joint.kind in SLIDING else lever)[joint.child_name]
         for joint in tree.model.joints
-        if joint.child and (joint.kind in TURNING or joint.kind in SLIDING)
+        if joint.child_name and (joint.kind in TURNING or joint.kind in SLIDING)
     }
     return _with_followers(tree, own)
 
@@ -98,8 +104,8 @@ def light(tree: KinematicTree) -> list[Joint]:
     for body in reversed(bodies):
         for link, _ in body.links:
             for joint in tree.children[link.name]:
-                if joint.child and joint.child.value in tops:
-                    below[body.top.name] += below[joint.child.value]
+                if joint.child_name in tops:
+                    below[body.top.name] += below[joint.child_name]
     return [
         body.joint
         for body in bodies
@@ -120,14 +126,11 @@ def idle(tree: KinematicTree) -> list[Joint]:
     used: set[str] = set()
     for name in reversed(tree.below(tree.roots[0].name)):
         link = tree.model.links_by_name[name]
-        below = (joint.child.value for joint in tree.children[name] if joint.child)
+        below = (joint.child_name for joint in tree.children[name])
         if link.mass or link.visuals or link.collisions or not used.isdisjoint(below):
             used.add(name)
     return [
         joint
         for joint in tree.model.joints
-        if joint.kind in DEGREES_OF_FREEDOM
-        and not joint.mimic
-        and joint.child
-        and joint.child.value not in used
+        if joint.kind in DEGREES_OF_FREEDOM and not joint.mimic and joint.child_name not in used
     ]

@@ -100,10 +100,8 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transfo
     moved = positions(tree, given)
     found = {root.name: Transform() for root in tree.roots}
     for joint in tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
-        parent, position = found[joint.parent.value], moved.get(joint.name, 0.0)
-        found[joint.child.value] = parent @ joint.origin @ motion(joint, position)
+        parent, position = found[joint.parent_name], moved.get(joint.name, 0.0)
+        found[joint.child_name] = parent @ joint.origin @ motion(joint, position)
     return found
 
 

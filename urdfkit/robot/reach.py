@@ -59,8 +59,7 @@ def _chains(tree: KinematicTree) -> list[list[Joint]]:
         above = tree.parents[end]
         while above and len(way) <= MAX_JOINTS:
             way.append(above[0])
-            assert above[0].parent is not None
-            above = tree.parents[above[0].parent.value]
+            above = tree.parents[above[0].parent_name]
         while way and not _moves(way[-1]):
             way.pop()
         if way:
@@ -86,9 +85,8 @@ def _reach(chain: list[Joint]) -> Reach:
     starts += [[random.uniform(*ends) for ends in ranges] for _ in range(STARTS)]
     tops = [_climb(chain, ranges, start) for start in starts]
     distance, pose = max(tops, key=lambda top: top[0])
-    assert chain[-1].child is not None
     named = {joint.name: place for joint, place in zip(chain, pose, strict=True) if _moves(joint)}
-    return Reach(distance, chain[0].name, chain[-1].child.value, named)
+    return Reach(distance, chain[0].name, chain[-1].child_name, named)
 
 
 def _climb(

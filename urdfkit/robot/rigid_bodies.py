@@ -79,8 +79,7 @@ def rigid_bodies(
         group = [(links[name], Transform())]
         for link, frame in group:  # grows, too
             for below in tree.children[link.name]:
-                assert below.child is not None
-                child = below.child.value
+                child = below.child_name
                 if below.kind != "fixed" or below.name in preserved:
                     tops.append((below, child))
                 elif child not in seen:

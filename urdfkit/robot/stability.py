@@ -166,6 +166,15 @@ def stand(
     return _stability(_loads(robot, placed, payload or {}), touching)
 
 
+def lowest_links(robot: Robot) -> tuple[str, ...]:
+    """The links whose collisions reach the lowest point of a robot with all joints at 0.
+
+    Raises:
+        ImportError: meshes are to be read, and the libraries are not installed.
+    """
+    return tuple(_touching(robot, frames(robot.tree, {}), None, visuals=False, meshes=True))
+
+
 def _loads(
     robot: Robot, placed: Mapping[str, Transform], payload: Mapping[str, float]
 ) -> list[tuple[float, Vector]]:

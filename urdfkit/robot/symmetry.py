@@ -102,9 +102,9 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     different branches.
     """
     above = {
-        child: (joints[0], joints[0].parent.value)
+        child: (joints[0], joints[0].parent_name)
         for child, joints in tree.parents.items()
-        if joints and joints[0].parent and joints[0].child
+        if joints
     }
     children: dict[str, str] = {}  # of moving joints
     siblings: dict[str, dict[str, Vector]] = {}

@@ -36,9 +36,7 @@ class KinematicTree:
 
     def ends(self, joint: Joint) -> tuple[str, str] | None:
         """Parent and child of a joint if the model has both links."""
-        if joint.parent is None or joint.child is None:
-            return None
-        parent, child = joint.parent.value, joint.child.value
+        parent, child = joint.parent_name, joint.child_name
         known = self.model.links_by_name
         return (parent, child) if parent in known and child in known else None
 
@@ -68,7 +66,7 @@ class KinematicTree:
     @property
     def has_base(self) -> bool:
         """False if all links are below a joint whose parent is missing, as in a part of a robot."""
-        children = {joint.child.value for joint in self.model.joints if joint.child}
+        children = {joint.child_name for joint in self.model.joints}
         return any(root.name not in children for root in self.roots)
 
     def below(self, name: str) -> list[str]:
@@ -79,7 +77,7 @@ class KinematicTree:
             link = stack.pop()
             if link not in found:
                 found[link] = None
-                below = [joint.child.value for joint in self.children[link] if joint.child]
+                below = [joint.child_name for joint in self.children[link]]
                 stack.extend(reversed(below))
         return list(found)
 
@@ -103,8 +101,7 @@ class KinematicTree:
                     if way:
                         way.pop()
                     continue
-                assert joint.child is not None
-                child = joint.child.value
+                child = joint.child_name
                 if state.get(child, _DONE) != _DONE:
                     loops.append((*way[state[child] :], joint))
                 elif child not in state:
@@ -126,8 +123,7 @@ class KinematicTree:
             queue = [root.name]
             while queue:
                 for joint in self.children[queue.pop()]:
-                    assert joint.child is not None
-                    child = joint.child.value
+                    child = joint.child_name
                     if child not in seen:
                         seen.add(child)
                         queue.append(child)
@@ -136,15 +132,14 @@ class KinematicTree:
 
     @cached_property
     def _above(self) -> dict[str, Joint]:
-        return {joint.child.value: joint for joint in self.spanning if joint.child}
+        return {joint.child_name: joint for joint in self.spanning}
 
     def path(self, link: str) -> list[Joint]:
         """The joints from its root to a link."""
         found: list[Joint] = []
         while joint := self._above.get(link):
             found.append(joint)
-            assert joint.parent is not None
-            link = joint.parent.value
+            link = joint.parent_name
         return found[::-1]
 
     def branches(self, first: str, second: str) -> tuple[list[Joint], list[Joint]]:
@@ -158,9 +153,7 @@ class KinematicTree:
         """The root that leads to each link; links in a closed loop that none leads to have none."""
         found = {root.name: root.name for root in self.roots}
         for joint in self.spanning:
-            assert joint.parent is not None
-            assert joint.child is not None
-            found[joint.child.value] = found[joint.parent.value]
+            found[joint.child_name] = found[joint.parent_name]
         return found
 
     @cached_property
@@ -168,7 +161,5 @@ class KinematicTree:
         """Where each link is with every joint at its origin, in the frame of its root."""
         frames = {root.name: Transform() for root in self.roots}
         for joint in self.spanning:
-            assert joint.parent is not None
-            assert joint.child is not None
-            frames[joint.child.value] = frames[joint.parent.value] @ joint.origin
+            frames[joint.child_name] = frames[joint.parent_name] @ joint.origin
         return frames

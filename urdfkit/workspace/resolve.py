@@ -13,6 +13,7 @@ from itertools import product
 from stat import S_ISDIR, S_ISREG
 
 from urdfkit.core import disk
+from urdfkit.core.memo import Memo
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.directories import Directories
@@ -48,7 +49,7 @@ class Resolver:
         self.packages = Packages(packages or {}, environment, self.directories)
         self._package_files = PackageFiles(self.packages, self.directories)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
-        self._located: dict[tuple[str, str, str], ResolvedReference] = {}
+        self._located: Memo[tuple[str, str, str], ResolvedReference] = Memo()
         self._texts = _by_real_path(texts or {})
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}

@@ -24,6 +24,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 
+from urdfkit.core.memo import Memo
 from urdfkit.core.record import Record
 from urdfkit.workspace.package_directories import (
     PackageDirectories,
@@ -71,8 +72,8 @@ class SearchRoots:
     def __init__(self, directories: PackageDirectories, environment: Mapping[str, str]) -> None:
         self.too_wide = _too_wide(environment)
         self._directories = directories
-        self._roots: dict[str, Root] = {}
-        self._levels: dict[str, tuple[ScannedDirectory, ...]] = {}
+        self._roots: Memo[str, Root] = Memo()
+        self._levels: Memo[str, tuple[ScannedDirectory, ...]] = Memo()
 
     def root(self, start: str) -> Root:
         """Where the search for packages from a directory ends, and what says so."""

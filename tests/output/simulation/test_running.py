@@ -253,3 +253,16 @@ def test_meshes_collide_by_their_hulls_and_that_is_said(tmp_path: Path) -> None:
     found = simulate(read(tmp_path / "r.urdf"), base="fixed").verdicts
     (verdict,) = [one for one in found if one.test == "overlap"]
     assert verdict.message.startswith("convex hulls of links 'a' and 'b' overlap by ")
+
+
+def test_visuals_are_not_loaded() -> None:
+    mesh = '<visual><geometry><mesh filename="none.stl"/></geometry></visual></link>'
+    arm = robot(link("arm").replace("</link>", mesh), joint("arm", "world", "0 0 0"))
+    assert failures(arm) == {}
+
+
+def test_a_root_without_mass_is_welded() -> None:
+    """An arm that hangs below its mount does not stand on the floor."""
+    arm = robot(link("arm", at="0 0 -0.5"), joint("arm", "mount", "0 0 0"), '<link name="mount"/>')
+    hanging = Source("r.urdf", arm.data.replace(b'<link name="world"/>', b""))
+    assert not simulate(read(hanging)).is_free

@@ -81,8 +81,7 @@ def _driven(context: Context) -> Iterator[str]:
     for use in context.plugins:
         if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
             for wheel in wheels(use, context.tree):
-                if wheel.rolling.joint.child:
-                    yield wheel.rolling.joint.child.value
+                yield wheel.rolling.joint.child_name
     for _, found in context.controllers:
         for controller in found:
             kind = controller.kind
@@ -92,7 +91,7 @@ def _driven(context: Context) -> Iterator[str]:
             for written in controller.values(dict.fromkeys(names)):
                 joint = context.model.joints_by_name.get(written.text)
                 if joint is not None and joint.child and joint.kind == "continuous":
-                    yield joint.child.value
+                    yield joint.child_name
 
 
 def _friction(model: RobotModel, link: str) -> list[Placed[float]]:

@@ -138,12 +138,12 @@ def _note(joint: Joint) -> Related:
 
 def _rolls(joint: Joint) -> bool:
     """True for the joint of a wheel that turns without end and is not steered."""
-    name = f"{joint.name} {joint.child.value if joint.child else ''}".lower()
+    name = f"{joint.name} {joint.child_name}".lower()
     is_wheel = "wheel" in name and not any(word in name for word in _OTHERS)
     return is_wheel and joint.kind == "continuous" and joint.mimic is None
 
 
 def _axle(context: Context, joint: Joint) -> Vector | None:
     """The axis of a joint in the frame of the root."""
-    frame = context.tree.frames.get(joint.child.value) if joint.child else None
+    frame = context.tree.frames.get(joint.child_name)
     return rotate(frame.rotation, direction(joint)) if frame else None

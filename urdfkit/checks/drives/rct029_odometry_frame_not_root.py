@@ -69,7 +69,7 @@ def _of_plugin(use: PluginUse, context: Context) -> Findings:
     above = context.tree.parents.get(name.lstrip("/"), [])
     if len(above) != 1 or above[0].parent is None:
         return
-    parent = above[0].parent.value
+    parent = above[0].parent_name
     if parent == frame.lstrip("/"):
         return
     roots = context.tree.roots

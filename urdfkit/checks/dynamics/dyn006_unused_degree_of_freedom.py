@@ -26,8 +26,7 @@ def check(context: Context) -> Findings:
     moved = driven(context.model)
     seen = {block.get("reference") for block in context.model.gazebo if block.child("sensor")}
     for joint in idle(context.tree):
-        assert joint.child is not None
-        child = joint.child.value
+        child = joint.child_name
         if joint.name in moved or not seen.isdisjoint(context.tree.below(child)):
             continue
         yield Finding(

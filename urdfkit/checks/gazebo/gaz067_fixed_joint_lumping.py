@@ -119,8 +119,8 @@ def _kept_joints(context: Context) -> Findings:
     ]
     preserved = {joint.name for joint, tag in tags if tag.tag == "preserveFixedJoint"}
     for joint, tag in tags:
-        if joint.child and joint.child.value in massless:
-            link = joint.child.value
+        if joint.child_name in massless:
+            link = joint.child_name
             message = f"<{tag.tag}> of joint '{joint.name}' has no effect: Gazebo drops link "
             message += f"'{link}', which has no mass"
             help = "give the link an <inertial>, or remove the tag"

@@ -80,7 +80,7 @@ def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
 
 def _merged(context: Context, use: PluginUse, reference: Reference) -> Finding:
     joint = _fixed_joint(context, reference)
-    child = joint.child.value if joint and joint.child else reference.name
+    child = joint.child_name if joint and joint.child else reference.name
     survivor = context.gazebo.survivor.get(child, "")
     can_keep = joint is not None and context.model.links_by_name[child].mass > 0
     help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"

@@ -58,7 +58,7 @@ def _rolls(tree: KinematicTree) -> bool:
     """True for a robot with wheels that is not fixed to the world."""
     is_fixed = rigid_bodies(tree)[0].is_ground
     wheels = (
-        joint.kind == "continuous" and joint.child and "wheel" in joint.child.value.lower()
+        joint.kind == "continuous" and "wheel" in joint.child_name.lower()
         for joint in tree.model.joints
     )
     return not is_fixed and any(wheels)

@@ -167,10 +167,9 @@ def _on_massless_frames(context: Context) -> Findings:
     for body in SdfConversion(context.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None
-        assert joint.parent is not None
         yield Finding(
             joint.at,
-            f"joint '{joint.name}' is a child of link '{joint.parent.value}', which has no mass "
+            f"joint '{joint.name}' is a child of link '{joint.parent_name}', which has no mass "
             f"and is fixed to another link: older Gazebo drops '{body.top.name}' and its children",
             "make the joint a child of the parent, or give the link a mass of a gram",
             severity=Severity.WARNING if old else Severity.INFO,

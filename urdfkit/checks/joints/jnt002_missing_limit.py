@@ -57,13 +57,12 @@ def _unequal(model: RobotModel) -> Findings:
     limited: dict[str, tuple[Joint, Limit]] = {}
     joints = [joint for joint in model.joints if joint.kind == "continuous" and joint.parent]
     for joint in joints:
-        if joint.parent and joint.limit and joint.limit.effort and joint.limit.velocity:
-            limited.setdefault(joint.parent.value, (joint, joint.limit))
+        if joint.limit and joint.limit.effort and joint.limit.velocity:
+            limited.setdefault(joint.parent_name, (joint, joint.limit))
     for joint in joints:
-        parent = joint.parent.value if joint.parent else ""
-        if joint.limit or joint.mimic or parent not in limited:
+        if joint.limit or joint.mimic or joint.parent_name not in limited:
             continue
-        other, limit = limited[parent]
+        other, limit = limited[joint.parent_name]
         yield Finding(
             joint.at,
             f"joint '{joint.name}' has no effort and velocity limit; '{other.name}' on the same "

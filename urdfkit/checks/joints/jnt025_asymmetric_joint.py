@@ -125,7 +125,7 @@ def _axes(context: Context) -> Findings:
     for left, right in context.symmetric_joints:
         if left.kind not in TURNING or right.kind not in TURNING:
             continue
-        one, other = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
+        one, other = (frames.get(joint.child_name) for joint in (left, right))
         if one is None or other is None or not _are_mirrored(one, other):
             continue
         a, b = _axis(left, one), _axis(right, other)

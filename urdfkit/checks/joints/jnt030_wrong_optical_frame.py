@@ -52,7 +52,7 @@ def check(context: Context) -> Findings:
     for joint in context.model.joints:
         if joint.kind != "fixed" or joint.parent is None or joint.child is None:
             continue
-        camera, optical = joint.parent.value, joint.child.value
+        camera, optical = joint.parent_name, joint.child_name
         rotation = joint.origin.rotation
         if (
             not _is_of_one_camera(camera.lower(), optical.lower())

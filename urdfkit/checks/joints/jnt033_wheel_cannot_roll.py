@@ -47,7 +47,7 @@ _ROUND, _FLAT = 0.94, 0.75
 def check(context: Context) -> Findings:
     links = context.model.links_by_name
     for joint in context.model.joints:
-        if link := links.get(joint.child.value) if joint.child else None:
+        if link := links.get(joint.child_name):
             yield from _across(joint, link, context.mesh_solid)
             yield from _limited(joint, link)
 

@@ -56,7 +56,7 @@ def _on_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
     joints = {joint.name: joint for joint in model.joints if joint.name}
     for left, right in pairs(joints):
         one, other = joints[left], joints[right]
-        if one.parent is None or other.parent is None or one.parent.value != other.parent.value:
+        if not one.parent_name or one.parent_name != other.parent_name:
             continue
         if one.kind == other.kind and (reason := _reason(one, other)):
             yield (
@@ -68,13 +68,11 @@ def _on_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
 
 def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
     """True if the left one of two is misplaced, as the other joints on their link show."""
-    assert left.parent is not None
     others = [
         joint
         for joint in model.joints
         if joint.kind == left.kind
-        and joint.parent
-        and joint.parent.value == left.parent.value
+        and joint.parent_name == left.parent_name
         and joint.name not in (left.name, right.name)
     ]
     first, second = left.origin.position, right.origin.position
@@ -102,7 +100,7 @@ def _is_equal(one: Vector, other: Vector) -> bool:
 def _pairs(context: Context) -> Iterator[_Pair]:
     frames = context.tree.frames
     for left, right in context.symmetric_joints:
-        here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
+        here, there = (frames.get(joint.child_name) for joint in (left, right))
         if here and there and abs(here.position[1] - there.position[1]) > _OFFSET:
             (x, y, z), (a, b, c) = here.position, there.position
             yield _Pair(left, right, (a - x, b + y, c - z))
@@ -110,13 +108,11 @@ def _pairs(context: Context) -> Iterator[_Pair]:
 
 def _asymmetric(found: list[_Pair]) -> list[_Pair]:
     """The pairs that are no mirror images, though their parents are."""
-    known = {pair.right.child.value: pair.distance for pair in found if pair.right.child}
+    known = {pair.right.child_name: pair.distance for pair in found}
     odd, inherited = [], 0
     for pair in found:
-        assert pair.left.parent is not None
-        assert pair.right.parent is not None
-        is_shared = pair.left.parent.value == pair.right.parent.value
-        above = 0.0 if is_shared else known.get(pair.right.parent.value, 0.0)
+        is_shared = pair.left.parent_name == pair.right.parent_name
+        above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
         if above > _NEAR:
             inherited += 1
         elif pair.distance > _OFFSET:
@@ -131,10 +127,10 @@ def _asymmetric(found: list[_Pair]) -> list[_Pair]:
 def _is_shifted_along_one_axis(pair: _Pair) -> bool:
     """True for counterparts on one link that differ in x alone, or in z."""
     left, right = pair.left, pair.right
-    if left.origin.rotation != right.origin.rotation or left.parent is None or right.parent is None:
+    if left.origin.rotation != right.origin.rotation or left.parent_name != right.parent_name:
         return False
     is_equal = [abs(part) <= _NEAR for part in pair.off]
-    return left.parent.value == right.parent.value and is_equal[1] and sum(is_equal) == 2
+    return is_equal[1] and sum(is_equal) == 2
 
 
 def _shift(pair: _Pair) -> str:

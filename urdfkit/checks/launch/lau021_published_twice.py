@@ -69,7 +69,7 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
-            joints |= {joint.child.value: joint for joint in robot.model.joints if joint.child}
+            joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
     for one, transform in published:
         child = transform.child
         joint = joints.get(_frame(child))
@@ -85,9 +85,9 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
 
 def _says_the_same(transform: StaticTransform, joint: Joint) -> bool:
     """True if it repeats a fixed joint, which harms nobody."""
-    parent = joint.parent.value if joint.parent else ""
+    is_parent = joint.parent_name == _frame(transform.parent)
     distance = dist(transform.position, joint.origin.position)
-    return joint.kind == "fixed" and parent == _frame(transform.parent) and distance < _NEAR
+    return joint.kind == "fixed" and is_parent and distance < _NEAR
 
 
 def _frame(word: Word) -> str:

@@ -24,7 +24,7 @@ from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import controllers
-from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.located_yaml import Node, Value, mapping
 
 #: Packages whose programs publish none of these messages.
 _SILENT = re.compile(
@@ -124,10 +124,9 @@ def _read(context: Context) -> Iterator[_Read]:
 
 def _of_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
     for source in layer.values() if "observation_sources" in layer else ():
-        if isinstance(source, dict):
-            topic, message = source.get("topic"), source.get("data_type")
-            if isinstance(topic, Value) and isinstance(message, Value):
-                yield _Read(topic, message.text, who)
+        topic, message = mapping(source).get("topic"), mapping(source).get("data_type")
+        if isinstance(topic, Value) and isinstance(message, Value):
+            yield _Read(topic, message.text, who)
 
 
 def _published(

@@ -29,8 +29,7 @@ _ALONG = 0.9
 @rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
-        target = joint.mimic.joint if joint.mimic else None
-        leader = context.model.joints_by_name.get(target.value) if target else None
+        leader = context.model.joints_by_name.get(joint.leader)
         if joint.mimic is None or leader is None or not _are_fingers(joint, leader):
             continue
         gap = minus(leader.origin.position, joint.origin.position)
@@ -51,9 +50,8 @@ def _are_fingers(joint: Joint, leader: Joint) -> bool:
     """True for two sliding joints on one link that go equally far; stages of a lift do not."""
     return (
         joint.kind == leader.kind == "prismatic"
-        and joint.parent is not None
-        and leader.parent is not None
-        and joint.parent.value == leader.parent.value
+        and bool(joint.parent_name)
+        and joint.parent_name == leader.parent_name
         and not leader.mimic
         and joint.mimic is not None
         and abs(joint.mimic.multiplier) == 1

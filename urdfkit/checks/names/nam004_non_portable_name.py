@@ -95,7 +95,7 @@ def _reserved(context: Context, name: Attribute) -> Findings:
         return
     elif tag == "joint":
         reason = "the name is reserved for the world in Gazebo's SDF"
-    elif any(joint.child and joint.child.value == text for joint in model.joints):
+    elif any(joint.child_name == text for joint in model.joints):
         reason = "Gazebo and MuJoCo read it as the world, which cannot be a child link"
     elif not model.links_by_name[text].is_frame:
         reason = "Gazebo reads it as the world and drops its mass and shapes"

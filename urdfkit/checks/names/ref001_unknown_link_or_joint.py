@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
 
 def _links(context: Context) -> Findings:
     known = context.model.links_by_name
-    children = {joint.child.value for joint in context.model.joints if joint.child}
+    children = {joint.child_name for joint in context.model.joints}
     is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}

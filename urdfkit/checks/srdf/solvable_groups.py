@@ -38,8 +38,8 @@ def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
     """Two moving joints of a group of which none follows the other; None if it is a chain."""
     paths: list[list[Joint]] = []
     for joint in context.model.joints:
-        if joint.kind != "fixed" and joint.child and joint.child.value in links:
-            above = context.tree.path(joint.child.value)
+        if joint.kind != "fixed" and joint.child_name in links:
+            above = context.tree.path(joint.child_name)
             paths.append([one for one in above if one.kind != "fixed"])
     paths.sort(key=len)
     for before, path in pairwise(paths):

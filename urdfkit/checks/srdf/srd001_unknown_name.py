@@ -104,7 +104,7 @@ def _not_in_group(context: Context, srdf: Srdf) -> Findings:
         links = srdf.links_of(group)
         for element in state.all("joint") if links else ():
             joint = context.model.joints_by_name.get(element.get("name") or "")
-            if joint is None or joint.child is None or joint.child.value in links:
+            if joint is None or joint.child is None or joint.child_name in links:
                 continue
             yield Finding(
                 element,

@@ -71,7 +71,7 @@ def _without_acceleration(context: Context) -> Findings:
     lacking = [
         joint
         for joint in context.model.joints
-        if joint.kind in MOVING and joint.child and joint.child.value in links
+        if joint.kind in MOVING and joint.child_name in links
         if joint.mimic is None and joint.name not in passive
         if not (joint.limit and joint.limit.at.get("acceleration"))
         if joint.name not in planned or not planned[joint.name].is_on(switch)

@@ -29,7 +29,7 @@ SHOWN = 8
 )
 def check(context: Context) -> Findings:
     # The child of a link that is missing is no root: the reference is REF001's.
-    children = {joint.child.value for joint in context.model.joints if joint.child}
+    children = {joint.child_name for joint in context.model.joints}
     roots = [root for root in context.tree.roots if root.name not in children]
     if len(roots) < 2 or context.is_part:
         return
@@ -57,6 +57,6 @@ def _largest(tree: KinematicTree, roots: list[Link]) -> Link:
             name = queue.pop()
             if name not in seen:
                 seen.add(name)
-                queue += [joint.child.value for joint in tree.children[name] if joint.child]
+                queue += [joint.child_name for joint in tree.children[name]]
         sizes[root.name] = len(seen) - before
     return max(roots, key=lambda root: sizes[root.name])

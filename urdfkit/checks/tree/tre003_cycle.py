@@ -38,9 +38,11 @@ SHOWN = 8
 )
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
-        if joint.parent and joint.child and joint.parent.value == joint.child.value:
-            message = f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child"
-            yield Finding(joint.child, message, "name the link that this joint moves as its child")
+        if joint.parent_name and joint.parent_name == joint.child_name:
+            message = f"joint '{joint.name}' has link '{joint.child_name}' as parent and as child"
+            yield Finding(
+                joint.child or joint.at, message, "name the link that this joint moves as its child"
+            )
     for loop in context.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,
@@ -53,6 +55,6 @@ def check(context: Context) -> Findings:
 
 def _shown(loop: tuple[Joint, ...]) -> str:
     """The links of a loop, such as ``a -> b -> a``."""
-    names = [joint.parent.value for joint in loop if joint.parent]
+    names = [joint.parent_name for joint in loop]
     more = [f"({len(names) - SHOWN} more)"] if len(names) > SHOWN else []
     return " -> ".join([*names[:SHOWN], *more, names[0]])

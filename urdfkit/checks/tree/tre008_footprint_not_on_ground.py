@@ -163,9 +163,7 @@ def _limbs(tree: KinematicTree) -> set[str]:
     """The links below two revolute joints or more, as those of legs are."""
     counts = dict.fromkeys(tree.frames, 0)
     for joint in tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
-        counts[joint.child.value] = counts[joint.parent.value] + (joint.kind == "revolute")
+        counts[joint.child_name] = counts[joint.parent_name] + (joint.kind == "revolute")
     return {name for name, count in counts.items() if count > 1}
 
 

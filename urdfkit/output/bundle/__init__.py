@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 from typing import Any
 
 from urdfkit import __version__
@@ -16,7 +16,7 @@ from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
-from urdfkit.output.bundle.meshes import BundledFile, MeshNames, bundled
+from urdfkit.output.bundle.meshes import BundledFile, FreeNames, bundled
 from urdfkit.output.bundle.package import package_files
 from urdfkit.output.bundle.robot import (
     Renamed,
@@ -54,7 +54,7 @@ class Bundle:
     def __init__(self, robot: Context, consumer: Consumer) -> None:
         self._robot = robot
         self._consumer = consumer
-        self._paths = _found(robot)
+        self._paths = located_files(robot, references(robot.model))
         #: Of the robot, with nothing that a file or package name cannot hold.
         self.name = re.sub(r"[^a-z0-9_]+", "_", robot.model.name.lower()).strip("_") or "robot"
         #: Path of the robot in the bundle.
@@ -85,7 +85,7 @@ class Bundle:
 
     def _files(self) -> Iterator[BundledFile]:
         names: dict[str, str] = {}  # in the bundle, by path
-        stems, model, files = MeshNames(), self._robot.model, self._robot.files
+        stems, model = FreeNames(), self._robot.model
         visuals = {
             self._paths[id(body.shape.filename)]
             for link in model.links
@@ -94,21 +94,17 @@ class Bundle:
         }
         for reference in mesh_references(model):
             path = self._paths[id(reference)]
-            if path in names:
-                continue
-            found, stem = files.facts(path), stems.free(path)
-            if found.defect:
-                raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
-            made = bundled(path, found, self._consumer, stem, is_visual=path in visuals)
-            for number, file in enumerate(made):
-                if not number:
-                    names[path] = file.path
-                yield file
+            if path not in names:
+                files = mesh_files(self._robot, reference, path, self._consumer, stems, visuals)
+                for number, file in enumerate(files):
+                    if not number:
+                        names[path] = file.path
+                    yield file
         for reference in texture_references(model):
             path = self._paths[id(reference)]
             if path not in names:
                 suffix = os.path.splitext(path)[1]
-                names[path] = f"textures/{stems.free(path)}{suffix}"
+                names[path] = f"textures/{stems.take_stem(path)}{suffix}"
                 yield BundledFile(names[path], disk.read(path), path)
         prefix = f"package://{self.name}/" if self._consumer.is_package else ""
 
@@ -160,8 +156,30 @@ class Bundle:
         return os.path.basename(path) if relative.startswith("../") else relative
 
 
-def _found(robot: Context) -> dict[int, str]:
-    """The files that a robot names, by the ``id`` of the reference: its text may mean two files.
+def mesh_files(
+    robot: Context,
+    reference: Placed[str],
+    path: str,
+    consumer: Consumer,
+    stems: FreeNames,
+    visuals: Container[str],
+) -> Iterator[BundledFile]:
+    """A mesh file that a robot names, as it is bundled.
+
+    Args:
+        visuals: the paths of the files that visuals use.
+
+    Raises:
+        UrdfkitError: it is broken, or cannot be written in a format that is read.
+    """
+    found, stem = robot.files.facts(path), stems.take_stem(path)
+    if found.defect:
+        raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
+    yield from bundled(path, found, consumer, stem, is_visual=path in visuals)
+
+
+def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str]:
+    """The files that references name, by their ``id``: one text may mean two files.
 
     Raises:
         UrdfkitError: some are not there, or outside the workspace.
@@ -169,7 +187,7 @@ def _found(robot: Context) -> dict[int, str]:
     paths: dict[int, str] = {}
     missing: list[str] = []
     outside: list[str] = []
-    for reference in references(robot.model):
+    for reference in named:
         located = robot.files.locate(reference)
         if located.path is not None:
             paths[id(reference)] = located.path

@@ -15,9 +15,9 @@ from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
-from urdfkit.output.bundle import MANIFEST, Bundle
-from urdfkit.output.bundle.consumers import CONSUMERS
-from urdfkit.output.bundle.meshes import BundledFile
+from urdfkit.output.bundle import MANIFEST, Bundle, located_files, mesh_files
+from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
+from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
 
@@ -166,6 +166,28 @@ def write_files(files: Iterable[BundledFile], directory: str) -> None:
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "xb") as target:
             target.write(file.data)
+
+
+def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict[int, str]:
+    """Write the meshes that collide, as in a bundle.
+
+    Returns:
+        Where each lies in the directory, by the ``id`` of the reference to it.
+
+    Raises:
+        UrdfkitError: one is not there, broken, or cannot be written in a format that is read.
+    """
+    shapes = [body.shape for link in robot.model.links for body in link.collisions]
+    named = [shape.filename for shape in shapes if shape and shape.filename]
+    paths = located_files(robot, named)
+    stems, names = FreeNames(), dict[str, str]()
+    for reference in named:
+        path = paths[id(reference)]
+        if path not in names:
+            files = [*mesh_files(robot, reference, path, consumer, stems, frozenset())]
+            names[path] = files[0].path
+            write_files(files, directory)
+    return {key: names[path] for key, path in paths.items()}
 
 
 def _zipped(directory: str, path: str) -> str:

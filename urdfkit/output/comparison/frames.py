@@ -51,7 +51,7 @@ def _apart(before: Transform, after: Transform) -> tuple[float, float]:
 
 def _parent(tree: KinematicTree, name: str) -> str:
     joints = tree.parents[name]
-    return joints[0].parent.value if joints and joints[0].parent else ""
+    return joints[0].parent_name if joints else ""
 
 
 def _within(places: dict[str, Transform], name: str, parent: str) -> Transform:

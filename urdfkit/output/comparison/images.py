@@ -44,9 +44,7 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
 
 def _colours(found: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
     """Of the links that differ; a change of a joint counts for its child link."""
-    children = {
-        joint.name: joint.child.value for joint in after.model.joints if joint.child is not None
-    }
+    children = {joint.name: joint.child_name for joint in after.model.joints}
     names = {moved.link for moved in found.moved}
     for one in found.differences:
         names.add(one.name if one.what == "link" else children.get(one.name, ""))

@@ -29,7 +29,7 @@ def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Renam
         joint.name: other.name
         for child, joint in old.above.items()
         if (other := new.above.get(links.get(child, "")))
-        and links.get(_parent(joint)) == _parent(other)
+        and links.get(joint.parent_name) == other.parent_name
         and joint.name not in after.joints_by_name
         and other.name not in before.joints_by_name
     }
@@ -45,18 +45,14 @@ class _Tree:
         self.above: dict[str, Joint] = {}
         self.children: dict[str, list[str]] = {}
         for joint in model.joints:
-            if joint.child and joint.child.value not in self.above:
-                self.above[joint.child.value] = joint
-                self.children.setdefault(_parent(joint), []).append(joint.child.value)
+            if joint.child_name and joint.child_name not in self.above:
+                self.above[joint.child_name] = joint
+                self.children.setdefault(joint.parent_name, []).append(joint.child_name)
         self.children[""] = [name for name in self.links if name not in self.above]
 
     def parent(self, name: str) -> str:
         """The link above; empty for a root."""
-        return _parent(self.above[name]) if name in self.above else ""
-
-
-def _parent(joint: Joint) -> str:
-    return joint.parent.value if joint.parent else ""
+        return self.above[name].parent_name if name in self.above else ""
 
 
 def _unique_matches(
@@ -109,7 +105,7 @@ def _is_in_place(
     """True for roots, and for links with the same parent and the same joint."""
     if before is None or after is None:
         return before is after
-    if links.get(_parent(before)) != _parent(after):
+    if links.get(before.parent_name) != after.parent_name:
         return False
     is_still = not any(of_frames("", "", before.origin, after.origin, allowed))
     return before.name == after.name or (before.kind == after.kind and is_still)

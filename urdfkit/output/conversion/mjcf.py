@@ -5,7 +5,7 @@ import glob
 import os
 import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -32,9 +32,8 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.proof import prove
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.robot.stability import standing
+from urdfkit.robot.stability import lowest_links
 
-_DEFAULT = ConversionOptions()
 _LOST = "MJCF has nothing like it"
 _REASONS = {
     "plugin": "a plugin is a program of Gazebo",
@@ -50,8 +49,8 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
-    with staged(assets(bundle), out, force=force, mark=REPORT) as directory:
-        made = assembled(robot, bundle, directory, options, is_free=is_free)
+    with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
+        made = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
         exclude_neighbours(made, robot)
         if options.exclude == "computed":
             exclude_computed(made, robot)
@@ -83,34 +82,41 @@ def floats(robot: Context, base: str) -> bool:
         raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
     if base != "auto":
         return base == "free"
-    fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
-    return not fixed.issuperset(standing(robot).links)
+    root = rigid_bodies(robot.tree)[0]
+    if root.is_ground or not root.mass:  # what has no mass is no base that moves
+        return False
+    fixed = {link.name for link, _ in root.links}
+    return not fixed.issuperset(lowest_links(robot))
 
 
-def assets(bundle: Bundle) -> Iterator[BundledFile]:
+def _assets(bundle: Bundle) -> Iterator[BundledFile]:
     """The meshes of a bundle, without its URDF and its manifest."""
     for file in bundle.files():
         if "/" in file.path:
             yield file
 
 
+def _files(robot: Context, bundle: Bundle) -> dict[int, str]:
+    """Where the files of a bundle lie, by the ``id`` of the references to them."""
+    return {
+        id(reference): one.new
+        for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
+    }
+
+
 def assembled(
     robot: Context,
-    bundle: Bundle,
+    files: Mapping[int, str],
     directory: str,
-    options: ConversionOptions = _DEFAULT,
+    options: ConversionOptions,
     *,
     is_free: bool,
 ) -> MjcfRobot:
-    """The specification of a robot whose assets lie in a directory.
+    """The specification of a robot; the arguments are those of `MjcfRobot`.
 
     Raises:
         UrdfkitError: MuJoCo rejects it, or a joint or a shape has no meaning.
     """
-    files = {
-        id(reference): one.new
-        for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
-    }
     with _rejections(robot):
         made = MjcfRobot(robot, files, directory, options, is_free=is_free)
         add_frictions(made, robot)

@@ -21,10 +21,11 @@ from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.writers import encode
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.mjcf_textures import Textures
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.robot.assets.collision_shapes import RELATIVE
 from urdfkit.robot.assets.colours import Colours
@@ -62,7 +63,7 @@ class Geoms:
     Args:
         files: where the file of each mesh lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in; others are added there.
-        collision: one of `urdfkit.output.conversion.options.COLLISIONS`.
+        options: what becomes of a collision mesh, and whether there are visuals.
     """
 
     def __init__(
@@ -72,14 +73,14 @@ class Geoms:
         files: Mapping[int, str],
         directory: str,
         losses: LossTable,
-        collision: str,
+        options: ConversionOptions,
     ) -> None:
         self._spec = spec
         self._robot = robot
         self._files = files
         self._directory = directory
         self._losses = losses
-        self._collision = collision
+        self._options = options
         self._colours = Colours(robot.model)
         self._materials = ModelMaterials(robot)
         self._textures = Textures(spec, directory)
@@ -103,7 +104,8 @@ class Geoms:
             UrdfkitError: a shape has no size.
         """
         colliding: list[Any] = []
-        for geometry in (*link.visuals, *link.collisions):
+        visuals = link.visuals if self._options.visuals else ()
+        for geometry in (*visuals, *link.collisions):
             shape = geometry.shape
             if shape is None or shape.kind not in _KINDS:
                 continue
@@ -248,7 +250,7 @@ class Geoms:
         if shape.filename is None:
             return (Piece(shape.kind, size),)
         file = self._files[id(shape.filename)]
-        if self._collision != "hull":
+        if self._options.collision != "hull":
             key = file, shape.scale
             if key not in self._simpler:
                 self._simpler[key] = self._simplified(geometry, file)
@@ -265,7 +267,7 @@ class Geoms:
         if mesh is None:
             return [], ""
         try:
-            if self._collision == "primitives":
+            if self._options.collision == "primitives":
                 best = fit(mesh, RELATIVE * soup_of(mesh).size).best
                 what, parts, error = str(best), best.mesh, best.error
                 if best.kind in ("box", "sphere", "cylinder"):

@@ -9,12 +9,13 @@ import numpy as np
 from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
+from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
@@ -64,7 +65,7 @@ class MjcfRobot:
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
-        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
+        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
 
@@ -87,8 +88,7 @@ class MjcfRobot:
 
     def _merge(self, link: Link, joint: Joint) -> None:
         """A link without a body of its own: a site where its frame is."""
-        assert joint.parent is not None
-        parent = joint.parent.value
+        parent = joint.parent_name
         self.bodies[link.name] = self.bodies[parent]
         self.frames[link.name] = frame = self.frames[parent] @ joint.origin
         self.bodies[parent].add_site(
@@ -102,8 +102,7 @@ class MjcfRobot:
     def _body(self, link: Link, joint: Joint | None) -> Any:
         parent, frame = self.spec.worldbody, Transform()
         if joint is not None:
-            assert joint.parent is not None
-            above = joint.parent.value
+            above = joint.parent_name
             parent, frame = self.bodies[above], self.frames[above] @ joint.origin
         body = parent.add_body(name=link.name, pos=frame.position, quat=quaternion(frame.rotation))
         if joint is not None:
@@ -156,8 +155,8 @@ class MjcfRobot:
             made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:
                 self.losses.approximate(limit.at, f"range of {NARROWEST:g}")
-        if limit.effort and limit.effort.value > 0:
-            made.actfrclimited, made.actfrcrange = True, (-limit.effort.value, limit.effort.value)
+        if most := effort(joint):
+            made.actfrclimited, made.actfrcrange = True, (-most, most)
             self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
         else:
             self.losses.lose(attributes.get("effort"), "an effort that is not over 0 is no limit")
@@ -207,8 +206,7 @@ class MjcfRobot:
         """The link that bears the inertia of another one."""
         while link not in self._inertials:
             joint = self._tree.parents[link][0]
-            assert joint.parent is not None
-            link = joint.parent.value
+            link = joint.parent_name
         return link
 
     def _couple(self, tree: KinematicTree) -> None:

@@ -23,3 +23,4 @@ class ConversionOptions(Record):
     fixed: str = "keep"
     collision: str = "hull"
     exclude: str = "srdf"
+    visuals: bool = True  # False for a simulation, which needs none

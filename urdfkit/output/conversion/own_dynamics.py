@@ -47,10 +47,9 @@ class OwnDynamics:
         axes, inertias = self._axes(pose), self._composites(pose)
         whole = np.zeros((len(self.columns), len(self.columns)))
         for name, axis in axes.items():
-            child = self._moving[name].child
-            assert child is not None
-            force = inertias[child.value] @ axis
-            for above in self._tree.path(child.value):
+            child = self._moving[name].child_name
+            force = inertias[child] @ axis
+            for above in self._tree.path(child):
                 if above.name in axes:
                     part = float(axes[above.name] @ force)
                     self._add(whole, name, above.name, part)
@@ -63,9 +62,9 @@ class OwnDynamics:
         inertias = self._composites(pose)
         whole = np.zeros(len(self.columns))
         for name, axis in self._axes(pose).items():
-            child, (leader, factor, _) = self._moving[name].child, self._laws[name]
-            if child is not None and leader in self._numbers:
-                torque = float(axis @ inertias[child.value] @ _GRAVITY)
+            child, (leader, factor, _) = self._moving[name].child_name, self._laws[name]
+            if leader in self._numbers:
+                torque = float(axis @ inertias[child] @ _GRAVITY)
                 whole[self._numbers[leader]] += factor * torque
         return whole
 
@@ -79,12 +78,11 @@ class OwnDynamics:
         """The motion of what is below each joint, (6,)."""
         placed, found = frames(self._tree, pose), {}
         for name, joint in self._moving.items():
-            if joint.child is not None:
-                frame = placed[joint.child.value]
-                axis = np.array(rotate(frame.rotation, direction(joint)))
-                turning = np.concatenate([axis, np.cross(frame.position, axis)])
-                sliding = np.concatenate([np.zeros(3), axis])
-                found[name] = turning if joint.kind in TURNING else sliding
+            frame = placed[joint.child_name]
+            axis = np.array(rotate(frame.rotation, direction(joint)))
+            turning = np.concatenate([axis, np.cross(frame.position, axis)])
+            sliding = np.concatenate([np.zeros(3), axis])
+            found[name] = turning if joint.kind in TURNING else sliding
         return found
 
     def _composites(self, pose: Mapping[str, float]) -> dict[str, Floats]:
@@ -94,9 +92,8 @@ class OwnDynamics:
         for name in self._order:
             found[name] = _spatial_inertia(self._tree, name, placed[name])
         for name in reversed(self._order[1:]):
-            joint = self._tree.parents[name][0]
-            assert joint.parent is not None
-            found[joint.parent.value] = found[joint.parent.value] + found[name]
+            parent = self._tree.parents[name][0].parent_name
+            found[parent] = found[parent] + found[name]
         return found
 
 

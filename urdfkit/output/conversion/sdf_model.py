@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement
 
 from urdfkit.core.spatial import ORIGIN, Transform, Vector, to_rpy
-from urdfkit.output.conversion.sdf_extensions import Extensions, child_of, set_value, within
+from urdfkit.output.conversion.sdf_extensions import GazeboBlocks, child_of, set_value, within
 from urdfkit.output.conversion.sdf_inertia import Inertias
 from urdfkit.output.conversion.sdf_values import number_text, numbers_text, pose_text, snapped_rpy
 from urdfkit.robot.assets.colours import Colours
@@ -44,7 +44,7 @@ class SdfModel:
         self._frames = {
             link.name: frame for body in conversion.links for link, frame in body.body.links
         }
-        self.extensions = Extensions(conversion.model.gazebo)
+        self.extensions = GazeboBlocks(conversion.model.gazebo)
         self.coloured: set[int] = set()  # the visuals that have the colour of the URDF, by ``id``
         self._inertias = Inertias(conversion.model.links)
         self.tag = self._made()
@@ -54,9 +54,7 @@ class SdfModel:
         tag = Tag("model", {"name": model.name})
         frames = []
         for joint in merged_joints(conversion):
-            assert joint.parent is not None
-            assert joint.child is not None
-            link, into = joint.child.value, joint.parent.value
+            link, into = joint.child_name, joint.parent_name
             frames += [_frame(joint.name, into, joint.origin), _frame(link, joint.name)]
             self.extensions.merge(link, into, joint.origin)
             self._inertias.merge(link, into, joint.origin)
@@ -124,8 +122,7 @@ class SdfModel:
     def _joint(self, simulated: SimulatedJoint) -> Tag:
         joint, parent = simulated.joint, simulated.parent
         tag = Tag("joint", {"type": simulated.type, "name": joint.name})
-        assert joint.parent is not None
-        at = self._frames.get(joint.parent.value, Transform()) @ joint.origin
+        at = self._frames.get(joint.parent_name, Transform()) @ joint.origin
         pose = set_value(tag, "pose", pose_text(at.position, to_rpy(at.rotation)))
         pose.set("relative_to", "__model__" if parent == WORLD else parent)
         set_value(tag, "parent", parent)
@@ -147,8 +144,7 @@ def is_merged(joint: Joint, conversion: SdfConversion) -> bool:
     return (
         joint.kind == "fixed"
         and joint.name not in conversion.preserved
-        and joint.parent is not None
-        and joint.parent.value != WORLD
+        and joint.parent_name not in ("", WORLD)
     )
 
 
@@ -176,7 +172,7 @@ def in_order(tree: KinematicTree) -> Iterator[str]:
         name = stack.pop()
         yield name
         joints = _children(tree, name)
-        stack += [joint.child.value for joint in reversed(joints) if joint.child]
+        stack += [joint.child_name for joint in reversed(joints)]
 
 
 def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
@@ -186,9 +182,9 @@ def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
     while stack:
         name, joint, is_done = stack.pop()
         below = [
-            (one.child.value, one, False)
+            (one.child_name, one, False)
             for one in reversed(_children(tree, name))
-            if one.child and is_merged(one, conversion) != is_done
+            if is_merged(one, conversion) != is_done
         ]
         if not is_done:
             stack.append((name, joint, True))
@@ -208,8 +204,8 @@ def _axis(joint: Joint) -> Tag:
     tag = Tag("axis")
     direction: Vector = joint.axis.value if joint.axis else (1.0, 0.0, 0.0)
     set_value(tag, "xyz", numbers_text(direction))
-    if joint.mimic is not None and joint.mimic.joint is not None:
-        mimic = SubElement(tag, "mimic", {"joint": joint.mimic.joint.value})
+    if joint.mimic and joint.leader:
+        mimic = SubElement(tag, "mimic", {"joint": joint.leader})
         set_value(mimic, "multiplier", number_text(joint.mimic.multiplier))
         set_value(mimic, "offset", number_text(joint.mimic.offset))
     limit = SubElement(tag, "limit")

@@ -289,17 +289,15 @@ def _different(ours: MassProperties, theirs: MassProperties) -> tuple[float, flo
 def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[float]:
     """How much the joints differ: in their ends and kind by 1, in limits by a part."""
     for joint in robot.model.joints:
-        assert joint.child is not None
-        assert joint.parent is not None
-        if joint.child.value in conversion.dropped or joint.kind == "fixed":
+        if joint.child_name in conversion.dropped or joint.kind == "fixed":
             continue
         tag = sdf.joints.get(joint.name)
         kind = "prismatic" if joint.kind in SLIDING else "revolute"
-        parent = joint.parent.value
+        parent = joint.parent_name
         if (
             tag is None
             or tag.get("type") != kind
-            or _text(tag, "child") != joint.child.value
+            or _text(tag, "child") != joint.child_name
             or _text(tag, "parent") != (parent if parent == "world" else sdf.link_of(parent))
         ):
             yield 1.0

@@ -94,8 +94,7 @@ def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
     taken = {link.name for link in conversion.links} | conversion.joint_names
     taken |= conversion.added
     for joint in merged_joints(conversion):
-        assert joint.child is not None
-        child = joint.child.value
+        child = joint.child_name
         if child in conversion.dropped:
             reason = conversion.dropped[child]
             message = (

@@ -86,10 +86,8 @@ class Stage:
         tree = robot.tree
         placed = at_zero(tree)
         for name in tree.below(tree.roots[0].name):
-            joint = tree.parents[name][0] if tree.parents[name] else None
-            parent = root.GetChild("Geometry")
-            if joint is not None and joint.parent is not None:
-                parent = self.links.get(joint.parent.value)
+            joint = next(iter(tree.parents[name]), None)
+            parent = self.links.get(joint.parent_name) if joint else root.GetChild("Geometry")
             prim = self._child(parent, name, placed[name]) if parent else None
             if prim:
                 self.links[name] = prim
@@ -136,11 +134,8 @@ def at_zero(tree: KinematicTree) -> dict[str, Transform]:
     """Where the links are with all joints at zero, those that follow others as well."""
     found: dict[str, Transform] = {}
     for name in tree.below(tree.roots[0].name):
-        joint = tree.parents[name][0] if tree.parents[name] else None
-        if joint is None or joint.parent is None:
-            found[name] = Transform()
-        else:
-            found[name] = found[joint.parent.value] @ joint.origin
+        joint = next(iter(tree.parents[name]), None)
+        found[name] = found[joint.parent_name] @ joint.origin if joint else Transform()
     return found
 
 
@@ -218,8 +213,7 @@ def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
 
 def _joins(stage: Stage, prim: Any, joint: Joint) -> bool:
     """True if a joint moves its child."""
-    assert joint.child is not None
-    child = stage.links.get(joint.child.value)
+    child = stage.links.get(joint.child_name)
     targets = UsdPhysics.Joint(prim).GetBody1Rel().GetTargets()
     return child is not None and targets == [child.GetPath()]
 

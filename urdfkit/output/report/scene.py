@@ -104,20 +104,18 @@ def _link(link: Link) -> dict[str, Any]:
 
 
 def _joints(context: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
-    """One joint for each link that has a parent, as `mechanics.kinematics.frames` has it."""
+    """One joint for each link that has a parent, as `urdfkit.robot.kinematics.frames` has it."""
     joints = context.model.joints_by_name
     every = laws(joints)
     order = {name: number for number, name in enumerate(joints)}
     found = []
     for joint in context.tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
         entry = {
             "name": joint.name,
             "order": order.get(joint.name, 0),
             "type": joint.kind,
-            "parent": numbers[joint.parent.value],
-            "child": numbers[joint.child.value],
+            "parent": numbers[joint.parent_name],
+            "child": numbers[joint.child_name],
             "origin": _matrix(joint.origin),
             "axis": list(direction(joint)),
         }

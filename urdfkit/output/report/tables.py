@@ -77,17 +77,17 @@ def _joint(joint: Joint) -> Row:
         for key in ("lower", "upper", "effort", "velocity")
     }
     mimic = None
-    if joint.mimic and joint.mimic.joint:
+    if joint.mimic and joint.leader:
         mimic = {
-            "joint": joint.mimic.joint.value,
+            "joint": joint.leader,
             "multiplier": joint.mimic.multiplier,
             "offset": joint.mimic.offset,
         }
     return {
         "name": joint.name,
         "type": joint.kind,
-        "parent": joint.parent.value if joint.parent else "",
-        "child": joint.child.value if joint.child else "",
+        "parent": joint.parent_name,
+        "child": joint.child_name,
         "axis": list(joint.axis.value) if joint.axis else None,
         **limits,
         "mimic": mimic,

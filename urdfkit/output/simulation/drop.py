@@ -9,7 +9,7 @@ import numpy as np
 
 from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, diverged
 from urdfkit.output.simulation.verdicts import Verdict
-from urdfkit.robot.stability import is_freestanding, standing
+from urdfkit.robot.stability import is_freestanding, lowest_links
 
 #: The height in m that a robot is dropped from, and the seconds until it is to lie still.
 HEIGHT, DROPPED = 0.05, 3.0
@@ -94,6 +94,6 @@ def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
 
 def _is_to_stand(robot: SimulatedRobot) -> bool:
     """True for what stands on wheels and casters; on two wheels it balances."""
-    found, tree = standing(robot.robot), robot.robot.tree
-    has_wheel = any(one.kind == "continuous" for link in found.links for one in tree.path(link))
-    return len(found.links) > 2 and has_wheel and is_freestanding(tree, found.links)
+    links, tree = lowest_links(robot.robot), robot.robot.tree
+    has_wheel = any(one.kind == "continuous" for link in links for one in tree.path(link))
+    return len(links) > 2 and has_wheel and is_freestanding(tree, links)

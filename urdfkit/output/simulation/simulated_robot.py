@@ -11,11 +11,11 @@ from urdfkit.core import temporary
 from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
-from urdfkit.output.bundle.writing import write_files
-from urdfkit.output.conversion.mjcf import assembled, assets, compiled, floats
+from urdfkit.output.bundle.writing import write_collisions
+from urdfkit.output.conversion.mjcf import assembled, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.text.source import Span
@@ -66,10 +66,10 @@ class SimulatedRobot:
         self.set_up()
 
     def _compiled(self) -> Any:
-        bundle = Bundle(self.robot, CONSUMERS["mujoco"])
+        options = ConversionOptions(visuals=False)
         with temporary.scratch() as directory:
-            write_files(assets(bundle), directory)
-            made = assembled(self.robot, bundle, directory, is_free=self.is_free)
+            files = write_collisions(self.robot, CONSUMERS["mujoco"], directory)
+            made = assembled(self.robot, files, directory, options, is_free=self.is_free)
             if not self.is_free:
                 return compiled(made, self.robot)
             for joint in self.leaders:

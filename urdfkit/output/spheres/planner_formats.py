@@ -54,7 +54,7 @@ def xrdf(robot: Context, found: RobotSpheres) -> str:
     """
     names = [one.link for one in found.links]
     joints = [joint.name for joint in robot.model.joints if joint.degrees_of_freedom == 1]
-    parents = {joint.parent.value for joint in robot.model.joints if joint.parent}
+    parents = {joint.parent_name for joint in robot.model.joints}
     buffers = dict.fromkeys(names, 0.0)
     document = {
         "format": "xrdf",
@@ -126,7 +126,7 @@ def _ignored(robot: Context, links: Sequence[str]) -> dict[str, list[str]]:
         if one.verdict not in checked and not one.is_seldom
     }
     joints = robot.model.joints
-    pairs |= {frozenset((j.parent.value, j.child.value)) for j in joints if j.parent and j.child}
+    pairs |= {frozenset((j.parent_name, j.child_name)) for j in joints if j.parent and j.child}
     return {
         first: others
         for number, first in enumerate(links, 1)

@@ -191,25 +191,19 @@ def chain(tree: KinematicTree) -> Chain:
     axes = tuple(
         Axis(j.name, *span(j), start_of(j))
         for j in tree.model.joints_by_name.values()
-        if _is_free(j)
+        if j.kind in (*TURNING, *SLIDING) and not j.leader
     )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
     steps: list[TreeStep] = []
     parts = list(range(len(names)))
     for joint in tree.spanning:
-        assert joint.parent is not None
-        assert joint.child is not None
-        parent, child = number[joint.parent.value], number[joint.child.value]
+        parent, child = number[joint.parent_name], number[joint.child_name]
         law = followed.get(joint.name, LOCKED)
         steps.append(_step(joint, parent, child, law, columns))
         if joint.kind not in ("planar", "floating"):
             parts[child] = parts[parent]
     return Chain(names, axes, tuple(steps), tuple(parts))
-
-
-def _is_free(joint: Joint) -> bool:
-    return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
 
 
 def _step(

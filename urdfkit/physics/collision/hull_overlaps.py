@@ -32,7 +32,7 @@ def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
         if first is not None and second is not None:
             moving = [joint for joint in contacts.between(pair.names) if joint.kind != "fixed"]
             joint = moving[0] if len(moving) == 1 else None
-            above = contacts.tree.path(joint.parent.value) if joint and joint.parent else ()
+            above = contacts.tree.path(joint.parent_name) if joint else ()
             is_welded = joint is not None and all(one.kind == "fixed" for one in above)
             yield HullOverlap(first, second, depth, joint.name if joint else "", is_welded)
 

@@ -242,16 +242,14 @@ def _build(
     joints: dict[str, int] = {}
     at = {tree.roots[0].name: (base, Transform())}
     for joint in _downwards(tree):
-        assert joint.parent is not None
-        assert joint.child is not None
-        above, frame = at[joint.parent.value]
+        above, frame = at[joint.parent_name]
         frame = frame @ joint.origin
         if joint.kind in _KINDS:
             kind, turned = _joint_model(joint)
             above = model.addJoint(above, kind, _se3(frame @ turned), joint.name)
             frame = Transform(transposed(turned.rotation))
             joints[joint.name] = above
-        at[joint.child.value] = above, frame
+        at[joint.child_name] = above, frame
     links: dict[str, int] = {}
     for name, (number, frame) in at.items():
         inertia = _inertia(tree.model.links_by_name[name])

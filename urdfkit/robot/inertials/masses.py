@@ -150,8 +150,8 @@ class Masses:
         found = []
         for body in reversed(self.bodies):  # leaves first
             mass, load = body.mass, carried[body.top.name]
-            if body.joint and body.joint.parent:
-                carried[self.body_of[body.joint.parent.value].top.name] += mass + load
+            if body.joint:
+                carried[self.body_of[body.joint.parent_name].top.name] += mass + load
                 if mass > NO_MASS and load > ratio * mass:
                     found.append((body, load))
         return found[::-1]
@@ -178,7 +178,7 @@ class Masses:
 
     def _parent(self, name: str) -> str:
         joint = next(iter(self.tree.parents[name]), None)
-        return joint.parent.value if joint and joint.parent else ""
+        return joint.parent_name if joint else ""
 
     @property
     def _defective(self) -> list[LinkInertia]:

@@ -84,7 +84,7 @@ class SimulatedLink:
             left.remove(name)
             order.append(self._tree.model.links_by_name[name])
             joints = sorted(self._tree.children[name], key=lambda one: one.name, reverse=True)
-            stack += [joint.child.value for joint in joints if joint.child]
+            stack += [joint.child_name for joint in joints]
         return order
 
 
@@ -188,9 +188,9 @@ class SdfConversion:
 
     def _lost_with_parent(self, body: RigidBody) -> str | None:
         """Why a body is dropped with its parent, or None."""
-        if body.joint is None or body.joint.parent is None:
+        if body.joint is None:
             return None
-        parent = body.joint.parent.value
+        parent = body.joint.parent_name
         if parent in self.dropped:
             return f"child of '{parent}', which is dropped"
         if self.converter.stops_at_merged:
@@ -207,9 +207,7 @@ class SdfConversion:
         while name != body.top.name and name not in seen:
             seen.add(name)
             yield self.model.links_by_name[name]
-            joint = self.tree.parents[name][0]
-            assert joint.parent is not None
-            name = joint.parent.value
+            name = self.tree.parents[name][0].parent_name
 
     def _mass_below(self, link: Link) -> float:
         """The mass of a link and of all that is merged into it."""
@@ -218,19 +216,18 @@ class SdfConversion:
         for name in queue:  # grows while it is walked
             total += self.model.links_by_name[name].mass
             for joint in self.tree.children[name]:
-                if joint.kind == "fixed" and joint.name not in self.preserved:
-                    assert joint.child is not None
-                    if joint.child.value not in seen:  # links may stand in a circle: TRE003
-                        seen.add(joint.child.value)
-                        queue.append(joint.child.value)
+                is_merged = joint.kind == "fixed" and joint.name not in self.preserved
+                if is_merged and joint.child_name not in seen:  # there may be a circle: TRE003
+                    seen.add(joint.child_name)
+                    queue.append(joint.child_name)
         return total
 
     def _joints(self, survivors: list[RigidBody]) -> Iterator[SimulatedJoint]:
         for body in survivors:
             joint = body.joint
-            if joint is None or joint.parent is None or joint.kind not in JOINT_TYPES:
+            if joint is None or joint.kind not in JOINT_TYPES:
                 continue
-            parent = joint.parent.value
+            parent = joint.parent_name
             parent = parent if parent == WORLD else self.survivor[parent]
             yield SimulatedJoint(joint, JOINT_TYPES[joint.kind], parent, body.top.name)
 

@@ -77,11 +77,11 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
 
 def rolling(joint: Joint, tree: KinematicTree) -> DrivenWheel | None:
     """The wheel that turns about a joint; None if the joint is not in the tree."""
-    frame = tree.frames.get(joint.child.value) if joint.child else None
+    frame = tree.frames.get(joint.child_name)
     axis = direction(joint)
-    if frame is None or joint.child is None:
+    if frame is None:
         return None
-    hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
+    hub, radius = _tyre(tree.model.links_by_name[joint.child_name], frame, axis)
     return DrivenWheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
 
 

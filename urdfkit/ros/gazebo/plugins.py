@@ -199,8 +199,8 @@ def conversion_result(conversion: SdfConversion, kind: str, name: str) -> str:
         return "unknown"
     if name in conversion.joint_names:
         return "kept"
-    if joint.child is not None and joint.child.value in conversion.dropped:
+    if joint.child_name in conversion.dropped:
         return "dropped"
-    if joint.kind == "fixed" and joint.child and joint.child.value in conversion.survivor:
+    if joint.kind == "fixed" and joint.child_name in conversion.survivor:
         return "merged"
     return "other"

@@ -89,11 +89,7 @@ def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
         *((joint.joint.name, "joint", joint.joint.at) for joint in conversion.joints),
         *((one.get("name") or "", "joint", one) for one in conversion.added_joints),
     ]
-    places += [
-        ("world", "link", joint.at)
-        for joint in model.joints
-        if joint.child and joint.child.value == "world"
-    ]
+    places += [("world", "link", joint.at) for joint in model.joints if joint.child_name == "world"]
     taken: dict[str, str] = {}
     for name, kind, at in [*places, (model.name, "robot", model.root)]:
         is_reserved = name == "world" and kind != "robot"

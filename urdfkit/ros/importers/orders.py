@@ -36,14 +36,9 @@ def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], l
         return lambda joints: sorted(joints, key=lambda joint: joint.name)
     if siblings == "link":
         place = {name: index for index, name in enumerate(tree.model.links_by_name)}
-        return lambda joints: sorted(joints, key=lambda joint: place[_child(joint)])
+        return lambda joints: sorted(joints, key=lambda joint: place[joint.child_name])
     place = {joint.name: index for index, joint in enumerate(tree.model.joints)}
     return lambda joints: sorted(joints, key=lambda joint: place[joint.name])
-
-
-def _child(joint: Joint) -> str:
-    assert joint.child is not None  # a joint without one is not in the tree
-    return joint.child.value
 
 
 def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
@@ -53,10 +48,10 @@ def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
         stack = list(reversed(list(below(root.name))))
         while stack:
             joint = stack.pop()
-            if _child(joint) not in seen:
-                seen.add(_child(joint))
+            if joint.child_name not in seen:
+                seen.add(joint.child_name)
                 found.append(joint)
-                stack += reversed(list(below(_child(joint))))
+                stack += reversed(list(below(joint.child_name)))
     return found
 
 
@@ -66,10 +61,10 @@ def _breadth_first(tree: KinematicTree, below: Below) -> list[Joint]:
     queue = deque(root.name for root in tree.roots)
     while queue:
         for joint in below(queue.popleft()):
-            if _child(joint) not in seen:
-                seen.add(_child(joint))
+            if joint.child_name not in seen:
+                seen.add(joint.child_name)
                 found.append(joint)
-                queue.append(_child(joint))
+                queue.append(joint.child_name)
     return found
 
 
@@ -84,9 +79,9 @@ def _without_fixed(tree: KinematicTree, sort: Callable[[Iterable[Joint]], list[J
             for joint in tree.children[name]:
                 if joint.kind != "fixed":
                     moving.append(joint)
-                elif _child(joint) not in seen:
-                    seen.add(_child(joint))
-                    group.append(_child(joint))
+                elif joint.child_name not in seen:
+                    seen.add(joint.child_name)
+                    group.append(joint.child_name)
         return sort(moving)
 
     return below

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.rviz import displays, manager_of
-from urdfkit.text.located_yaml import Key, Node, Value, load
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 
 if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import Launch
@@ -63,7 +63,7 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     stack: list[tuple[Node, bool]] = [(load(source), False)]
     while stack:
         node, is_inside = stack.pop()
-        for key, value in node.items() if isinstance(node, dict) else ():
+        for key, value in mapping(node).items():
             if is_inside and key in _OF_ROBOT and isinstance(value, Value):
                 yield key, key, value
             elif isinstance(value, dict) and isinstance(key, Key):
@@ -72,8 +72,7 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
 
 def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in a configuration of RViz: the fixed one, and those of displays that are on."""
-    options = manager_of(source).get("Global Options")
-    fixed = options.get("Fixed Frame") if isinstance(options, dict) else None
+    fixed = mapping(manager_of(source), "Global Options").get("Fixed Frame")
     if isinstance(fixed, Value):
         yield "Fixed Frame of RViz", "", fixed
     for display in displays(source):

@@ -48,10 +48,10 @@ def read(
         at = Span(source, start, start)
         collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
         return
-    _Reader(collector, source, tree, arguments, frame).read()
+    _PythonReader(collector, source, tree, arguments, frame).read()
 
 
-class _Reader:
+class _PythonReader:
     """Reads the calls of one launch file that make actions."""
 
     def __init__(

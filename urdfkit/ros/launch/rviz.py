@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from urdfkit.text.located_yaml import Node, Value, load
+from urdfkit.text.located_yaml import Node, Value, load, mapping
 from urdfkit.text.source import Source
 
 #: The displays of rviz_default_plugins, Humble to Rolling.
@@ -17,9 +17,7 @@ DISPLAYS = (
 
 def manager_of(source: Source) -> dict[str, Node]:
     """The part of a configuration that has the displays; empty if there is none."""
-    root = load(source)
-    manager = root.get("Visualization Manager") if isinstance(root, dict) else None
-    return {str(key): value for key, value in manager.items()} if isinstance(manager, dict) else {}
+    return mapping(load(source), "Visualization Manager")
 
 
 def displays(source: Source) -> Iterator[dict[str, Node]]:
@@ -27,9 +25,7 @@ def displays(source: Source) -> Iterator[dict[str, Node]]:
     found = manager_of(source).get("Displays")
     stack: list[Node] = list(found) if isinstance(found, list) else []
     while stack:
-        display = stack.pop()
-        if not isinstance(display, dict):
-            continue
+        display = mapping(stack.pop())
         enabled = display.get("Enabled")
         if isinstance(enabled, Value) and enabled.text.lower() != "true":
             continue
@@ -40,6 +36,5 @@ def displays(source: Source) -> Iterator[dict[str, Node]]:
 
 def topic_of(display: dict[str, Node], name: str = "Topic") -> Value | None:
     """The topic that a display reads; None if it names none, or as a text of ROS 1."""
-    topic = display.get(name)
-    value = topic.get("Value") if isinstance(topic, dict) else None
+    value = mapping(display, name).get("Value")
     return value if isinstance(value, Value) and value.text else None

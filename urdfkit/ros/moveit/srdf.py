@@ -124,7 +124,7 @@ class Srdf:
         joints = self.tree.path(tip)
         if base == tip:
             return []
-        parents = [joint.parent.value for joint in joints if joint.parent]
+        parents = [joint.parent_name for joint in joints]
         return joints[parents.index(base) :] if base in parents else None
 
     def links_of(self, name: str, seen: frozenset[str] = frozenset()) -> set[str]:
@@ -143,12 +143,12 @@ class Srdf:
             return {name}
         if part.tag == "joint":
             joint = self.tree.model.joints_by_name.get(name)
-            return {joint.child.value} if joint and joint.child else set()
+            return {joint.child_name} - {""} if joint else set()
         if part.tag == "group":
             return self.links_of(name, seen)
         if part.tag == "chain":
             joints = self.chain(part.get("base_link") or "", part.get("tip_link") or "")
-            return {joint.child.value for joint in joints or () if joint.child}
+            return {joint.child_name for joint in joints or ()}
         return set()
 
 
