@@ -6,7 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import check_job, check_one_of_many, check_sets, reader
+from urdfkit.lint.check_job import (
+    check_context,
+    check_job,
+    check_one_of_many,
+    check_sets,
+    reader,
+)
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
