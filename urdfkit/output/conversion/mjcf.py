@@ -71,7 +71,10 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
 
 
 def floats(robot: Context, base: str) -> bool:
-    """True if the root of a robot is not welded to the world; ``auto`` asks what it stands on.
+    """True if the root of a robot is not welded to the world.
+
+    ``auto`` lets a robot float that stands on feet or wheels: on parts that different joints of
+    its base move. An arm may hang below its base, too, but by one joint.
 
     Raises:
         UrdfkitError: links and joints do not form one tree, or the world is to float.
@@ -85,8 +88,11 @@ def floats(robot: Context, base: str) -> bool:
     root = rigid_bodies(robot.tree)[0]
     if root.is_ground or not root.mass:  # what has no mass is no base that moves
         return False
-    fixed = {link.name for link, _ in root.links}
-    return not fixed.issuperset(lowest_links(robot))
+    moving = (
+        [joint for joint in robot.tree.path(link) if joint.kind != "fixed"]
+        for link in lowest_links(robot)
+    )
+    return len({joints[0].name for joints in moving if joints}) > 1
 
 
 def _assets(bundle: Bundle) -> Iterator[BundledFile]:
