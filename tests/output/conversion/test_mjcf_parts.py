@@ -283,3 +283,16 @@ def test_no_file_is_written_beside_it(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.chdir(tmp_path)
     loaded(meshed(tmp_path), tmp_path / "o")
     assert not (tmp_path / "MUJOCO_LOG.TXT").exists()
+
+
+def test_a_fixed_link_with_a_bad_tensor_and_a_mount_without_mass(tmp_path: Path) -> None:
+    """Neither has an inertia that a body can have; with what is fixed to them they do."""
+    bad = INERTIAL.replace('value="2"', 'value="0.001"').replace('iyy="0.1"', 'iyy="0.3"')
+    mount = (
+        '<link name="mount"/><link name="antenna">' + bad.replace("0.1", "1e-9") + "</link>"
+        '<joint name="a" type="fixed"><parent link="mount"/><child link="base"/></joint>'
+        '<joint name="b" type="fixed"><parent link="mount"/><child link="antenna"/></joint>'
+    )
+    bad_source = arm(LIMIT, more=mount.replace("0.3", "3e-9"))
+    model, _ = loaded(bad_source, tmp_path / "o", base="free")
+    assert model.body("mount").mass[0] == pytest.approx(2.001)

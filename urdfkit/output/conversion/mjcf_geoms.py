@@ -10,26 +10,19 @@ import mujoco
 import numpy as np
 
 from urdfkit.core import atomic
-from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.mesh.containment import protrusion
-from urdfkit.mesh.convex_decomposition import decompose
-from urdfkit.mesh.convex_hull import NoHull
-from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh, MeshPart
-from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.writers import encode
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
 from urdfkit.output.conversion.mjcf_names import FreeNames
+from urdfkit.output.conversion.mjcf_pieces import Piece, halved
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
-from urdfkit.robot.assets.collision_shapes import RELATIVE
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.model import Body, Link, Material, Shape
 from urdfkit.text.document import Element
 
@@ -46,15 +39,6 @@ _KINDS = {
     "mesh": mujoco.mjtGeom.mjGEOM_MESH,
 }
 _NO_SIZE = (0.0, 0.0, 0.0)
-
-
-class Piece(Record):
-    """A geom in the frame of its visual or collision."""
-
-    kind: str  # of the shape
-    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
-    frame: Transform = Transform()
-    mesh: str = ""  # the name of its mesh; empty for a primitive
 
 
 class Geoms:
@@ -263,30 +247,21 @@ class Geoms:
 
     def _simplified(self, geometry: Body, file: str) -> tuple[list[Piece], str]:
         """Simpler shapes for a mesh, and what they are; none where it is flat."""
-        mesh = body_mesh(self._robot, geometry)
-        if mesh is None:
+        # Its libraries take longer to import than most robots to convert.
+        from urdfkit.output.conversion.simpler_collisions import simplified
+
+        found = simplified(self._robot, geometry, self._options.collision)
+        if found is None:
             return [], ""
-        try:
-            if self._options.collision == "primitives":
-                best = fit(mesh, RELATIVE * soup_of(mesh).size).best
-                what, parts, error = str(best), best.mesh, best.error
-                if best.kind in ("box", "sphere", "cylinder"):
-                    halved = _halved(best.kind, best.size)
-                    return [Piece(best.kind, halved, best.frame)], _approximated(what, error)
-            else:
-                parts = decompose(mesh)
-                count = len(parts.parts)
-                what, error = f"{count} convex pieces", protrusion(parts, mesh)
-                what = "its convex hull" if count == 1 else what
-        except NoHull:
-            return [], ""
+        if found.primitive is not None:
+            return [found.primitive], found.note
         pieces = []
-        for number, part in enumerate(parts.parts, 1):
+        for number, part in enumerate(found.meshes, 1):
             path = f"{os.path.splitext(file)[0]}_piece_{len(self._simpler) + 1}_{number}.stl"
-            self._write(path, parts._replace(parts=(part,)))
+            self._write(path, part)
             name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
             pieces.append(Piece("mesh", _NO_SIZE, mesh=name))
-        return pieces, _approximated(what, error)
+        return pieces, found.note
 
     def _write(self, path: str, mesh: Mesh) -> None:
         """A mesh file in the directory of the conversion."""
@@ -325,10 +300,6 @@ def _count_vertices(parts: list[MeshPart]) -> int:
     return len(np.unique(corners, axis=0))
 
 
-def _approximated(what: str, error: float) -> str:
-    return f"{what}, up to {error * 1e3:.3g} mm outside of the mesh"
-
-
 def _size(shape: Shape) -> tuple[float, ...] | None:
     """MuJoCo's size of a shape; None for one that is not over 0."""
     if shape.kind == "mesh":
@@ -338,12 +309,4 @@ def _size(shape: Shape) -> tuple[float, ...] | None:
     else:
         written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
     sizes = [one for one in written if one is not None and one > 0]
-    return _halved(shape.kind, sizes) if len(sizes) == len(written) else None
-
-
-def _halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
-    """Half the edges of a box; radius and half the length of what has them."""
-    if kind == "box":
-        return tuple(edge / 2 for edge in sizes)
-    radius, *length = sizes
-    return (radius, length[0] / 2 if length else 0.0, 0.0)
+    return halved(shape.kind, sizes) if len(sizes) == len(written) else None
