@@ -5,7 +5,8 @@ Angles are radians in URDF, velocities radians per second, and every parser read
 - Limits of a revolute joint: a limit of 180 lets it turn 28 times, which is no limit at all. They
   are reported if they are whole numbers up to 360, exceed two turns, and are common angles (45, 90,
   135, 180, 270, 360), or multiples of 5 that differ from joint to joint; the other joints or the
-  other end may also show that radians are used elsewhere.
+  other end may also show that radians are used elsewhere. So are those that were converted the
+  wrong way: 177.61691 is what 3.1 rad is in degrees.
 - An `rpy` of a joint, a shape or an inertia: 90 is 14.3 turns, so the part is rotated by 116.6
   degrees. It is reported if an angle is more than a turn and a whole or half number.
 - The velocity of a revolute joint: data sheets of arms have 150 or 225 degrees per second. It is
@@ -81,6 +82,7 @@ def _limits(model: RobotModel) -> Findings:
     in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
     lonely = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
     many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
+    yield from (_limit(joint, *ends) for joint, ends in revolute if _is_converted(ends))
     for joint, ends in suspects:
         if many or lonely or {abs(end) for end in ends} & _NAMED:
             yield _limit(joint, *ends)
@@ -93,7 +95,7 @@ def _ends(joint: Joint) -> tuple[float, float] | None:
 def _limit(joint: Joint, lower: float, upper: float) -> Finding:
     assert joint.limit is not None
     turns = max(abs(lower), abs(upper)) / (2 * pi)
-    both = lower == int(lower) and upper == int(upper)
+    both = (lower == int(lower) and upper == int(upper)) or _is_converted((lower, upper))
     edits = scale_limits(joint.limit.at, pi / 180) if both else None
     return Finding(
         joint.limit.at,
@@ -110,6 +112,14 @@ def _whole(ends: tuple[float, float]) -> bool:
     if ends[0] >= ends[1] or large > 360 or large != int(large):
         return False
     return small == int(small) or small < _ONE_TURN
+
+
+def _is_converted(ends: tuple[float, float]) -> bool:
+    """True for limits of more than two turns that are, in degrees, a few hundredths of a rad."""
+    if not _FAR < max(map(abs, ends)) <= 360:
+        return False
+    hundredths = [100 * radians(end) for end in ends]
+    return all(abs(one - round(one)) < 1e-4 for one in hundredths)
 
 
 def _rotations(root: Element) -> Findings:

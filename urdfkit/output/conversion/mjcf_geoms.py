@@ -28,6 +28,8 @@ from urdfkit.text.document import Element
 
 #: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
 VISUAL_GROUP, COLLISION_GROUP = 2, 3
+#: A mesh that is thinner than this part of its size is flat, and becomes a plate of so many m.
+FLAT, THICKNESS = 1e-6, 1e-3
 #: MuJoCo reads no mesh with fewer vertices.
 _LEAST_VERTICES = 4
 
@@ -85,7 +87,7 @@ class Geoms:
             Those that collide.
 
         Raises:
-            UrdfkitError: a shape has no size.
+            UrdfkitError: a shape that collides has no size.
         """
         colliding: list[Any] = []
         visuals = link.visuals if self._options.visuals else ()
@@ -94,10 +96,14 @@ class Geoms:
             if shape is None or shape.kind not in _KINDS:
                 continue
             size = _size(shape)
-            if size is None:
-                raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no size that is over 0")
-            place = frame @ geometry.origin
             is_visual = any(geometry is one for one in link.visuals)
+            if size is None:
+                what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
+                if not is_visual:
+                    raise UrdfkitError(f"{shape.at.span}: {what}")
+                self._losses.lose(geometry.at, what)
+                continue
+            place = frame @ geometry.origin
             what = "visual geom" if is_visual else "collision geom"
             self._losses.keep(geometry.at, what)
             for tag in ("origin", "geometry"):
@@ -242,8 +248,31 @@ class Geoms:
             if pieces:
                 self._losses.approximate(shape.at, note)
                 return pieces
+        plate = self._plate(geometry, shape, file)
+        if plate:
+            note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, since it is flat"
+            self._losses.approximate(shape.at, note)
+            return (plate,)
         self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")
         return (Piece("mesh", size, mesh=self._mesh(file, shape.scale, is_visual=False)),)
+
+    def _plate(self, geometry: Body, shape: Shape, file: str) -> Piece | None:
+        """A plate for a flat mesh, of which MuJoCo makes no hull; None for another mesh."""
+        vertices = self._robot.meshes.vertices(shape)
+        if vertices is None or not len(vertices):
+            return None
+        _, sizes, axes = np.linalg.svd(vertices - vertices.mean(axis=0), full_matrices=False)
+        if sizes[-1] > FLAT * sizes[0]:
+            return None
+        normal = axes[-1]
+        sides = [vertices + side * THICKNESS / 2 * normal for side in (-1, 1)]
+        corners = np.concatenate(sides)
+        faces = np.resize(np.arange(len(corners)), (-(-len(corners) // 3), 3))  # each in some face
+        path = f"{os.path.splitext(file)[0]}_plate_{len(self._meshes) + 1}.stl"
+        self._write(path, Mesh((MeshPart(corners, faces),)))
+        name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
+        self._spec.mesh(name).inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
+        return Piece("mesh", _NO_SIZE, mesh=name)
 
     def _simplified(self, geometry: Body, file: str) -> tuple[list[Piece], str]:
         """Simpler shapes for a mesh, and what they are; none where it is flat."""
