@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 
 import urdfkit
-from docs import generate, layers, transcripts
+from docs import animation, generate, layers, transcripts
 from tests.conftest import ROOT
 from urdfkit.cli.group import COMMANDS
 from urdfkit.lint import rule_index
+from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS
 
 WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
 
@@ -44,6 +45,14 @@ def test_the_chinese_readme_says_the_same() -> None:
     assert found[0] == found[1]
 
 
+@pytest.mark.skipif(os.name == "nt", reason="the animation shows Unix paths")
+def test_the_animation_is_what_is_printed() -> None:
+    pytest.importorskip("trimesh")
+    pytest.importorskip("PIL")
+    shown = animation.FILE.read_text(encoding="utf-8")
+    assert animation.drawn() == shown, "run: python docs/animation.py"
+
+
 def test_readme_leads_to_every_command() -> None:
     readme = transcripts.README.read_text(encoding="utf-8")
     shown = {"lsp": "(docs/editors.md)"}
@@ -61,7 +70,8 @@ def test_the_counts_in_readme_are_true(page: Path) -> None:
 
     text = page.read_text(encoding="utf-8")
     counts = [int(number) for number in re.findall(r"^\| (\d+) ", text, re.MULTILINE)]
-    assert counts == [len(rule_index.codes()), len(PLANTS)]
+    assert counts[:2] == [len(rule_index.codes()), len(PLANTS)]
+    assert counts[2] == len({*IMPORTERS, GAZEBO})
     assert f" {len(PLANTS)} " in (transcripts.ROOT / "docs" / "comparison.md").read_text("utf-8")
 
 

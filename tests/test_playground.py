@@ -109,6 +109,41 @@ def printed(directory: Path, named: str = ".") -> list[str]:
     return [f"{one['path']}:{one['line']} {one['severity']} {one['code']}" for one in found]
 
 
+def test_the_robot_is_drawn_next_to_its_findings(page: Page, address: str) -> None:
+    page.driver.get("about:blank")
+    page.driver.get(address)
+    wait(page, lambda: is_checked(page) and bool(page.find("#scale").text))
+    assert page.find("#scale").text == "grid 0.1 m"
+    page.find("#view canvas").click()  # in the middle of the view: a link with findings
+    chosen = page.driver.find_elements("css selector", "#findings li.chosen")
+    assert chosen
+    assert all("waking_robot_new.xacro" in one.text for one in chosen)
+    assert [one for one in page.errors if "favicon" not in one] == []
+
+
+@pytest.mark.parametrize(("size", "count"), [(400_000_000, 1), (1, 30_000)])
+def test_a_zip_that_a_browser_cannot_hold_is_rejected(
+    size: int, count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import zipfile
+
+    from docs.playground import browser as served
+
+    class Sent(bytes):
+        def to_bytes(self) -> bytes:
+            return bytes(self)
+
+    monkeypatch.setattr(served, "ROOT", tmp_path / "robot")
+    monkeypatch.setattr(zipfile.ZipFile, "extractall", lambda *_: pytest.fail("it was unpacked"))
+    with zipfile.ZipFile(tmp_path / "bomb.zip", "w", zipfile.ZIP_DEFLATED) as file:
+        for number in range(count):
+            with file.open(f"{number}.stl", "w") as member:
+                for _ in range(max(size // 10_000_000, 1)):
+                    member.write(bytes(min(size, 10_000_000)))
+    with pytest.raises(ValueError, match="the playground takes"):
+        served.unpack(Sent((tmp_path / "bomb.zip").read_bytes()))
+
+
 def zipped(work: Path) -> Path:
     """A zip of what is in a directory, next to it."""
     return Path(shutil.make_archive(str(work), "zip", work))

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Protocol
 
 import urdfkit
+from docs.playground.scene import scene
 from urdfkit.lint import config_reader
 from urdfkit.output.formats import json as as_json
 from urdfkit.workspace.config_file import nearest
@@ -19,6 +20,7 @@ ROOT = Path("/robot")
 #: What the editor shows.
 TEXTS = ".xacro .urdf .srdf .sdf .world .xml .yaml .yml .toml .py .launch .gazebo .txt".split()
 MOST = 1_000_000  # bytes of a text, which an editor still takes
+MOST_UNPACKED, MOST_FILES = 300_000_000, 20_000  # bytes and files of a zip
 
 
 class JsBuffer(Protocol):
@@ -37,8 +39,19 @@ def clear() -> None:
 
 
 def unpack(data: JsBuffer) -> None:
-    """Take the files of a zip."""
+    """Take the files of a zip.
+
+    Raises:
+        ValueError: it holds more than the memory of a browser.
+    """
     with zipfile.ZipFile(io.BytesIO(data.to_bytes())) as file:
+        members = file.infolist()
+        size = sum(one.file_size for one in members)
+        if size > MOST_UNPACKED or len(members) > MOST_FILES:
+            raise ValueError(
+                f"the zip has {len(members):,} files of {size / 1e6:,.0f} MB; the playground "
+                f"takes {MOST_FILES:,} of {MOST_UNPACKED / 1e6:,.0f} MB"
+            )
         file.extractall(ROOT)
 
 
@@ -58,17 +71,24 @@ def texts() -> str:
     return json.dumps(found)
 
 
-def check() -> str:
-    """What ``urdfkit check . --format json`` prints; of a single file, ``urdfkit check FILE``."""
+def check(shown: str) -> str:
+    """JSON of the findings, of what xacro makes of the file that is shown, and of the robot.
+
+    The findings are those of ``urdfkit check .``, or of ``urdfkit check FILE`` if there is one.
+    """
     files = [path for path in ROOT.rglob("*") if path.is_file()]
     named = files[0].name if len(files) == 1 else "."
     path = nearest(named)
     config = config_reader.load(path, trusted=False) if path else None
-    return as_json.render(urdfkit.check(named, config=config))
+    report = urdfkit.check(named, config=config)
+    found = json.loads(as_json.render(report))
+    return json.dumps(
+        {"report": found, "expanded": _expanded(shown), "scene": scene(report, shown)}
+    )
 
 
-def expand(path: str) -> str:
-    """What xacro makes of a file, or why it makes nothing."""
+def _expanded(path: str) -> str:
+    """The URDF of a file, or why there is none."""
     try:
         return urdfkit.expand(path).text()
     except urdfkit.UrdfkitError as error:

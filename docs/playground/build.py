@@ -23,8 +23,15 @@ PYODIDE = (
 )
 #: Without a network it fails at once.
 _QUIETLY = ("--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=0")
-#: Packages of urdfkit that a check does without.
-LEFT_OUT = {"cli", "lsp", "pytest_plugin", "render", "scan", "testing", "viewer"}
+#: Packages that a check does without.
+LEFT_OUT = {
+    f"urdfkit/{name}"
+    for name in (
+        *("cli", "lsp", "pytest_plugin", "render", "scan", "testing", "viewer"),
+        *("output/bundle", "output/comparison", "output/conversion", "output/diagrams"),
+        *("output/package_templates", "output/report", "output/simulation", "output/spheres"),
+    )
+}
 
 _log = logging.getLogger("mkdocs.playground")
 
@@ -61,7 +68,8 @@ def build(site: Path) -> None:
 
 def _python() -> Iterator[tuple[Path, Path]]:
     """The modules that a check imports, of which none is compiled: where they are, and become."""
-    yield HERE / "browser.py", Path("browser.py")
+    for module in ("browser.py", "scene.py"):
+        yield HERE / module, (HERE / module).relative_to(ROOT)
     for name in ("urdfkit", "xacro", "yaml"):
         spec = importlib.util.find_spec(name)
         assert spec is not None
@@ -70,7 +78,10 @@ def _python() -> Iterator[tuple[Path, Path]]:
         for path in directory.rglob("*"):
             inside = path.relative_to(directory.parent)
             compiled = path.suffix in {".pyc", ".so", ".pyd"}
-            if not compiled and not (name == "urdfkit" and inside.parts[1] in LEFT_OUT):
+            if not compiled and not LEFT_OUT & {
+                inside.as_posix(),
+                *map(Path.as_posix, inside.parents),
+            }:
                 yield path, inside
 
 

@@ -2,6 +2,7 @@
 import { xml } from "@codemirror/lang-xml";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { basicSetup, EditorView } from "codemirror";
+import { robotView } from "./view.js";
 
 const EXAMPLES = ["gazebo_pkg", "mobile_base", "two_link_arm"];
 const PAUSE = 400; // ms without a key before the robot is checked
@@ -34,6 +35,7 @@ let texts = {};
 let shown = "";
 let report = { diagnostics: [] };
 let checked = {}; // the texts that the report is about
+let robot; // the file of the robot that is drawn
 
 const editor = new EditorView({
   parent: element("editor"),
@@ -59,27 +61,38 @@ function show(path) {
   underline();
 }
 
-async function open(words, first) {
+async function open(words) {
   clearTimeout(pause);
   texts = await ask("open", words);
   const paths = Object.keys(texts);
   if (!paths.length) throw new Error("the file holds no robot");
   element("file").replaceChildren(...paths.map((path) => new Option(path)));
   report = { diagnostics: [] };
-  show(first ?? paths.find((path) => /\.(urdf|xacro)$/.test(path)) ?? paths[0]);
+  show(paths.find((path) => /\.(urdf|xacro)$/.test(path)) ?? paths[0]);
   await check();
+  if (robot in texts && !report.summary.files.includes(shown)) await turnTo(robot);
+}
+
+function turnTo(path) {
+  show(path);
+  return check();
 }
 
 async function check() {
   status("checking");
   const before = { ...texts };
+  const path = shown;
   const started = performance.now();
-  const { report: found, expanded } = await ask("check", { texts: before, shown });
+  const { report: found, expanded, scene } = await ask("check", { texts: before, shown });
+  if (path !== shown) return;
   element("expanded").textContent = expanded;
   if (Object.entries(before).some(([path, text]) => texts[path] !== text)) return; // there is newer text
   report = found;
+  report.diagnostics.forEach((finding, number) => (finding.links = scene?.links[number] ?? []));
   checked = before;
+  robot = scene?.file;
   list();
+  view?.show(scene, report.diagnostics);
   underline();
   const { error, warning, info } = report.summary;
   const seconds = ((performance.now() - started) / 1000).toFixed(1);
@@ -121,6 +134,7 @@ function list() { // errors first, as on the command line
   const items = sorted.map((finding) => {
     const item = document.createElement("li");
     item.className = finding.severity;
+    item.dataset.links = JSON.stringify(finding.links);
     const place = document.createElement("small");
     place.textContent = `${finding.path}:${finding.line} ${finding.severity} ${finding.code} `;
     const help = document.createElement("small");
@@ -143,7 +157,7 @@ function list() { // errors first, as on the command line
 
 function go(finding) {
   if (!(finding.path in texts)) return;
-  if (finding.path !== shown) show(finding.path);
+  if (finding.path !== shown) turnTo(finding.path).catch(fails);
   const { from } = range(editor.state.doc, finding);
   editor.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
   editor.focus();
@@ -157,6 +171,23 @@ function apply(fix) {
     const edits = fix.edits.filter((edit) => edit.path === path);
     editor.dispatch({ changes: edits.map((edit) => ({ ...range(doc, edit), insert: edit.text })) });
   }
+}
+
+// --- the robot
+
+let view; // none without WebGL
+try {
+  view = robotView(element("view"), { mesh: (path) => ask("mesh", { path }), choose });
+  element("marked").onchange = ({ target }) => view.mark(target.checked);
+} catch {
+  element("view").textContent = "This browser shows no 3D view: it has no WebGL.";
+}
+
+// The findings of a link: the first comes into view.
+function choose(link) {
+  const items = [...element("findings").children];
+  for (const item of items) item.classList.toggle("chosen", JSON.parse(item.dataset.links).includes(link));
+  items.find((item) => item.classList.contains("chosen"))?.scrollIntoView({ block: "nearest" });
 }
 
 // --- a model in the fragment of the URL, which no server sees: deflated, in base64url
@@ -196,7 +227,7 @@ async function openLink() {
 
 element("example").append(...EXAMPLES.map((name) => new Option(name)));
 element("example").onchange = ({ target }) => openExample(target.value);
-element("file").onchange = ({ target }) => show(target.value);
+element("file").onchange = ({ target }) => turnTo(target.value).catch(fails);
 element("open").onchange = ({ target }) => openFile(target.files[0]).catch(fails);
 element("link").onclick = async () => {
   const model = { path: shown.split("/").at(-1), text: texts[shown] };

@@ -8,10 +8,12 @@ const fetched = async (name) => {
   return response.arrayBuffer();
 };
 
+const python = loadPyodide();
 const started = (async () => {
-  const [python, source] = await Promise.all([loadPyodide(), fetched("python.zip")]);
-  python.unpackArchive(source, "zip", { extractDir: "/urdfkit" });
-  return python.runPython("import sys; sys.path.append('/urdfkit'); import browser; browser");
+  const source = await fetched("python.zip");
+  (await python).unpackArchive(source, "zip", { extractDir: "/urdfkit" });
+  const code = "import sys; sys.path.append('/urdfkit'); from docs.playground import browser; browser";
+  return (await python).runPython(code);
 })();
 
 const answers = {
@@ -22,10 +24,14 @@ const answers = {
     else browser.unpack(zip ?? (await fetched(url)));
     return JSON.parse(browser.texts());
   },
-  // The findings with these texts, by path, and what xacro makes of the file that is shown.
+  // With these texts, by path: the findings, what xacro makes of the file that is shown, the robot.
   check(browser, { texts, shown }) {
     for (const [path, text] of Object.entries(texts)) browser.write(path, text);
-    return { report: JSON.parse(browser.check()), expanded: browser.expand(shown) };
+    return JSON.parse(browser.check(shown));
+  },
+  // The bytes of a mesh.
+  async mesh(_, { path }) {
+    return (await python).FS.readFile(path);
   },
 };
 

@@ -377,3 +377,14 @@ def test_the_launch_file_of_ros_1_is_not_suggested_in_ros_2(tmp_path: Path) -> N
         tmp_path / "arm", "LAU003", "a.launch.py", program.format("gazeb.launch.py")
     )
     assert found.help == "write gazebo.launch.py"
+
+
+@pytest.mark.parametrize("quote", ["'", ""])
+@pytest.mark.parametrize(("path", "count"), [("$(find elsewhere)", 0), ("$(dirname)", 1)])
+def test_quotes_around_the_configuration_of_rviz(
+    tmp_path: Path, quote: str, path: str, count: int
+) -> None:
+    """roslaunch splits arguments as a shell does; of a missing package nothing is known."""
+    words = f"-f map -d {quote}{path}/a.rviz{quote}"
+    text = f'<node name="rviz" pkg="rviz" type="rviz" args="{words}"/>'
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text)) == count

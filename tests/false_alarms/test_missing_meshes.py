@@ -103,3 +103,19 @@ def test_a_path_that_is_absolute_by_mistake(tmp_path: Path) -> None:
     put(tmp_path, "meshes/base.stl")
     (found,) = robot(tmp_path / "r.urdf", "/meshes/base.stl")
     assert found.help == "remove the first slash: the path is absolute"
+
+
+@pytest.mark.parametrize(
+    ("directory", "severity"), [("../meshes", "info"), ("../mesh", "error"), ("", "error")]
+)
+def test_a_directory_of_meshes_that_mujoco_is_told(
+    tmp_path: Path, directory: str, severity: str
+) -> None:
+    """Fetch's Freight for MuJoCo: the URDF says where its meshes are."""
+    put(tmp_path, "meshes/base.stl")
+    file = 'base.stl"/></geometry></visual></link><mujoco><compiler meshdir="{}"/></mujoco>'
+    text = URDF.partition("</geometry>")[0].replace('{file}"/>', file.format(directory))
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf/r.urdf").write_text(text + "\n</robot>\n")
+    (found,) = check(tmp_path / "urdf/r.urdf", select=["MSH001"]).diagnostics
+    assert found.severity.value == severity

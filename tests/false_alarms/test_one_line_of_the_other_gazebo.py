@@ -105,3 +105,15 @@ def test_the_names_of_gz_sim_in_fortress(filename: str, name: str, severity: str
     text = BASE + plugin(filename, name=name)
     (found,) = reported("GAZ012", text, targets=("gz-fortress",))
     assert found.severity.value == severity
+
+
+@pytest.mark.parametrize("target", [None, "classic-ros2"])
+def test_plugins_of_ros_1_in_a_package_of_ros_2(tmp_path: Path, target: str | None) -> None:
+    """The da Vinci's description: moved to ROS 2 for RViz, its plugins are of ROS 1 throughout."""
+    text = "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    (tmp_path / "package.xml").write_text(text)
+    robot = tmp_path / "arm.urdf"
+    old = plugin("libgazebo_ros_control.so")
+    robot.write_text(f'<robot name="arm">{BASE}{old}</robot>')
+    (found,) = check(robot, select=["GAZ012"], targets=[target] if target else []).diagnostics
+    assert found.severity.value == ("error" if target else "warning")

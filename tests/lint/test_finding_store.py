@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit.cli import main
+from urdfkit.core import memo
 from urdfkit.lint import finding_store
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
@@ -46,6 +47,13 @@ def test_they_are_the_same_in_the_same_order(robots: Path, monkeypatch: pytest.M
     for severity in Severity:
         assert report.count(severity) == expected.count(severity)
     assert report.exit_code() == expected.exit_code()
+
+
+def test_what_is_forgotten_is_found_again(robots: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = check_with(Options(), [str(robots)])
+    monkeypatch.setattr(memo, "LIMIT", 1)
+    render = formats.get("json")
+    assert render(check_with(Options(), [str(robots)])) == render(expected)
 
 
 @pytest.mark.parametrize("name", formats.names())

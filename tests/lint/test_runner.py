@@ -10,6 +10,7 @@ from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
 from urdfkit.lint import rule_index, runner
 from urdfkit.lint.context import Context, Unavailable
+from urdfkit.lint.findings import MAX_MESSAGE
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Related, Severity
@@ -301,7 +302,7 @@ def test_ten_places_in_data_files_are_listed(judged) -> None:
 def test_a_message_is_bounded_whatever_names_are_in_it() -> None:
     robot = f'<robot name="r"><link name="a"/><joint name="{"j" * 5000}" type="fixed"/></robot>'
     found = check(Source("r.urdf", robot.encode())).diagnostics
-    assert max(len(one.message) for one in found) == runner.MAX_MESSAGE + len("...")
+    assert max(len(one.message) for one in found) == MAX_MESSAGE + len("...")
 
 
 @pytest.mark.parametrize(

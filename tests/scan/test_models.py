@@ -117,6 +117,20 @@ def test_a_bomb_is_not_extracted(
         list(models([str(archive)]))
 
 
+def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
+    """A member of 3 GB takes 10 kB in the archive; what it becomes is what fills a disk."""
+    size = 3 * 10**9
+    header = tarfile.TarInfo("a.urdf")
+    header.size = 0
+    header.pax_headers = {
+        "GNU.sparse.map": f"{size},0", "GNU.sparse.size": str(size), "GNU.sparse.name": "a.urdf"
+    }  # fmt: skip
+    with tarfile.open(tmp_path / "sparse.tar", "w", format=tarfile.PAX_FORMAT) as tar:
+        tar.addfile(header)
+    with pytest.raises(UnreadableFile, match=r"more than 2\.0 GB when extracted"):
+        list(models([str(tmp_path / "sparse.tar")]))
+
+
 def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
     """Neither by its names nor through its links."""
     outside = tmp_path / "outside"

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, limited, with_examples
+from urdfkit.cli.decorators import OUT, choice, limited, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -25,13 +25,7 @@ from urdfkit.text.source import shown
 )
 @one_robot
 @OUT
-@click.option(
-    "--for",
-    "consumer",
-    type=click.Choice([*CONSUMERS]),
-    default="any",
-    help="Convert the meshes that this program cannot read.",
-)
+@choice("--for", "consumer", of=CONSUMERS, help="Convert the meshes that this program cannot read.")
 @click.option("--force", is_flag=True, help="Replace OUT if it is a bundle.")
 @limited
 def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, in_formats, limited, with_examples
+from urdfkit.cli.decorators import OUT, choice, in_formats, limited, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -33,28 +33,16 @@ if TYPE_CHECKING:
 @one_robot
 @click.option("--to", type=click.Choice(list(FORMATS)), required=True, help="Format to write.")
 @OUT
-@click.option(
-    "--base",
-    type=click.Choice(BASES),
-    default="auto",
-    help="Weld the root to the world, or let it float.",
-)
-@click.option(
+@choice("--base", of=BASES, help="Weld the root to the world, or let it float.")
+@choice(
     "--fixed",
-    type=click.Choice(FIXED),
-    default="keep",
+    of=FIXED,
     help="Give links of fixed joints bodies, or merge them into their parents.",
 )
-@click.option(
-    "--collision",
-    type=click.Choice(COLLISIONS),
-    default="hull",
-    help="What a collision mesh becomes.",
-)
-@click.option(
+@choice("--collision", of=COLLISIONS, help="What a collision mesh becomes.")
+@choice(
     "--exclude",
-    type=click.Choice(EXCLUSIONS),
-    default="srdf",
+    of=EXCLUSIONS,
     help="Which links do not collide: those that the SRDF disables, or also computed ones.",
 )
 @click.option("--force", is_flag=True, help="Replace OUT if it is a conversion.")

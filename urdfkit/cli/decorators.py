@@ -1,6 +1,6 @@
 """What several commands have in common: examples in their help, and options."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 import click
@@ -31,11 +31,15 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
     return decorated
 
 
-def in_formats(*names: str) -> Callable[[Command], Command]:
+def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Command]:
+    """Give a command an option that takes one of some words; the first is the default."""
+    words = list(of)
+    return click.option(*names, type=click.Choice(words), default=words[0], help=help)
+
+
+def in_formats(*formats: str) -> Callable[[Command], Command]:
     """Give a command the option ``--format``, as ``form``; the first format is the default."""
-    return click.option(
-        "--format", "form", type=click.Choice(names), default=names[0], help="Output format."
-    )
+    return choice("--format", "form", of=formats, help="Output format.")
 
 
 def to_file(name: str, help: str) -> Callable[[Command], Command]:

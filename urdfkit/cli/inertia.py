@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, in_formats, limited, with_examples
+from urdfkit.cli.decorators import COLOR, choice, in_formats, limited, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
@@ -25,9 +25,7 @@ VERSION = 1
     "urdfkit inertia robot.urdf.xacro --diff",
     "urdfkit inertia robot.urdf.xacro --link arm --material steel",
 )
-@click.option(
-    "--from", "source", type=click.Choice(SOURCES), default="auto", help="Geometry to use."
-)
+@choice("--from", "source", of=SOURCES, help="Geometry to use.")
 @click.option(
     "--mass", type=float, metavar="KG", help="Mass of each link, instead of the declared one."
 )

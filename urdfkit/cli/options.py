@@ -135,7 +135,10 @@ def files(values: Mapping[str, Any]) -> list[str]:
     """The files to check, as typed; '-' is standard input."""
     found = [word for word in values[FILES] if ":=" not in word]
     if not found:
-        raise UsageError("no file to check; pass a URDF or xacro file, or '-' for standard input")
+        raise UsageError(
+            "no file to check; pass a URDF or xacro file, a directory such as '.', or '-' for "
+            "standard input"
+        )
     if found.count("-") > 1:
         raise UsageError("'-' stands for standard input, which can be read only once")
     for file in found:

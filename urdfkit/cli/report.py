@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import limited, to_file, with_examples
+from urdfkit.cli.decorators import choice, limited, to_file, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -25,9 +25,9 @@ from urdfkit.text.source import shown
 )
 @with_robot_and_targets()
 @to_file("output_file", "Write .html, .md, .json or .csv to FILE.")
-@click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
+@choice("--lang", of=LANGUAGES, help="Language of the page.")
 @click.option("--quick", is_flag=True, help="Skip images, statics and collisions.")
-@click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")
+@choice("--table", of=COLUMNS, help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 @limited
 def command(

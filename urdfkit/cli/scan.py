@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import examples
+from urdfkit.cli.decorators import choice, examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic
 from urdfkit.core.installation import install_command
@@ -66,12 +66,7 @@ class _Scan(click.Command):
     metavar="GIB",
     help="Limit of memory for a model.",
 )
-@click.option(
-    "--engine",
-    type=click.Choice(["local", "dask"]),
-    default="local",
-    help="Who runs the processes.",
-)
+@choice("--engine", of=["local", "dask"], help="Who runs the processes.")
 @click.option(
     "--address",
     default="",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import choice, in_formats, limited, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.conversion.options import BASES
@@ -29,12 +29,7 @@ SIZE, MOVING = (1280, 720), (640, 400)
     "urdfkit simulate robot.urdf.xacro --gif released.gif",
 )
 @one_robot
-@click.option(
-    "--base",
-    type=click.Choice(BASES),
-    default="auto",
-    help="Weld the root to the world, or let it stand on a floor.",
-)
+@choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
 @click.option("--gif", metavar="FILE", help="Animation of its release: .gif, .webp or .apng.")
 @click.option("--png", metavar="FILE", help="Image of the end of its release: .png, .webp ...")
 @in_formats("text", "json", "junit")

@@ -8,11 +8,12 @@ in the same way; type checkers take it for a `NamedTuple`. Its module must impor
 
 from __future__ import annotations
 
-__all__ = ["Record"]
+__all__ = ["Record", "frozen"]
 
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
+    from typing import Any
     from typing import NamedTuple as Record
 else:
     try:
@@ -77,3 +78,8 @@ else:
 
     def _wrong(cls, reason):
         return TypeError(f"{cls.__name__}({', '.join(cls._fields)}): {reason}")
+
+
+def frozen(value: object) -> Any:
+    """What JSON gave, with tuples for lists, as fields of a record have them."""
+    return tuple(map(frozen, value)) if isinstance(value, list) else value

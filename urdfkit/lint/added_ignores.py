@@ -37,7 +37,7 @@ def add_ignores(
         UrdfkitError: as of ``check``; or a file has changed since it was read.
     """
     files = tuple(files)
-    places = _Places(Ownership(files, Resolver(options.with_config().packages)), force=force)
+    places = _CommentFiles(Ownership(files, Resolver(options.with_config().packages)), force=force)
     found = [(one, places.why_not(one)) for one in findings]
     wanted = [one for one, reason in found if not reason]
     texts = {**options.texts, **{one.path: one.after for one in places.rewritten(wanted)}}
@@ -54,7 +54,7 @@ def add_ignores(
     )
 
 
-class _Places:
+class _CommentFiles:
     """Where the comments of several files can stand; a file is read once."""
 
     def __init__(self, ownership: Ownership, *, force: bool) -> None:

@@ -9,11 +9,11 @@ from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader, with_assumed
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
+from urdfkit.lint.findings import diagnose
 from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, planned
 from urdfkit.lint.report import Report
-from urdfkit.lint.runner import diagnose
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -100,6 +100,19 @@ def check_with(
     plan = planned(files, resolver, options)
     checked = _checked(plan.jobs, options, resolver)
     return merged_report(plan, checked, _unchecked(plan, options), spills=spills)
+
+
+def check_read(options: Options, context: Context) -> Report:
+    """Check a robot that was read already.
+
+    Args:
+        options: how; resolved, and of this robot alone (`Options.for_one`).
+        context: the robot, for the targets of the options.
+    """
+    plan = Plan(context.resolver, options)
+    job = Job(context.source.path, "", context.arguments, False, source=context.source)
+    plan.jobs.append(job)
+    return merged_report(plan, [(job, check_context(job, context, options))], ())
 
 
 def check_robots(

@@ -5,6 +5,7 @@ from itertools import islice
 from typing import IO, overload
 
 from urdfkit.core import disk
+from urdfkit.core.memo import Memo
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
 
@@ -33,16 +34,17 @@ class FindingStore:
         self._disk: dict[str, int] = {}  # where each begins
         self._spilled: IO[bytes] | None = None
         #: The files by the name that they are shown by, which may be several.
-        self._files: dict[str, dict[str, None]] = {}
-        self._variants: dict[str, set[str]] = {}
-        self._paths: dict[str, tuple[str, str]] = {}
+        self._files: dict[str, tuple[str, ...]] = {}
+        self._variants: dict[str, set[str]] = {}  # the names of those of a description
+        self._paths: Memo[str, tuple[str, str]] = Memo()
 
     def __del__(self) -> None:
         if self._spilled is not None:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
-        self._variants.setdefault(path, set()).add(variant)
+        if variant:
+            self._variants.setdefault(path, set()).add(variant)
         for one in diagnostics:
             self.add_finding(one, [(path, variant)])
         while self._spills and len(self._memory) > IN_MEMORY:
@@ -62,7 +64,9 @@ class FindingStore:
             return
         of_file[key] = (one, found_in)
         self.counts[one.severity] += 1
-        self._files.setdefault(name, {})[file] = None
+        files = self._files.get(name, ())
+        if file not in files:
+            self._files[name] = (*files, file)
 
     def _real_and_shown(self, path: str) -> tuple[str, str]:
         """A path without links, and as it is shown; worked out once for all findings of a file."""
@@ -143,6 +147,6 @@ def _partial(found_in: list[tuple[str, str]], variants: Mapping[str, set[str]]) 
     names: dict[str, dict[str, None]] = {}
     for path, name in found_in:
         names.setdefault(path, {})[name] = None
-    if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
+    if any("" in own or len(own) == len(variants[path]) for path, own in names.items()):
         return ()
     return tuple(dict.fromkeys(name for own in names.values() for name in own))

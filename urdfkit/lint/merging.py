@@ -64,6 +64,7 @@ class _Merger:
         self._crashed = list(plan.crashed)
         self._ran: set[str] = set()
         self._targets: list[tuple[str, Targets]] = []
+        self._same_targets: dict[Targets, Targets] = {}  # most robots have those of others
         self._suppressed = 0
         self._errors: list[tuple[Diagnostic, ...]] = []
         self._proposals: list[tuple[Edit, ...]] = []
@@ -79,7 +80,8 @@ class _Merger:
         self._crashed += result.crashed
         self._ran |= result.ran
         if result.targets is not None:
-            self._targets.append((job.path, result.targets))
+            targets = self._same_targets.setdefault(result.targets, result.targets)
+            self._targets.append((job.path, targets))
         self._suppressed += result.suppressed
         self._launched += job.launched
         unknown = result.unknown_arguments

@@ -16,8 +16,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
 from urdfkit.lint.context import Context
+from urdfkit.lint.findings import diagnose
 from urdfkit.lint.rules import Rule
-from urdfkit.lint.runner import diagnose
 from urdfkit.ros.targets import parse
 from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.editing.apply import apply_edits

@@ -133,13 +133,12 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
             yield f"- {role}: {', '.join(shapes[:MAX_SHOWN])}"
     if robot.document is not None:
         for joint in robot.context.tree.parents.get(link.name, ())[:1]:
-            parent = joint.parent_name
             kind, name = _kind(joint), _code(joint.name)
-            yield f"- child of `{_code(parent)}` by the {kind} joint `{name}`"
+            yield f"- child of `{_code(joint.parent_name)}` by the {kind} joint `{name}`"
 
 
 def _joint(joint: Joint) -> Iterator[str]:
-    ends = [end.value if end else "?" for end in (joint.parent, joint.child)]
+    ends = [end or "?" for end in (joint.parent_name, joint.child_name)]
     kind, name = _kind(joint), _code(joint.name)
     yield f"**{kind} joint** `{name}`: `{_code(ends[0])}` to `{_code(ends[1])}`"
     if joint.axis and joint.kind != "fixed":
@@ -150,11 +149,8 @@ def _joint(joint: Joint) -> Iterator[str]:
         yield f"- from {limit.lower.value:g} to {limit.upper.value:g} {unit}"
     if limit and limit.effort and limit.velocity:
         yield f"- at most {limit.effort.value:g} {force} and {limit.velocity.value:g} {unit}/s"
-    if joint.mimic and joint.mimic.joint:
-        mimic = joint.mimic
-        assert mimic.joint is not None
-        leader = _code(mimic.joint.value)
-        yield f"- follows `{leader}` times {mimic.multiplier:g} plus {mimic.offset:g}"
+    if (mimic := joint.mimic) and joint.leader:
+        yield f"- follows `{_code(joint.leader)}` times {mimic.multiplier:g} plus {mimic.offset:g}"
 
 
 # --------------------------------------------------------------------- meshes

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from urdfkit.core.record import Record
+from urdfkit.core.record import Record, frozen
 from urdfkit.core.spatial import Vector
 
 #: The part of a volume that counts more than once, above which masses computed from it are off.
@@ -88,12 +88,8 @@ def from_json(content: dict[str, Any]) -> Measures:
     Raises:
         KeyError, TypeError, ValueError: it is something else.
     """
-    values = {key: _frozen(value) for key, value in content.items()}
+    values = {key: frozen(value) for key, value in content.items()}
     for key in ("solid", "hull"):
         if content[key] is not None:
-            values[key] = Uniform(**{name: _frozen(value) for name, value in content[key].items()})
+            values[key] = Uniform(**{name: frozen(value) for name, value in content[key].items()})
     return Measures(**values)
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value

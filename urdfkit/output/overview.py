@@ -142,11 +142,7 @@ def structure(tree: KinematicTree) -> Structure:
         depths.get(deepest, 0),
         deepest,
         free,
-        {
-            joint.name: joint.mimic.joint.value
-            for joint in model.joints
-            if joint.mimic and joint.mimic.joint
-        },
+        {joint.name: joint.leader for joint in model.joints if joint.leader},
         sum(nq for nq, _ in sizes),
         sum(nv for _, nv in sizes),
         tuple(sorted(driven(model) & model.joints_by_name.keys())),

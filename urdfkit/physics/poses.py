@@ -161,9 +161,10 @@ def _positions(tree: KinematicTree, given: Mapping[str, str | float]) -> dict[st
         if joint is None:
             suggested = did_you_mean(name, tree.model.joints_by_name)
             raise PoseError(f"no joint '{name}'{suggested}")
-        if joint.mimic and joint.mimic.joint:
-            leader = joint.mimic.joint.value
-            raise PoseError(f"joint '{name}' follows '{leader}'; give the position of that one")
+        if joint.leader:
+            raise PoseError(
+                f"joint '{name}' follows '{joint.leader}'; give the position of that one"
+            )
         if joint.kind not in (*TURNING, *SLIDING):
             is_free = joint.kind in DEGREES_OF_FREEDOM
             why = "takes several numbers, and stays at its origin" if is_free else "does not move"

@@ -31,6 +31,8 @@ def effort(joint: Joint) -> float | None:
 def overloadable(tree: KinematicTree) -> list[Joint]:
     """The joints with an effort that gravity may exceed in some pose.
 
+    What cannot move (JNT003) is held by its stops, and needs no effort.
+
     Args:
         tree: of the model; joints of one that is not sound are none.
     """
@@ -41,8 +43,13 @@ def overloadable(tree: KinematicTree) -> list[Joint]:
     return [
         joints[name]
         for name, load in most.items()
-        if (limit := effort(joints[name])) is not None and load > limit
+        if (limit := effort(joints[name])) is not None and load > limit and _moves(joints[name])
     ]
+
+
+def _moves(joint: Joint) -> bool:
+    lower, upper = span(joint)
+    return lower < upper
 
 
 def largest(tree: KinematicTree) -> dict[str, float]:

@@ -186,6 +186,11 @@ class Joint(Record):
         return self.child.value if self.child else ""
 
     @property
+    def leader(self) -> str:
+        """The name of the joint that it mimics; empty where there is none."""
+        return self.mimic.joint.value if self.mimic and self.mimic.joint else ""
+
+    @property
     def degrees_of_freedom(self) -> int:
         """How many numbers say where it is; none for a joint that follows another one."""
         return 0 if self.mimic else DEGREES_OF_FREEDOM.get(self.kind, 0)

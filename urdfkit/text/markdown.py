@@ -29,6 +29,11 @@ def escape(text: str) -> str:
     return _FOUND_LATER.sub("&#8203;", _SIGN.sub(r"\\\g<0>", text))
 
 
+def code(text: str) -> str:
+    """A name or a path, as code."""
+    return f"<code>{escape(text)}</code>"
+
+
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table; its cells are escaped already."""
     lines = [header, ["---"] * len(header), *rows]

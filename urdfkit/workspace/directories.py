@@ -1,9 +1,10 @@
-"""Directories, each listed once, and names looked up in them exactly as on disk."""
+"""Directories, whose listings are kept, and names looked up in them exactly as on disk."""
 
 import os
 from collections.abc import Iterator
 
 from urdfkit.core import disk
+from urdfkit.core.memo import Memo
 
 #: Directories that a build makes, and one that macOS puts into archives.
 _BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__", "__MACOSX"))
@@ -29,12 +30,12 @@ class Directories:
     """
 
     def __init__(self) -> None:
-        self._entries: dict[str, dict[str, bool] | None] = {}
+        self._entries: Memo[str, dict[str, bool] | None] = Memo()
         #: What is neither a file nor a directory, such as a link that leads nowhere, by directory.
         self._others: dict[str, list[str]] = {}
         self._below: dict[str, list[str]] = {}
         self._links: set[str] = set()
-        self._real: dict[str, str] = {}
+        self._real: Memo[str, str] = Memo()
 
     def real(self, path: str) -> str:
         """An absolute path without symbolic links on the way."""
@@ -59,12 +60,15 @@ class Directories:
         return self._entries[directory]
 
     def _list(self, directory: str) -> dict[str, bool]:
-        found = {}
+        found: dict[str, bool] = {}
+        others: list[str] = []
         for entry in disk.entries(directory):
             if self._counts(entry):
                 found[entry.name] = _is_directory(entry)
             else:
-                self._others.setdefault(directory, []).append(entry.name)
+                others.append(entry.name)
+        if others:
+            self._others[directory] = others
         return found
 
     def _counts(self, entry: os.DirEntry[str]) -> bool:

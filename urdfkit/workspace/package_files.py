@@ -7,6 +7,7 @@ import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core.memo import Memo
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.packages import Candidate, Packages
 from urdfkit.workspace.references import spellings
@@ -23,13 +24,10 @@ class PackageFiles:
     def __init__(self, packages: Packages, directories: Directories) -> None:
         self._packages = packages
         self._directories = directories
-        self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
+        #: The directories of all packages that were asked for, each once: models may read them.
+        self.chosen: dict[Candidate, None] = {}
+        self._candidates: Memo[tuple[str, str], tuple[Candidate, ...]] = Memo()
         self._rules: dict[str, list[Installed]] = {}
-
-    @property
-    def chosen(self) -> list[Candidate]:
-        """The directories of all packages that were asked for."""
-        return [candidate for found in self._candidates.values() for candidate in found]
 
     def choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
         """The directory of a package: one with its ``package.xml``, else one that is called so.
@@ -40,6 +38,7 @@ class PackageFiles:
         if key not in self._candidates:
             found = _until_certain(self._packages.candidates(name, near))
             self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
+            self.chosen.update(dict.fromkeys(self._candidates[key]))
         candidates = self._candidates[key]
         if relative is not None and not all(candidate.certain for candidate in candidates):
             for candidate in candidates:

@@ -8,14 +8,11 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.memo import Memo
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import Directories
-from urdfkit.workspace.package_directories import (
-    PackageDirectories,
-    is_within,
-    read_marker,
-    upwards,
-)
+from urdfkit.workspace.package_directories import PackageDirectories, read_marker
 from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
 
 if TYPE_CHECKING:
@@ -54,8 +51,8 @@ class Packages:
         self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
         self._scans: dict[ScannedDirectory, PackageScan] = {}
-        self._searched: dict[str, tuple[str, ...]] = {}
-        self._directories_of: dict[str, str] = {}
+        self._searched: Memo[str, tuple[str, ...]] = Memo()
+        self._directories_of: Memo[str, str] = Memo()
 
     def directory_of(self, path: str) -> str:
         """The absolute directory of a file; worked out once, as a robot names a hundred meshes."""

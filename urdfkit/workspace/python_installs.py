@@ -25,7 +25,7 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
     except SyntaxError:
         return
     wanted, name = posixpath.split(posixpath.normpath(f"share/{package}/{relative}"))
-    reader = _Reader(tree)
+    reader = _Constants(tree)
     for target, files in reader.data_files():
         if posixpath.normpath(reader.text(target) or "") != wanted:
             continue
@@ -35,7 +35,7 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
                 yield posixpath.join(parent, name)
 
 
-class _Reader:
+class _Constants:
     """The constants of a program, by the names of its module."""
 
     def __init__(self, tree: ast.Module) -> None:

@@ -24,13 +24,10 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 
+from urdfkit.core.memo import Memo
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
-from urdfkit.workspace.package_directories import (
-    PackageDirectories,
-    is_searched,
-    is_within,
-    upwards,
-)
+from urdfkit.workspace.package_directories import PackageDirectories, is_searched
 
 #: Depth at which a directory next to a package shows that it holds packages of its own.
 DEPTH_OF_REPOSITORIES = 2
@@ -71,8 +68,8 @@ class SearchRoots:
     def __init__(self, directories: PackageDirectories, environment: Mapping[str, str]) -> None:
         self.too_wide = _too_wide(environment)
         self._directories = directories
-        self._roots: dict[str, Root] = {}
-        self._levels: dict[str, tuple[ScannedDirectory, ...]] = {}
+        self._roots: Memo[str, Root] = Memo()
+        self._levels: Memo[str, tuple[ScannedDirectory, ...]] = Memo()
 
     def root(self, start: str) -> Root:
         """Where the search for packages from a directory ends, and what says so."""

@@ -36,6 +36,11 @@ def test_limits_keep_it_from_the_worst_pose() -> None:
     assert messages("DYN003", short) == []
 
 
+def test_a_joint_that_cannot_move_is_held_by_its_stops() -> None:
+    fixed = pendulum("1").replace('lower="-3" upper="3"', 'lower="1" upper="1"')
+    assert messages("DYN003", fixed) == []
+
+
 def test_a_vertical_axis_holds_nothing() -> None:
     assert messages("DYN003", pendulum("1").replace("0 1 0", "0 0 1")) == []
 

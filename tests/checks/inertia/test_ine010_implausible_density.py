@@ -111,3 +111,20 @@ def test_a_mesh_of_a_size_that_nothing_has(tmp_path: Path) -> None:
     path = str(tmp_path / "robot.urdf")
     (found,) = reported("INE010", part("a", 1, (1, 1, 1), scaled), path)
     assert "make 0 kg/m³" in found.message
+
+
+@pytest.mark.parametrize(("mass", "severity"), [(40, "warning"), (4e5, "info")])
+def test_a_part_of_millimetres_is_no_wall(mass: float, severity: str) -> None:
+    """40 kg in 876 m are a part of 0.876 m, and not a light building."""
+    column = part("column", mass, (6e4 * mass,) * 3, '<box size="400 300 876"/>')
+    (found,) = reported("INE010", column)
+    assert found.severity.value == severity
+
+
+def test_visuals_in_millimetres_give_no_tensor() -> None:
+    """Else a fix would write 2.9e6 kg·m² into a sound link."""
+    moments = (0.3, 0.3, 0.08)
+    box = shape("visual", '<box size="400 300 876"/>')
+    column = link("column", box, inertial(40, moments))
+    assert len(reported("INE010", column)) == 1
+    assert reported("INE006", column) == []

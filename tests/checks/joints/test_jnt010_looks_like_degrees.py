@@ -73,6 +73,22 @@ def test_limits_of_real_robots_in_radians(lower: str, upper: str) -> None:
     assert reported("JNT010", robot(joint("j", "revolute", limit(lower, upper)))) == []
 
 
+@pytest.mark.parametrize(
+    ("ends", "count"), [("177.6", 1), ("94.25", 0), ("174.53", 0), ("31.42", 0), ("177.605", 0)]
+)
+def test_angles_with_decimals(ends: str, count: int) -> None:
+    """Not multiples of pi, of 10,000 degrees, or what a computer has converted."""
+    others = [joint(name, "revolute", limit("-1.7", "2.4")) for name in "ab"]
+    text = robot(*others, joint("j", "revolute", limit(f"-{ends}", ends)))
+    assert len(reported("JNT010", text)) == count
+    alone = robot(joint("j", "revolute", limit(f"-{ends}", ends)))
+    assert reported("JNT010", alone) == []
+    if count:
+        assert limit(f"{-radians(float(ends)):.10g}", f"{radians(float(ends)):.10g}") in fixed(
+            "JNT010", text
+        )
+
+
 def test_round_numbers_alone_are_no_evidence() -> None:
     free = [joint(f"j{size}", "revolute", limit(f"-{size}", f"{size}")) for size in (50, 100, 300)]
     assert reported("JNT010", robot(*free)) == []

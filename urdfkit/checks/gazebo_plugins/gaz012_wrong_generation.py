@@ -6,8 +6,9 @@ robot does not move or sends no data. Use the successor, whose tags have other n
 plugins of gz-sim itself have these names in Fortress, too, from 6.16 (January 2024) on (info).
 
 Where no target is given and the plugins themselves are for different generations, no Gazebo loads
-all of them: a warning. Choose one generation, or select the block with a xacro argument
-(`<xacro:if value="$(arg use_gz)">`).
+all of them: a warning. It is a warning, too, if the robot's package is for another ROS than all of
+its plugins: they were left from there, or the robot is still used there. Choose one generation, or
+select the block with a xacro argument (`<xacro:if value="$(arg use_gz)">`).
 
 Sources:
     Gazebo, migration from Classic: https://gazebosim.org/docs/latest/migrating_gazebo_classic_ros2_packages/
@@ -46,6 +47,7 @@ _NONE = "no successor is known"
 def check(context: Context) -> Findings:
     targets = [name for name in context.targets.names if name in GENERATIONS]
     is_reported = False
+    severity = Severity.WARNING if _is_left_over(context) else None
     for use in context.plugins:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
@@ -60,10 +62,19 @@ def check(context: Context) -> Findings:
         is_reported = True
         message = f"{use.title} is for {found}, but the robot is for {wanted}"
         fix = _fix(use, targets[0]) if targets[0] in GZ else None
-        yield Finding(use.at.attributes["filename"], message, _successor(use, targets[0]), fix)
+        at, help = use.at.attributes["filename"], _successor(use, targets[0])
+        yield Finding(at, message, help, fix, severity=severity)
     is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
         yield from _mixed(context.plugins)
+
+
+def _is_left_over(context: Context) -> bool:
+    """True if all plugins are for one Gazebo, and the target only follows from the package."""
+    if not context.targets.evidence:
+        return False
+    possible = [found for use in context.plugins if (found := generations(use))]
+    return bool(possible) and bool(set.intersection(*possible))
 
 
 def _renamed(use: PluginUse) -> Finding:

@@ -4,7 +4,8 @@ Hollow plastic has some 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 11
 grams, a size in millimetres or a missing zero puts a link far outside: forces and torques in the
 simulation are wrong. Correct the mass or the size. If most links of a robot are wrong, they are one
 finding: the unit was mistaken for all of them. It is an info up to twice outside of what robot
-parts have, and for a light body of more than 1 m³, such as a wall of a scene. Suppress this where a
+parts have, and for a light body of more than 1 m³, such as a wall of a scene, unless its mass is
+that of a part in millimetres. Suppress this where a
 collision shape is intentionally much smaller or larger than the part.
 
 Sources:
@@ -40,6 +41,13 @@ _NEAR = 2.0
 #: In m³: larger than the parts of robots.
 _ROOM = 1.0
 
+#: The help for most links of a robot, by the unit that was mistaken for another.
+_COMMON = {
+    "g": "the masses are probably in g: divide them by 1000, and the tensors with them",
+    "mm": 'the sizes are probably in mm: write them in m, and scale="0.001 0.001 0.001" for meshes',
+    "": "one mistake caused them all: masses are in kg, and sizes in m",
+}
+
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
 def check(context: Context) -> Findings:
@@ -53,14 +61,12 @@ def check(context: Context) -> Findings:
 def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
     """One for most links of a robot: a unit was mistaken for another."""
     (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
-    in_grams = [one for one, _ in found if unit_mistake(one) == "g"]
+    unit = _common_unit([one for one, _ in found])
     fixes = [finding.fix for _, finding in found]
     edits = [edit for fix in fixes if fix for edit in fix.edits]
     return worst._replace(
         message=f"{worst.message} ({and_more(others)}: most links of the robot)",
-        help="the masses are probably in g: divide them by 1000, and the tensors with them"
-        if 2 * len(in_grams) > len(found)
-        else "one mistake caused them all: masses are in kg, and sizes in m",
+        help=_COMMON[unit],
         related=tuple(
             Related(one.at.span, finding.message) for one, finding in others[:MAX_RELATED]
         ),
@@ -68,6 +74,12 @@ def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
         if all(fixes)
         else None,
     )
+
+
+def _common_unit(links: list[LinkInertia]) -> str:
+    """The unit that explains most of the links; empty if there is none."""
+    units = [unit_mistake(one) for one in links]
+    return next((unit for unit in ("g", "mm") if 2 * units.count(unit) > len(links)), "")
 
 
 def _finding(one: LinkInertia) -> Finding:
@@ -90,7 +102,8 @@ def _finding(one: LinkInertia) -> Finding:
 def _is_harmless(one: LinkInertia, density: float) -> bool:
     """True near a bound, and for the walls of a scene."""
     is_near = LIGHTEST / _NEAR <= density <= HEAVIEST * _NEAR
-    return is_near or (density < LIGHTEST and one.solid is not None and one.solid.volume > _ROOM)
+    is_wall = density < LIGHTEST and one.solid is not None and one.solid.volume > _ROOM
+    return is_near or (is_wall and unit_mistake(one) != "mm")
 
 
 def _in_kilograms(one: LinkInertia) -> Fix | None:

@@ -5,8 +5,9 @@ Angles are radians in URDF, velocities radians per second, and every parser read
 - Limits of a revolute joint: a limit of 180 lets it turn 28 times, which is no limit at all. They
   are reported if they are whole numbers up to 360, exceed two turns, and are common angles (45, 90,
   135, 180, 270, 360), or multiples of 5 that differ from joint to joint; the other joints or the
-  other end may also show that radians are used elsewhere. So are those that were converted the
-  wrong way: 177.61691 is what 3.1 rad is in degrees.
+  other end may also show that radians are used elsewhere. So are numbers with one or two decimals,
+  such as 177.6, next to other joints that differ or are in radians; multiples of pi are not. So are
+  those that were converted the wrong way: 177.617 is what 3.1 rad is in degrees.
 - An `rpy` of a joint, a shape or an inertia: 90 is 14.3 turns, so the part is rotated by 116.6
   degrees. It is reported if an angle is more than a turn and a whole or half number.
 - The velocity of a revolute joint: data sheets of arms have 150 or 225 degrees per second. It is
@@ -60,6 +61,9 @@ _NAMED_SPEEDS = frozenset((90, 120, 135, 150, 180, 225, 270, 360))
 #: Numbers that stand for "fast enough".
 _ROUND_SPEEDS = frozenset((50, 100, 200, 300, 400, 500, 1000))
 
+#: 1000 degrees in rad, of which "far enough" is a multiple where somebody converted it.
+_ROUND_ANGLE = radians(1000)
+
 #: Between the ends of a joint of an arm, in rad.
 _TURNS = 8 * pi
 
@@ -76,13 +80,15 @@ def check(context: Context) -> Findings:
 
 def _limits(model: RobotModel) -> Findings:
     revolute = [(one, ends) for one in model.joints if (ends := _ends(one))]
-    suspects = [one for one in revolute if _whole(one[1]) and max(map(abs, one[1])) > _FAR]
+    suspects = [one for one in revolute if _may_be_degrees(one[1]) and max(map(abs, one[1])) > _FAR]
     sizes = {abs(end) for _, ends in suspects for end in ends if abs(end) > _ONE_TURN}
     # Of a joint that turns about once at most, somebody thought in radians.
     in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
     lonely = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
-    many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
-    yield from (_limit(joint, *ends) for joint, ends in revolute if _is_converted(ends))
+    many = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND
+    for joint, ends in revolute:
+        if _is_converted(ends):
+            yield _limit(joint, *ends)
     for joint, ends in suspects:
         if many or lonely or {abs(end) for end in ends} & _NAMED:
             yield _limit(joint, *ends)
@@ -95,7 +101,7 @@ def _ends(joint: Joint) -> tuple[float, float] | None:
 def _limit(joint: Joint, lower: float, upper: float) -> Finding:
     assert joint.limit is not None
     turns = max(abs(lower), abs(upper)) / (2 * pi)
-    both = (lower == int(lower) and upper == int(upper)) or _is_converted((lower, upper))
+    both = all(end == int(end) or abs(end) > _ONE_TURN for end in (lower, upper))
     edits = scale_limits(joint.limit.at, pi / 180) if both else None
     return Finding(
         joint.limit.at,
@@ -106,20 +112,41 @@ def _limit(joint: Joint, lower: float, upper: float) -> Finding:
     )
 
 
-def _whole(ends: tuple[float, float]) -> bool:
-    """True for whole numbers of degrees, at one end at least: the other one may be in radians."""
+def _may_be_degrees(ends: tuple[float, float]) -> bool:
+    """True for angles that a person wrote in degrees, at one end at least."""
     small, large = sorted(map(abs, ends))
-    if ends[0] >= ends[1] or large > 360 or large != int(large):
+    if ends[0] >= ends[1] or large > 360 or not _is_written_in_degrees(large):
         return False
-    return small == int(small) or small < _ONE_TURN
+    return small < _ONE_TURN or _is_written_in_degrees(small)
+
+
+def _is_written_in_degrees(size: float) -> bool:
+    """True for a whole number, and for one of two decimals that is no round angle in radians."""
+    if size == int(size):
+        return True
+    has_few_decimals = abs(100 * size - round(100 * size)) < 1e-6
+    return has_few_decimals and not (
+        _is_near_multiple(size, pi) or _is_near_multiple(size, _ROUND_ANGLE)
+    )
 
 
 def _is_converted(ends: tuple[float, float]) -> bool:
-    """True for limits of more than two turns that are, in degrees, a few hundredths of a rad."""
-    if not _FAR < max(map(abs, ends)) <= 360:
+    """True for ends beyond two turns that are whole hundredths of a rad, written in degrees."""
+    if not _FAR < max(map(abs, ends)) <= 360 or any(
+        map(_is_written_in_degrees, filter(None, ends))
+    ):
         return False
     hundredths = [100 * radians(end) for end in ends]
-    return all(abs(one - round(one)) < 1e-4 for one in hundredths)
+    return all(abs(one - round(one)) < 1e-3 for one in hundredths)
+
+
+def _is_near_multiple(size: float, unit: float) -> bool:
+    return abs(size / unit - round(size / unit)) < 0.01
+
+
+def _is_chosen(size: float) -> bool:
+    """True for the end of a range that was chosen: a multiple of 5 degrees, or a fraction."""
+    return size % 5 == 0 or size != int(size)
 
 
 def _rotations(root: Element) -> Findings:

@@ -33,7 +33,7 @@ from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.frames import NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
-from urdfkit.text.located_yaml import Node, Value, load
+from urdfkit.text.located_yaml import Node, Value, load, mapping
 from urdfkit.workspace.xml_programs import named_in_programs
 
 NAME = "launch/filter.launch.py"
@@ -223,7 +223,6 @@ def _other_world(context: Context) -> Findings:
 
 def _sections(root: Node) -> Iterator[dict[str, Node]]:
     """The parameters of each node."""
-    for node in root.values() if isinstance(root, dict) else ():
-        inside = node.get("ros__parameters") if isinstance(node, dict) else None
-        if isinstance(inside, dict):
+    for node in mapping(root).values():
+        if inside := mapping(node, "ros__parameters"):
             yield inside

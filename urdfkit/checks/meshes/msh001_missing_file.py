@@ -13,6 +13,8 @@ was never committed. A package that is not found is XAC011. Also reported:
   computer only, and urdfkit does not read it (a warning).
 - A relative path that is found from a directory above: PyBullet alone looks there (a warning); of a
   xacro, programs read it from where the expanded URDF is written (an info).
+- A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
+  info).
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
@@ -105,6 +107,10 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         return Finding(mesh.at, message, "write the name as it is on disk", fix)
     if directory := _directory_above(context, located):
         return _found_above(context, mesh, directory)
+    if directory := _directory_of_mujoco(context, mesh):
+        message = f"{mesh.who} is found by MuJoCo alone, which looks in {shown(directory)}"
+        help = "for other programs, write a path relative to the URDF, or package://PACKAGE/..."
+        return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path is what was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
@@ -152,6 +158,16 @@ def _directory_above(context: Context, located: ResolvedReference) -> str:
         if disk.is_file(os.path.normpath(os.path.join(directory, located.reference))):
             return directory
     return ""
+
+
+def _directory_of_mujoco(context: Context, mesh: MeshReference) -> str:
+    """The ``meshdir`` of the URDF, if the mesh is there; else empty."""
+    if not context.mujoco.mesh_directory:
+        return ""
+    directory, name = context.mujoco.mesh_path(mesh.at.value, context.files.top)
+    path = os.path.join(directory, name)
+    is_found = context.resolver.admits(path) and disk.is_file(path)
+    return os.path.normpath(directory) if is_found else ""
 
 
 def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:

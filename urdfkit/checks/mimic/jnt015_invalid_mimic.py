@@ -75,10 +75,10 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
     for walk, start in enumerate(joints.values()):
         path: list[Joint] = []
         joint: Joint | None = start
-        while joint and joint.mimic and joint.mimic.joint and joint.name not in visited:
+        while joint and joint.leader and joint.name not in visited:
             visited[joint.name] = walk
             path.append(joint)
-            joint = joints.get(joint.mimic.joint.value)
+            joint = joints.get(joint.leader)
         if joint and visited.get(joint.name) == walk:
             yield path[path.index(joint) :]
 
@@ -89,7 +89,7 @@ def _immobile(context: Context) -> Findings:
     drake = context.targets.that("needs_movable_mimic")
     found: dict[str, list[Joint]] = {}
     for joint in context.model.joints:
-        leader = known.get(joint.mimic.joint.value) if joint.mimic and joint.mimic.joint else None
+        leader = known.get(joint.leader)
         if leader is None or leader is joint:
             continue
         if joint.kind in _IMMOBILE and drake:

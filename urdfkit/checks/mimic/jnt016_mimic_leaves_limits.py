@@ -28,7 +28,7 @@ def check(context: Context) -> Findings:
     known = context.model.joints_by_name
     for joint in context.model.joints:
         mimic, own = joint.mimic, bounds(joint)
-        leader = known.get(mimic.joint.value) if mimic and mimic.joint else None
+        leader = known.get(joint.leader)
         leading = bounds(leader) if leader and leader is not joint else None
         if mimic is None or own is None or leader is None or leading is None:
             continue

@@ -29,8 +29,7 @@ _ALONG = 0.9
 @rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
-        target = joint.mimic.joint if joint.mimic else None
-        leader = context.model.joints_by_name.get(target.value) if target else None
+        leader = context.model.joints_by_name.get(joint.leader)
         if joint.mimic is None or leader is None or not _are_fingers(joint, leader):
             continue
         gap = minus(leader.origin.position, joint.origin.position)

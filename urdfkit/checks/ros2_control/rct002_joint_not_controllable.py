@@ -55,8 +55,7 @@ def check(context: Context) -> Findings:
         for part in component.joints:
             joint = context.model.joints_by_name.get(part.name)
             if joint and joint.mimic:
-                leader = joint.mimic.joint.value if joint.mimic.joint else ""
-                yield from _commanded_mimic(part, leader, targets.among(_HUMBLE))
+                yield from _commanded_mimic(part, joint.leader, targets.among(_HUMBLE))
             elif joint and is_jazzy and (leader_at := parameter(part.at, "mimic")):
                 yield Finding(
                     leader_at,

@@ -5,7 +5,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import choice, limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.cli.progress import working
@@ -22,9 +22,7 @@ from urdfkit.mesh.transforms import in_metres
 @click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
 @click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")
 @click.option("--most", type=int, default=16, metavar="N", help="Maximum number of pieces.")
-@click.option(
-    "--engine", type=click.Choice(ENGINES), default="vhacd", help="Decomposition algorithm."
-)
+@choice("--engine", of=ENGINES, help="Decomposition algorithm.")
 @click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
 @limited
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:

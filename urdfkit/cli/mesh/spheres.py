@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, to_file, with_examples
+from urdfkit.cli.decorators import choice, limited, to_file, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -29,11 +29,10 @@ if TYPE_CHECKING:
 )
 @one_robot
 @to_file("out", "Write the spheres to this file.")
-@click.option(
+@choice(
     "--format",
     "form",
-    type=click.Choice([*FORMATS, "json"]),
-    default="curobo",
+    of=[*FORMATS, "json"],
     help="Format of --output; json is the table with the spheres.",
 )
 @click.option(

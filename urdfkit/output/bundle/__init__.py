@@ -16,7 +16,7 @@ from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
-from urdfkit.output.bundle.meshes import BundledFile, MeshNames, bundled
+from urdfkit.output.bundle.meshes import BundledFile, FreeNames, bundled
 from urdfkit.output.bundle.package import package_files
 from urdfkit.output.bundle.robot import (
     Renamed,
@@ -85,7 +85,7 @@ class Bundle:
 
     def _files(self) -> Iterator[BundledFile]:
         names: dict[str, str] = {}  # in the bundle, by path
-        stems, model = MeshNames(), self._robot.model
+        stems, model = FreeNames(), self._robot.model
         visuals = {
             self._paths[id(body.shape.filename)]
             for link in model.links
@@ -104,7 +104,7 @@ class Bundle:
             path = self._paths[id(reference)]
             if path not in names:
                 suffix = os.path.splitext(path)[1]
-                names[path] = f"textures/{stems.free(path)}{suffix}"
+                names[path] = f"textures/{stems.take_stem(path)}{suffix}"
                 yield BundledFile(names[path], disk.read(path), path)
         prefix = f"package://{self.name}/" if self._consumer.is_package else ""
 
@@ -161,7 +161,7 @@ def mesh_files(
     reference: Placed[str],
     path: str,
     consumer: Consumer,
-    stems: MeshNames,
+    stems: FreeNames,
     visuals: Container[str],
 ) -> Iterator[BundledFile]:
     """A mesh file that a robot names, as it is bundled.
@@ -172,7 +172,7 @@ def mesh_files(
     Raises:
         UrdfkitError: it is broken, or cannot be written in a format that is read.
     """
-    found, stem = robot.files.facts(path), stems.free(path)
+    found, stem = robot.files.facts(path), stems.take_stem(path)
     if found.defect:
         raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
     yield from bundled(path, found, consumer, stem, is_visual=path in visuals)

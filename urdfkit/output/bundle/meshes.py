@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
+from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
 from urdfkit.errors import MissingLibrary
 from urdfkit.mesh.io import facts, referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
 from urdfkit.output.bundle.consumers import Consumer
-from urdfkit.workspace.package_directories import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -33,23 +33,26 @@ class BundledFile(Record):
     change: str = ""  # how it differs from that; empty for a copy
 
 
-class MeshNames:
-    """Names of mesh files that differ in more than case and suffix.
-
-    MuJoCo and Gazebo know a mesh by its name without directory and suffix.
-    """
+class FreeNames:
+    """Names that differ in more than case, as file systems and MuJoCo want them."""
 
     def __init__(self) -> None:
         self._taken: set[str] = set()
 
-    def free(self, path: str) -> str:
-        """A stem for a mesh file: its own, else with its directory, else with a number."""
-        stem = os.path.splitext(os.path.basename(path))[0]
-        directory = os.path.basename(os.path.dirname(path))
-        wanted = chain((stem, f"{directory}_{stem}"), (f"{stem}_{n}" for n in count(2)))
-        free = next(name for name in wanted if name.casefold() not in self._taken)
+    def take(self, *wanted: str) -> str:
+        """The first of the names wanted that is free, else the first of all with a number."""
+        names = chain(wanted, (f"{wanted[0]}_{number}" for number in count(2)))
+        free = next(name for name in names if name.casefold() not in self._taken)
         self._taken.add(free.casefold())
         return free
+
+    def take_stem(self, path: str) -> str:
+        """For a mesh file: its own stem, else with its directory, else with a number.
+
+        MuJoCo and Gazebo know a mesh by its name without directory and suffix.
+        """
+        stem = os.path.splitext(os.path.basename(path))[0]
+        return self.take(stem, f"{os.path.basename(os.path.dirname(path))}_{stem}")
 
 
 def bundled(

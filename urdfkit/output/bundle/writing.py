@@ -17,7 +17,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import MANIFEST, Bundle, located_files, mesh_files
 from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
-from urdfkit.output.bundle.meshes import BundledFile, MeshNames
+from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
 
@@ -180,7 +180,7 @@ def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict
     shapes = [body.shape for link in robot.model.links for body in link.collisions]
     named = [shape.filename for shape in shapes if shape and shape.filename]
     paths = located_files(robot, named)
-    stems, names = MeshNames(), dict[str, str]()
+    stems, names = FreeNames(), dict[str, str]()
     for reference in named:
         path = paths[id(reference)]
         if path not in names:

@@ -20,7 +20,6 @@ from urdfkit.robot.model import (
     Joint,
     Limit,
     Link,
-    Placed,
     RobotModel,
     Shape,
     Tensor,
@@ -79,7 +78,7 @@ class Difference(Record):
     kind: str  # which sort of thing it is, one of `KINDS`
     what: str  # ``link`` or ``joint``
     name: str  # of the link or joint, in the state after if it is there
-    text: str  # what -> of it, without its name
+    text: str  # what differs, without its name
     #: before and after: the values as the model holds them, for programs; None for nothing.
     before: ComparedValue = None
     after: ComparedValue = None
@@ -156,7 +155,7 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 
 def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
-    """What -> of the entries of a tensor that make more than rounding of the difference."""
+    """The entries of a tensor that make more than rounding of the difference, before and after."""
     noise = _ROUNDING * max(map(abs, (*before, *after)))
     old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
     rows = zip(Tensor._fields, old, new, strict=True)
@@ -221,10 +220,11 @@ def _flat(frame: Transform) -> tuple[float, ...]:
 def _of_joint(
     before: Joint, after: Joint, allowed: Tolerances, names: RenamedParts
 ) -> Iterator[Change]:
+    renamed = names.links
     for what, old, new in (
         ("type", before.kind, after.kind),
-        ("parent", _name_of(before.parent, names.links), _name_of(after.parent)),
-        ("child", _name_of(before.child, names.links), _name_of(after.child)),
+        ("parent", renamed.get(before.parent_name, before.parent_name), after.parent_name),
+        ("child", renamed.get(before.child_name, before.child_name), after.child_name),
         ("mimic", _mimic(before, names.joints), _mimic(after)),
     ):
         if old != new:
@@ -241,10 +241,6 @@ def _of_joint(
             yield "limits", f"{key} {_text(limits[0])} -> {_text(limits[1])}", *limits
 
 
-def _name_of(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:
-    return renamed.get(name.value, name.value) if name else ""
-
-
 def _axis(joint: Joint) -> Vector:
     """A unit vector in the frame of the joint."""
     axis = joint.axis.value if joint.axis else _DEFAULT_AXIS
@@ -253,10 +249,10 @@ def _axis(joint: Joint) -> Vector:
 
 
 def _mimic(joint: Joint, renamed: Mapping[str, str] = _NONE) -> str:
-    mimic = joint.mimic
-    if mimic is None or mimic.joint is None:
+    mimic, leader = joint.mimic, joint.leader
+    if mimic is None or not leader:
         return ""
-    return f"{_name_of(mimic.joint, renamed)} x {mimic.multiplier:g} + {mimic.offset:g}"
+    return f"{renamed.get(leader, leader)} x {mimic.multiplier:g} + {mimic.offset:g}"
 
 
 def _limit(limit: Limit | None, key: str) -> float | None:

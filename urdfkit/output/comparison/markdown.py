@@ -6,7 +6,7 @@ from math import degrees
 from urdfkit.core.words import spaced
 from urdfkit.output.comparison import KINDS, Comparison, portable
 from urdfkit.text.diagnostic import Diagnostic
-from urdfkit.text.markdown import escape, fitted, table
+from urdfkit.text.markdown import code, escape, fitted, table
 
 _TITLES = {
     "links": "Links",
@@ -29,9 +29,7 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
 def _head(comparison: Comparison) -> str:
     words = [kind for kind in KINDS if kind in comparison.kinds]
     what = f"differs in {', '.join(words)}" if words else "no differences beyond the tolerances"
-    return (
-        f"### urdfkit diff\n\n{_code(comparison.before)} → {_code(comparison.after)}: **{what}**\n"
-    )
+    return f"### urdfkit diff\n\n{code(comparison.before)} → {code(comparison.after)}: **{what}**\n"
 
 
 def _sections(comparison: Comparison) -> Iterator[str]:
@@ -45,11 +43,11 @@ def _sections(comparison: Comparison) -> Iterator[str]:
     for kind, title in _TITLES.items():
         found = [one for one in comparison.differences if one.kind == kind]
         if found:
-            rows = [[f"{one.what} {_code(one.name)}", escape(one.text)] for one in found]
+            rows = [[f"{one.what} {code(one.name)}", escape(one.text)] for one in found]
             yield _section(title, table(["", "what"], rows))
     if comparison.moved:
         rows = [
-            [_code(m.link), f"{1000 * m.distance:.3f}", f"{degrees(m.angle):.3f}", _how(m.carried)]
+            [code(m.link), f"{1000 * m.distance:.3f}", f"{degrees(m.angle):.3f}", _how(m.carried)]
             for m in comparison.moved
         ]
         header = ["link", "mm", "deg", ""]
@@ -61,10 +59,6 @@ def _sections(comparison: Comparison) -> Iterator[str]:
         yield f"Note: {note}\n"
 
 
-def _code(text: str) -> str:
-    return f"<code>{escape(text)}</code>"
-
-
 def _how(carried: bool) -> str:
     return "moved with its parent" if carried else ""
 
@@ -73,7 +67,7 @@ def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
     for found in findings:
         place = str(found.span)
         what = f"{found.severity.value} {found.code}"
-        yield [what, _code(place), escape(found.message)]
+        yield [what, code(place), escape(found.message)]
 
 
 def _section(title: str, body: str) -> str:

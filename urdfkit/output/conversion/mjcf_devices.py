@@ -6,6 +6,7 @@ import mujoco
 
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.values import text_of
@@ -62,26 +63,26 @@ def _tell(made: MjcfRobot, at: Element, kind: str) -> None:
 
 def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:
     limit = joint.limit
-    effort = limit.effort.value if limit and limit.effort and limit.effort.value > 0 else 0.0
+    most = effort(joint) or 0.0
     actuator = made.spec.add_actuator(
         name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT
     )
     if kind == "position":
-        gain = POSITION_GAIN * (effort or _EFFORT)
+        gain = POSITION_GAIN * (most or _EFFORT)
         actuator.set_to_position(kp=gain, dampratio=1.0)
         ends = [one.value for one in (limit.lower, limit.upper) if one] if limit else []
         if len(ends) == 2 and joint.kind != "continuous":
             actuator.ctrllimited, actuator.ctrlrange = True, ends
     elif kind == "velocity":
-        actuator.set_to_velocity(kv=VELOCITY_GAIN * (effort or _EFFORT))
+        actuator.set_to_velocity(kv=VELOCITY_GAIN * (most or _EFFORT))
         if limit and limit.velocity and limit.velocity.value > 0:
             speed = limit.velocity.value
             actuator.ctrllimited, actuator.ctrlrange = True, (-speed, speed)
             made.losses.keep(limit.at.attributes["velocity"], "ctrlrange of the actuator")
     else:
         actuator.set_to_motor()
-        if effort:
-            actuator.ctrllimited, actuator.ctrlrange = True, (-effort, effort)
+        if most:
+            actuator.ctrllimited, actuator.ctrlrange = True, (-most, most)
 
 
 def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:

@@ -15,9 +15,9 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.writers import encode
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.mjcf_pieces import Piece, halved
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions

@@ -9,12 +9,13 @@ import numpy as np
 from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
+from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
@@ -154,8 +155,8 @@ class MjcfRobot:
             made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:
                 self.losses.approximate(limit.at, f"range of {NARROWEST:g}")
-        if limit.effort and limit.effort.value > 0:
-            made.actfrclimited, made.actfrcrange = True, (-limit.effort.value, limit.effort.value)
+        if most := effort(joint):
+            made.actfrclimited, made.actfrcrange = True, (-most, most)
             self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
         else:
             self.losses.lose(attributes.get("effort"), "an effort that is not over 0 is no limit")

@@ -9,7 +9,7 @@ from urdfkit.core import atomic
 from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 from urdfkit.mesh.writers.textures import texture_bytes
-from urdfkit.output.conversion.mjcf_names import FreeNames
+from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.textures import texture
 

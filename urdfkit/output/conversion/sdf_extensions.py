@@ -51,7 +51,7 @@ _LARGEST_INT = 2**31 - 1
 _POSED = ("light", "projector", "sensor")
 
 
-class Extension:
+class GazeboBlock:
     """What one ``<gazebo>`` holds."""
 
     def __init__(self, block: Element) -> None:
@@ -80,12 +80,12 @@ class Extension:
         return f"{LUMP}{self.origin}_{tag.tag}" in name
 
 
-class Extensions:
+class GazeboBlocks:
     """All ``<gazebo>`` tags of a robot, by what they refer to; empty for the model."""
 
     def __init__(self, blocks: tuple[Element, ...]) -> None:
-        self.all = [Extension(block) for block in blocks]
-        self._by_name: dict[str, list[Extension]] = {}
+        self.all = [GazeboBlock(block) for block in blocks]
+        self._by_name: dict[str, list[GazeboBlock]] = {}
         for one in self.all:
             self._by_name.setdefault(one.block.get("reference") or "", []).append(one)
 
@@ -167,7 +167,7 @@ class Extensions:
                 set_value(script, "name", one.settings["material"])
                 set_value(script, "uri", _SCRIPTS)
 
-    def _of(self, name: str) -> Iterator[Extension]:
+    def _of(self, name: str) -> Iterator[GazeboBlock]:
         yield from self._by_name.get(name, ())
 
 
@@ -231,7 +231,7 @@ def within(tag: Tag, *names: str) -> Tag:
     return tag
 
 
-def _put(one: Extension, tag: Tag, names: dict[str, str]) -> None:
+def _put(one: GazeboBlock, tag: Tag, names: dict[str, str]) -> None:
     for name, sdf_name in names.items():
         if one.settings.get(name):
             set_value(tag, sdf_name, one.settings[name])

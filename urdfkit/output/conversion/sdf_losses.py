@@ -6,7 +6,7 @@ from urdfkit.core.spatial import Rotation, Transform, from_rpy
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.sdf_extensions import TAKERS, Extension
+from urdfkit.output.conversion.sdf_extensions import TAKERS, GazeboBlock
 from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
@@ -149,9 +149,8 @@ def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
             losses.lose(part, "a fixed joint has none")
         elif part is not None:
             _of_axis(losses, joint, part)
-    leader = joint.mimic.joint if joint.mimic else None
-    if leader is not None and joint.kind != "fixed" and leader.value not in conversion.joint_names:
-        note = f"the SDF has no joint '{leader.value}' that it could follow"
+    if joint.leader and joint.kind != "fixed" and joint.leader not in conversion.joint_names:
+        note = f"the SDF has no joint '{joint.leader}' that it could follow"
         losses.approximate(joint.at.child("mimic"), note)
 
 
@@ -164,7 +163,7 @@ def _of_axis(losses: LossTable, joint: Joint, part: Element) -> None:
             losses.lose(part.attributes.get(name), "a continuous joint has no range")
 
 
-def _extension(losses: LossTable, one: Extension, conversion: SdfConversion) -> None:
+def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -> None:
     """What ``<gazebo>`` holds, each child in what took it."""
     block, reference = one.block, one.block.get("reference") or ""
     joint = conversion.model.joints_by_name.get(reference)

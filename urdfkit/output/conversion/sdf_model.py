@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement
 
 from urdfkit.core.spatial import ORIGIN, Transform, Vector, to_rpy
-from urdfkit.output.conversion.sdf_extensions import Extensions, child_of, set_value, within
+from urdfkit.output.conversion.sdf_extensions import GazeboBlocks, child_of, set_value, within
 from urdfkit.output.conversion.sdf_inertia import Inertias
 from urdfkit.output.conversion.sdf_values import number_text, numbers_text, pose_text, snapped_rpy
 from urdfkit.robot.assets.colours import Colours
@@ -44,7 +44,7 @@ class SdfModel:
         self._frames = {
             link.name: frame for body in conversion.links for link, frame in body.body.links
         }
-        self.extensions = Extensions(conversion.model.gazebo)
+        self.extensions = GazeboBlocks(conversion.model.gazebo)
         self.coloured: set[int] = set()  # the visuals that have the colour of the URDF, by ``id``
         self._inertias = Inertias(conversion.model.links)
         self.tag = self._made()
@@ -195,8 +195,8 @@ def _axis(joint: Joint) -> Tag:
     tag = Tag("axis")
     direction: Vector = joint.axis.value if joint.axis else (1.0, 0.0, 0.0)
     set_value(tag, "xyz", numbers_text(direction))
-    if joint.mimic is not None and joint.mimic.joint is not None:
-        mimic = SubElement(tag, "mimic", {"joint": joint.mimic.joint.value})
+    if joint.mimic and joint.leader:
+        mimic = SubElement(tag, "mimic", {"joint": joint.leader})
         set_value(mimic, "multiplier", number_text(joint.mimic.multiplier))
         set_value(mimic, "offset", number_text(joint.mimic.offset))
     limit = SubElement(tag, "limit")

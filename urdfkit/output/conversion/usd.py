@@ -73,7 +73,7 @@ def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> 
         UrdfkitError: it rejects the robot.
     """
     path = os.path.join(scratch, bundle.urdf)
-    places = _Places(robot, bundle, path)
+    places = _ConvertedElements(robot, bundle, path)
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:
         urdf_usd_converter.Converter(scene=False).convert(path, directory)
@@ -90,7 +90,7 @@ def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> 
     ]
 
 
-class _Places:
+class _ConvertedElements:
     """The elements of a robot, by what the converter calls them.
 
     Args:

@@ -50,10 +50,10 @@ def _joint(joint: Joint, parent: str, child: str) -> dict[str, Any]:
         "effort": limit.effort.value if limit and limit.effort else None,
         "velocity": limit.velocity.value if limit and limit.velocity else None,
         "mimic": {
-            "joint": mimic.joint.value,
+            "joint": joint.leader,
             "multiplier": mimic.multiplier,
             "offset": mimic.offset,
         }
-        if mimic and mimic.joint
+        if mimic and joint.leader
         else None,
     }

@@ -40,8 +40,9 @@ def rows(tree: KinematicTree) -> Iterator[TreeRow]:
             below = tree.children[row.link]
             for index in range(len(below) - 1, -1, -1):
                 joint, is_last = below[index], index == len(below) - 1
-                child = joint.child_name
-                stack.append(TreeRow(child, joint, row.link, row.depth + 1, is_last, False))
+                stack.append(
+                    TreeRow(joint.child_name, joint, row.link, row.depth + 1, is_last, False)
+                )
 
 
 def axis(joint: Joint) -> str:
@@ -79,9 +80,9 @@ def captions(joint: Joint) -> list[str]:
     preposition = {"prismatic": "along", "planar": "across"}.get(joint.kind, "about")
     parts = [f"{joint.kind or 'without type'}{f' {preposition} {along}' if along else ''}"]
     parts += limits(joint)
-    if joint.mimic and joint.mimic.joint:
+    if joint.mimic and joint.leader:
         multiplier, offset = joint.mimic.multiplier, joint.mimic.offset
         factor = f"{multiplier:.4g} x " if multiplier != 1 else ""
         shift = f" {offset:+.4g}" if offset else ""
-        parts.append(f"follows {factor}{joint.mimic.joint.value}{shift}")
+        parts.append(f"follows {factor}{joint.leader}{shift}")
     return parts

@@ -5,7 +5,7 @@ from typing import Any
 
 from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
-from urdfkit.text.markdown import escape, fitted, table
+from urdfkit.text.markdown import code, escape, fitted, table
 
 _SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
 _PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
@@ -21,7 +21,7 @@ def _sections(document: ReportDocument, _: Translator) -> Iterator[str]:
     robot, summary = document["robot"], document["summary"]
     counts = ", ".join(_counted(summary[key], key, _) for key in ("error", "warning", "info"))
     title = robot["name"] if robot else document["file"]
-    yield f"## {escape(title)}\n\n{_code(document['file'])}: **{counts}**\n"
+    yield f"## {escape(title)}\n\n{code(document['file'])}: **{counts}**\n"
     if robot:
         rows = [
             [_("Links"), str(robot["links"])],
@@ -56,16 +56,12 @@ def _findings(findings: Iterable[dict[str, Any]], _: Translator) -> Iterator[lis
     for found in sorted(findings, key=lambda one: list(_SIGNS).index(one["severity"])):
         place = f"{found['path']}:{found['line']}:{found['column']}"
         what = f"{_SIGNS[found['severity']]} {found['code']}"
-        yield [what, _code(place), escape(found["message"])]
+        yield [what, code(place), escape(found["message"])]
 
 
 def _link(link: dict[str, Any]) -> list[str]:
     mass = "" if link["mass"] is None else f"{link['mass']:g}"
-    return [_code(link["name"]), mass, _vector(link["moments"] or ())]
-
-
-def _code(text: str) -> str:
-    return f"<code>{escape(text)}</code>"
+    return [code(link["name"]), mass, _vector(link["moments"] or ())]
 
 
 def _vector(values: Iterable[float | None]) -> str:

@@ -77,9 +77,9 @@ def _joint(joint: Joint) -> Row:
         for key in ("lower", "upper", "effort", "velocity")
     }
     mimic = None
-    if joint.mimic and joint.mimic.joint:
+    if joint.mimic and joint.leader:
         mimic = {
-            "joint": joint.mimic.joint.value,
+            "joint": joint.leader,
             "multiplier": joint.mimic.multiplier,
             "offset": joint.mimic.offset,
         }

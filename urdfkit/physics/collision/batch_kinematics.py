@@ -191,7 +191,7 @@ def chain(tree: KinematicTree) -> Chain:
     axes = tuple(
         Axis(j.name, *span(j), start_of(j))
         for j in tree.model.joints_by_name.values()
-        if _is_free(j)
+        if j.kind in (*TURNING, *SLIDING) and not j.leader
     )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
@@ -204,10 +204,6 @@ def chain(tree: KinematicTree) -> Chain:
         if joint.kind not in ("planar", "floating"):
             parts[child] = parts[parent]
     return Chain(names, axes, tuple(steps), tuple(parts))
-
-
-def _is_free(joint: Joint) -> bool:
-    return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
 
 
 def _step(

@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import ORIGIN
 from urdfkit.robot.inertia import principal_moments, scaled
-from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
+from urdfkit.robot.inertials.link_comparison import (
+    LARGEST_PART,
+    SIGNIFICANT,
+    LinkInertia,
+    by_tensor,
+)
 from urdfkit.robot.shapes import MeshSolid
 
 if TYPE_CHECKING:
@@ -39,9 +44,6 @@ NEAR = 1.2
 
 #: Densities of most of them; a mistake in the unit must lead to one of these.
 USUAL = (100.0, 8000.0)
-
-#: Parts of robots are smaller than this, in m; their sizes in millimetres are larger.
-LARGEST_PART = 10.0
 
 #: A centre of mass outside the shapes by this part of their length, where a mistake explains it;
 #: and where it was left at zero, as on many links.
@@ -218,8 +220,8 @@ def _sort_placeholders(
     for group in by_tensor(placeholders):
         free = [link for link in group if link.name not in by_macro]
         unknown = len(free) >= MANY or any(w.radius_of_gyration > WIDE for w in free)
-        shape_mass = any(matters(w.body, w.moments[2]) for w in free)
-        if unknown and shape_mass and group[0].tensor not in reported:
+        is_noticeable = any(matters(w.body, w.moments[2]) for w in free)
+        if unknown and is_noticeable and group[0].tensor not in reported:
             found.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)
         else:
             unlike = [link for link in group if _is_unlike_shape(link)]

@@ -10,6 +10,9 @@ from urdfkit.robot.model import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, solid
 
+#: Parts of robots are smaller than this, in m; their sizes in millimetres are larger.
+LARGEST_PART = 10.0
+
 #: Part of its rigid body's mass or inertia below which an error of a link is lost in it.
 SIGNIFICANT = 0.01
 
@@ -214,10 +217,13 @@ class LinkInertia:
     def densities(self) -> tuple[float, float] | None:
         """The mass by the larger and by the smaller volume of collision and visual, in kg/m³.
 
-        None without a collision, and where a shape is not measured or only marks a place. Of a
-        mesh the larger volume is that of its hull, for a hollow one may hold motors.
+        None without a collision, but for visuals too large for a part, and where a shape is not
+        measured or only marks a place. Of a mesh the larger volume is that of its hull, for a
+        hollow one may hold motors.
         """
-        if not self.is_measured or not self.link.collisions:
+        if not self.is_measured:
+            return None
+        if not self.link.collisions and max(self.outline.edges) <= LARGEST_PART:
             return None
         if self.is_marker:
             return None

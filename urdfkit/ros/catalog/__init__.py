@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, TypeVar
 
-from urdfkit.core.record import Record
+from urdfkit.core.record import Record, frozen
 
 Entry = TypeVar("Entry", bound=Record)
 
@@ -40,10 +40,6 @@ def record(kind: type[Entry], entry: Mapping[str, Any], **more: object) -> Entry
         entry: from the file; keys that are no fields are left out.
         more: fields that the entry does not have under their names.
     """
-    given = {name: _frozen(entry[name]) for name in kind._fields if name in entry}
+    given = {name: frozen(entry[name]) for name in kind._fields if name in entry}
     make: Callable[..., Entry] = kind
     return make(**(given | more))
-
-
-def _frozen(value: object) -> object:
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value

@@ -88,7 +88,5 @@ def _joint(robot: Imported, joint: Joint) -> Iterator[Change]:
     if joint.kind in facts.suffixes:
         parts = ", ".join(joint.name + end for end in facts.suffixes[joint.kind])
         yield Change(joint.at, f"{name} becomes {parts}")
-    if joint.mimic and joint.mimic.joint:
-        yield Change(
-            joint.mimic.at, f"{name} mimics '{joint.mimic.joint.value}': {facts.about_mimic}"
-        )
+    if joint.mimic and joint.leader:
+        yield Change(joint.mimic.at, f"{name} mimics '{joint.leader}': {facts.about_mimic}")

@@ -44,10 +44,10 @@ def read(
     frame: CallFrame | None,
 ) -> None:
     """What a launch file in XML or YAML needs; files that it includes are followed."""
-    _Reader(collector, source, arguments, (), frame, collector.outer).read()
+    _XmlReader(collector, source, arguments, (), frame, collector.outer).read()
 
 
-class _Reader(XmlLaunchFile):
+class _XmlReader(XmlLaunchFile):
     """Reads one launch file and those that it includes.
 
     Args:
@@ -217,7 +217,7 @@ class _Reader(XmlLaunchFile):
         inherited = {child.get("name") or "" for child in element.children}
         if self._passes_all(element):
             inherited |= self._arguments.declared
-        _Reader(self.collector, source, self._passed(element), inherited, frame, here).read()
+        _XmlReader(self.collector, source, self._passed(element), inherited, frame, here).read()
 
     def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""

@@ -10,7 +10,8 @@ from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
 
-_RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
+#: The file may stand in quotes, which roslaunch removes.
+_RVIZ = re.compile(r"""(?:^|\s)(?:-d|--display-config)\s+(["']?)(.+?)(?:\1(?=\s|$))""")
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -21,7 +22,7 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
     if package and name:
         file.collector.package(name, file.source, package.span)
     if arguments and (found := _RVIZ.search(file.text(arguments) or "")):
-        path = path_from(file.source, found.group(1))
+        path = path_from(file.source, found.group(2))
         file.collector.file(path, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
     started = StartedProgram(
@@ -85,6 +86,7 @@ def read_param(file: XmlLaunchFile, element: Element) -> None:
             if path is not None:
                 path = path_from(file.source, path)
                 file.collector.description(path, {}, attribute.span, frame)
+                file.collector.unexpanded(path, attribute.span, file.frame)
         elif _DESCRIPTION.search(name):
             _described(file, attribute, frame)
 

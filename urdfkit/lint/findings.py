@@ -1,0 +1,73 @@
+"""The findings of one rule as diagnostics."""
+
+from collections.abc import Iterable
+
+from urdfkit.lint.rules import Finding, Location, Rule
+from urdfkit.text.diagnostic import Call, Diagnostic, Related
+from urdfkit.text.document import Step
+from urdfkit.text.source import Span, shown_text
+
+#: Characters of a message: names in it may be as long as a file.
+MAX_MESSAGE = 2000
+#: Places in data files that a finding lists.
+MAX_DATA = 10
+
+
+def bounded(finding: Finding) -> Finding:
+    """A finding with a message of some length, that names files as they are shown."""
+    message, help = shown_text(finding.message), shown_text(finding.help)
+    if len(message) > MAX_MESSAGE:
+        message = f"{message[:MAX_MESSAGE]}..."
+    if (message, help) == (finding.message, finding.help):
+        return finding
+    return finding._replace(message=message, help=help)
+
+
+def diagnose(
+    rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
+) -> list[Diagnostic]:
+    """Findings as diagnostics of their rule; what one macro body caused N times becomes one."""
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        span, via = place(finding)
+        key: tuple[object, ...] = (span.source.path, span.start, span.end)
+        # Only different calls of one macro are one cause; a plain place can have two defects.
+        is_copied = any(step.kind != "launch" for step in via)
+        groups.setdefault(key if is_copied else (*key, number), []).append(finding)
+    return [_fold(rule, group, targets) for group in groups.values()]
+
+
+def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
+    severity, affected = rule.severity_for(targets)
+    group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
+    worst = group[0]
+    if worst.severity is not None:
+        severity, affected = worst.severity, worst.targets
+    calls = tuple(Call(f.message, place(f)[1], f.node.path if f.node else "") for f in group)
+    return Diagnostic(
+        rule.code,
+        rule.name,
+        severity,
+        worst.confidence,
+        worst.message,
+        place(worst)[0],
+        calls,
+        (*worst.related, *_in_data_files(group)),
+        worst.help or rule.help,
+        worst.fix,
+        affected,
+        worst.group_key,
+    )
+
+
+def _in_data_files(group: list[Finding]) -> list[Related]:
+    """Where the numbers stand of what one macro body caused several times."""
+    return list(dict.fromkeys(one for finding in group for one in finding.data))[:MAX_DATA]
+
+
+def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
+    """Where a finding is, and the calls that led there."""
+    at = finding.at
+    if isinstance(at, Location):
+        return at.span, at.frame.steps() if at.frame else ()
+    return at.span, at.via
