@@ -1,8 +1,11 @@
 """The check of one description of a plan."""
 
+from __future__ import annotations
+
 import gc
 import sys
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
@@ -16,14 +19,13 @@ from urdfkit.lint.runner import FileResult, run_rules
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.workspace.resolve import Resolver
 
+if TYPE_CHECKING:
+    from urdfkit.ros.targets import Targets
+
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
     """Reads the description of a job."""
-    targets = None
-    if options.targets:
-        from urdfkit.ros.targets import parse
-
-        targets = parse(options.targets)
+    targets = given_targets(options)
 
     def read(job: Job) -> Context:
         return Context(
@@ -39,6 +41,15 @@ def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
         )
 
     return read
+
+
+def given_targets(options: Options) -> Targets | None:
+    """The programs to check for; None if they are inferred from each model."""
+    if not options.targets:
+        return None
+    from urdfkit.ros.targets import parse
+
+    return parse(options.targets)
 
 
 def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:

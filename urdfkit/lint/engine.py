@@ -102,6 +102,19 @@ def check_with(
     return merged_report(plan, checked, _unchecked(plan, options), spills=spills)
 
 
+def check_read(options: Options, context: Context) -> Report:
+    """Check a robot that was read already.
+
+    Args:
+        options: how; resolved, and of this robot alone (`Options.for_one`).
+        context: the robot, for the targets of the options.
+    """
+    plan = Plan(context.resolver, options)
+    job = Job(context.source.path, "", context.arguments, False, source=context.source)
+    plan.jobs.append(job)
+    return merged_report(plan, [(job, check_context(job, context, options))], ())
+
+
 def check_robots(
     options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
 ) -> tuple[Report, list[Context]]:

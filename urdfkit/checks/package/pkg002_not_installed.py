@@ -3,7 +3,8 @@
 In the source tree the file exists. After `colcon build` or `catkin_make install` it is not under
 `share/`, and `$(find ...)` and `package://` lead to a file that is not there: RViz shows the robot
 without meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install
-the directory.
+the directory. `DESTINATION share` without `/${PROJECT_NAME}`, and a slash behind the name of a
+directory, which installs its contents alone, put the files elsewhere.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -46,7 +47,15 @@ def check(context: Context) -> Findings:
     for relative, span in uses(context, name, directory):
         top = relative.partition("/")[0]
         is_there = disk.exists(os.path.join(directory, relative))
-        if top not in reported and is_there and not rules.installs(relative):
+        if top in reported or not is_there:
+            continue
+        misplaced = rules.misplaced(relative) if span.start or span.end else ""
+        if misplaced:
+            reported.add(top)
+            message = f"{rules.file} installs '{relative}' as {misplaced}"
+            message += f", not as share/{name}/{relative}"
+            yield Finding(Location(span), message, rules.advice(top))
+        elif not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
             yield Finding(Location(span), message, rules.advice(top))

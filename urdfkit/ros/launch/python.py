@@ -11,7 +11,13 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, IncludedFile, StartedProgram
-from urdfkit.ros.launch.python_mistakes import dropped_directory, mistakes, not_started
+from urdfkit.ros.launch.event_handlers import never_reached, started_twice
+from urdfkit.ros.launch.python_mistakes import (
+    dropped_directory,
+    entry_point,
+    mistakes,
+    not_started,
+)
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import JOINED, Values, argument, called
@@ -59,6 +65,7 @@ class _PythonReader:
         self.collector = collector
         self.source = source
         self.frame = frame
+        self._tree = tree
         self.values = Values(collector, source, tree, arguments)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
@@ -112,6 +119,9 @@ class _PythonReader:
                 problems.append(dropped)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
+            problems += entry_point(self._tree, self.source)
+        problems += never_reached(self.calls, self.values)
+        problems += started_twice(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
@@ -183,6 +193,8 @@ class _PythonReader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
+                    if name == "robot_description" and self.frame is None:
+                        self._unexpanded(value)
                     if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
                         items = self.values.items(value)
                         lists[name] = tuple(self.values.text(item) for item in items)
@@ -276,6 +288,21 @@ class _PythonReader:
         file = argument(call, 0, "file")
         if (self.values.text(file) or "").endswith(".urdf"):
             self._describe(call, file)
+
+    def _unexpanded(self, value: ast.expr | None) -> None:
+        """A xacro file whose text becomes the robot description as it is."""
+        text = self.values.suggested(value)
+        if isinstance(text, ast.Call) and called(text) == "ParameterValue":
+            text = self.values.suggested(argument(text, 0, "value"))
+        if not isinstance(text, ast.Call) or called(text) not in ("read", "read_text"):
+            return
+        file = text.func.value if isinstance(text.func, ast.Attribute) else None
+        opened = self.values.opened(file) or self.values.suggested(file)
+        if isinstance(opened, ast.Call) and called(opened) in ("open", "Path"):
+            path = self.values.text(argument(opened, 0, "file"))
+            found = path and self._path(path)
+            if found:
+                self.collector.unexpanded(found, self.values.span(text), None)
 
     def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
         text = self.values.text(file)
