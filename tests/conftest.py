@@ -9,6 +9,7 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 from zlib import crc32
@@ -117,7 +118,9 @@ SLOW = (
     "tests/cli/test_collisions.py",
     "tests/cli/test_configured.py",
     "tests/cli/test_main.py::test_ctrl_c_ends",
+    "tests/cli/test_mcp.py",
     "tests/cli/test_options.py::test_both_parsers",
+    "tests/cli/test_own_process.py",
     "tests/cli/test_pages.py",
     "tests/cli/test_project.py",
     "tests/cli/test_render.py",
@@ -125,7 +128,10 @@ SLOW = (
     "tests/cli/test_report.py",
     "tests/cli/test_result_cache.py",
     "tests/consumers/test_corpus.py",
+    "tests/consumers/test_new_target.py",
+    "tests/core/test_disk.py::test_a_new_reader",
     "tests/core/test_disk.py::test_nothing_is_read_past",
+    "tests/core/test_disk_full.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/test_injection.py",
@@ -182,24 +188,32 @@ SLOW = (
 SAMPLED = {
     "tests/consumers/test_corpus.py": 40,
     "tests/ros/importers/test_against_engines.py::test_a_real_robot": 40,
+    "tests/core/test_disk_full.py::test_it_is_one_error": 4,
     "tests/integration/test_action.py::test_each_variant": 0,
     "tests/integration/test_action.py::test_it_installs": 0,
     "tests/integration/test_action.py::test_gitlab": 0,
     "tests/integration/test_action.py::test_python_imports": 0,
     "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
     "tests/integration/test_action.py::test_each_robot_gets": 0,
+    "tests/integration/test_pre_commit.py::test_files_of_no_robot": 0,
+    "tests/integration/test_pre_commit.py::test_other_files": 0,
+    "tests/integration/test_pre_commit.py::test_real_robots": 0,
+    "tests/integration/test_pre_commit.py::test_the_configuration": 0,
     "tests/test_docs.py::test_the_road_in_readme": 0,
     "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm": 0,
     "tests/lint/test_formatting.py::test_real_robots": 0,
     "tests/lint/test_rule_packages.py::test_the_tests_of_the_example": 0,
-    "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 12,
+    "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 24,
     "tests/cli/test_special_files.py": 3,
+    "tests/mesh/parts/test_parts.py::test_every_part_can": 4,
     "tests/mesh/test_warnings.py": 8,
-    "tests/test_fuzz.py::test_a_short_run": 3,
-    "tests/test_injection.py::test_a_format": 8,
+    "tests/mesh/writers/test_collada.py::test_the_parts": 4,
+    "tests/test_fuzz.py::test_a_short_run": 6,
+    "tests/test_injection.py::test_a_format": 12,
     "tests/test_injection.py::test_a_page_runs_nothing": 0,
     "tests/test_injection.py::test_a_text": 4,
     "tests/test_fixing_corpus.py": 12,
+    "tests/test_golden_gazebo.py::test_errors_on_real_robots": 0,
     "tests/test_planted.py::test_it_is_found": 12,
     "tests/test_bad_input.py::test_huge": 4,
     "tests/test_playground.py": 0,
@@ -209,6 +223,8 @@ SAMPLED = {
     "tests/test_pages.py": 3,
     "tests/cli/test_pages.py": 12,
     "tests/cli/test_result_cache.py::test_a_change_is_seen": 3,
+    "tests/cli/test_result_cache.py::test_a_variable": 3,
+    "tests/cli/test_result_cache.py::test_what_is_not_kept": 2,
     "tests/mesh/test_load_corpus.py": 0,
     "tests/mesh/test_native_crashes.py::test_vhacdx": 0,
     "tests/mesh/test_simplify.py::test_a_plate": 0,
@@ -269,7 +285,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         name = item.nodeid.partition("[")[0]
         number = seen[name] + crc32(name.encode())  # other robots for other tests
         seen[name] += 1
-        every = _one_of(item)
+        every = _one_of(item, name)
         (left_out if not every or number % every else kept).append(item)
     items[:] = kept
     config.hook.pytest_deselected(items=left_out)
@@ -281,11 +297,17 @@ def pytest_collection_finish() -> None:
     gc.freeze()
 
 
-def _one_of(item: pytest.Item) -> int:
+@cache
+def _sampled(name: str) -> int | None:
+    return next((every for start, every in SAMPLED.items() if name.startswith(start)), None)
+
+
+def _one_of(item: pytest.Item, name: str) -> int:
     """Of how many tests like this one is run."""
     parameters = item.callspec.params if hasattr(item, "callspec") else {}
-    every = SAMPLED_ROBOTS if {"entry", "model"} & parameters.keys() else 1
-    found = next((n for start, n in SAMPLED.items() if item.nodeid.startswith(start)), every)
+    found = _sampled(name)
+    if found is None:
+        found = SAMPLED_ROBOTS if {"entry", "model"} & parameters.keys() else 1
     return found if parameters else min(found, 1)
 
 
@@ -317,6 +339,8 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
     numbers = {
         "distance": ("MAX_VERTICES", "SAMPLES", "FARTHEST", "_MANY_SAMPLES", "_GUIDES"),
         "convex_decomposition": ("_VOXELS",),
+        "sphere_fitting": ("_COLUMNS", "_MEDIAL", "_ELSEWHERE", "_SURFACE", "_MANY"),
+        "sphere_quality": ("_COLUMNS", "_SURFACE"),
     }
     for name, constants in numbers.items():
         module = importlib.import_module(f"urdfkit.mesh.{name}")

@@ -105,7 +105,7 @@ def part(name: str) -> str:
 
 
 @pytest.fixture
-def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, small_pictures: None) -> str:
     """A xacro with all payloads, in a file that has such a name."""
     (tmp_path / "LICENSE").touch()
     head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'

@@ -11,7 +11,17 @@ import pytest
 
 from urdfkit.lint.rule_examples import whole_robot
 
-CHECK_URDF = shutil.which("check_urdf")
+
+def _program() -> Path | None:
+    """check_urdf; where that is pip's script, the program that it starts."""
+    found = shutil.which("check_urdf")
+    if found is None:
+        return None
+    installed = Path(found).resolve().parents[1].glob("lib/python*/site-packages/cmeel.prefix/bin")
+    return next((directory / "check_urdf" for directory in installed), Path(found))
+
+
+CHECK_URDF = _program()
 needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is not installed")
 
 #: Bytes of an answer: it prints some loops for ever.
@@ -32,8 +42,7 @@ def urdfdom(text: str, directory: Path) -> tuple[int, str]:
             stderr=subprocess.STDOUT,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (ENOUGH, ENOUGH)),
             timeout=60,
-            # pip's check_urdf is a script: the limit would cut the bytecode of modules.
-            env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
+            env={**os.environ, "LD_LIBRARY_PATH": str(CHECK_URDF.parents[1] / "lib")},
         )
         answer.seek(0)
         return done.returncode, answer.read()

@@ -61,6 +61,9 @@ MUTE = ("check", "diff", "migrate", "render")
 ALL = ("check", "report")
 
 
+pytestmark = pytest.mark.usefixtures("rough_meshes", "small_pictures")
+
+
 @pytest.fixture
 def robot(tmp_path: Path) -> Path:
     path = tmp_path / "arm.urdf.xacro"

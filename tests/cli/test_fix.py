@@ -40,7 +40,7 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
         "  info     JNT030  wrong-optical-frame: line 368\n"
         "  info     XAC007  own-pi (unsafe fix: needs --unsafe-fixes): line 9\n"
         "\n"
-        "3 fixed in 1 file, 10 left, 5 of them with an unsafe fix\n"
+        "3 fixed in 1 file, 10 left, 5 of them with an unsafe fix (--unsafe-fixes)\n"
     )
     assert main([*words, "--check"]) == 0
     capsys.readouterr()
@@ -87,6 +87,17 @@ def test_a_diff_writes_nothing(robot: Path, capsys: pytest.CaptureFixture[str]) 
     assert robot.read_bytes() == before
     assert main(["check", "--diff", str(robot), "--select", "GEO"]) == 0
     assert capsys.readouterr().out == ""
+
+
+def test_a_diff_of_nothing_says_what_is_left(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["fix", "--diff", str(robot), "--select", "RCT029"]) == 0
+    out, err = capsys.readouterr()
+    assert out == ""  # a patch
+    assert "0 would be fixed in 0 files, 1 left" in err
+    assert main(["fix", "--diff", "-q", str(robot), "--select", "RCT029"]) == 0
+    assert capsys.readouterr().err == ""
 
 
 def test_check_fixes_and_reports_what_is_left(

@@ -132,7 +132,9 @@ def test_a_fix_is_a_diff_until_writing_is_allowed(workspace: Path) -> None:
         diff = await ask(client, "fix", path=MODEL, unsafe=True, select=["URD008"])
         assert f"--- {MODEL}" in diff
         assert "started without --write" in await failure(client, "fix", path=MODEL, write=True)
-        assert "no fix" in await ask(client, "fix", path=MODEL, select=["XML"])
+        safe = await ask(client, "fix", path=MODEL, select=["URD008"])
+        assert "unsafe fix: needs --unsafe-fixes" in safe
+        assert "0 would be fixed" in await ask(client, "fix", path=MODEL, select=["XML"])
 
     talk(workspace, looks)
     assert file.read_bytes() == before

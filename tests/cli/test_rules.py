@@ -39,3 +39,11 @@ def test_the_same_as_json(capsys: pytest.CaptureFixture[str]) -> None:
         "explanation": rule.explanation,
         "sources": list(rule.sources),
     }
+
+
+def test_codes_prefixes_and_names_choose_rules(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rules", "tre", "missing-file"]) == 0
+    codes = [line[:6] for line in capsys.readouterr().out.splitlines()]
+    assert codes == ["MSH001", *(code for code in rule_index.codes() if code.startswith("TRE"))]
+    assert main(["rules", "MHS"]) == 2
+    assert "did you mean 'MSH'" in capsys.readouterr().err

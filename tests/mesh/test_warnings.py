@@ -13,6 +13,7 @@ from urdfkit.cli import main
 from urdfkit.mesh.samples import BOX, collada
 
 pytest.importorskip("manifold3d")
+pytestmark = pytest.mark.usefixtures("rough_meshes")
 
 Corners = list[list[float]]
 

@@ -46,7 +46,8 @@ def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
 
 def _find(word: str) -> Rule:
     if about := FAMILIES.get(word.upper()):
-        raise UnknownRule(word, f": a rule family ({about}); 'urdfkit rules' lists its rules")
+        family = f": a rule family ({about}); 'urdfkit rules {word.upper()}' lists its rules"
+        raise UnknownRule(word, family)
     if renamed := note(word):
         options.warn(renamed)
     try:

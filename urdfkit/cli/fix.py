@@ -1,5 +1,6 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
+import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -28,6 +29,8 @@ def _fix(**values: Any) -> int:
     fixes = apply_fixes(values, chosen, generate_meshes=values["generate_meshes"])
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
+        if not fixes.files and not values["quiet"] and sys.stderr is not None:
+            print(_total(fixes, "would be fixed"), file=sys.stderr)  # what is printed is a patch
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
@@ -137,4 +140,4 @@ def _total(fixes: Fixes, verb: str) -> str:
     unsafe = sum(left.reason == "unsafe" for left in fixes.left)
     text = f"{len(fixes.applied)} {verb} in {counted(len(fixes.files), 'file')}, "
     text += f"{len(fixes.left)} left"
-    return text + (f", {unsafe} of them with an unsafe fix" if unsafe else "")
+    return text + (f", {unsafe} of them with an unsafe fix (--unsafe-fixes)" if unsafe else "")

@@ -121,7 +121,9 @@ class Tools:
         if write and not self._may_write:
             raise ToolError("nothing is written: the server was started without --write")
         words = [*self._robot(path, None), *_codes(select), *["--unsafe-fixes"] * unsafe]
-        text = self._run("fix", *words, "--diff") or "no fix can be applied\n"
+        text = self._run("fix", *words, "--diff")
+        if not text:  # what is left, and why
+            return _page(self._run("fix", *words, "--check"), start)
         if write:
             for file in re.findall(r"^\+\+\+ (.+)$", text, re.MULTILINE):
                 self._inside(file)  # the repository may be larger than what was given

@@ -135,7 +135,10 @@ def files(values: Mapping[str, Any]) -> list[str]:
     """The files to check, as typed; '-' is standard input."""
     found = [word for word in values[FILES] if ":=" not in word]
     if not found:
-        raise UsageError("no file to check; pass a URDF or xacro file, or '-' for standard input")
+        raise UsageError(
+            "no file to check; pass a URDF or xacro file, a directory such as '.', or '-' for "
+            "standard input"
+        )
     if found.count("-") > 1:
         raise UsageError("'-' stands for standard input, which can be read only once")
     for file in found:
@@ -268,10 +271,11 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 def warn(text: str) -> None:
     """Say on standard error what is odd; the cache of results holds standard output only."""
     disk.depends_on_more()
+    from urdfkit.text.source import shown_text
     from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:
-        print(f"warning: {printable(text)}", file=sys.stderr)
+        print(f"warning: {printable(shown_text(text))}", file=sys.stderr)
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:

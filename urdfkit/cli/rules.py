@@ -3,27 +3,33 @@
 import json
 from collections.abc import Sequence
 
+import click
+
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import RULES, choice, with_examples
-from urdfkit.lint.rule_index import all_rules
+from urdfkit.lint.rule_index import all_rules, matching
 from urdfkit.lint.rule_packages import add, installed
 from urdfkit.lint.rules import Rule
 
 
-@with_examples("rules", "urdfkit rules", "urdfkit rules --format json")
+@with_examples("rules", "urdfkit rules", "urdfkit rules MSH", "urdfkit rules --format json")
+@click.argument("words", nargs=-1, metavar="[CODE]...")
 @choice("--format", "kind", of=["text", "json"], help="Text table, or JSON with full explanations.")
 @RULES
-def command(kind: str, rules: tuple[str, ...]) -> int:
+def command(words: tuple[str, ...], kind: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.
 
-    Lists installed rule packages, and those of NAMES. Each line has the code, the severity, 'fix'
-    if there is one, the name and the title.
+    CODE is a code, a prefix of codes such as MSH, or a name: only these are listed. Installed
+    rule packages are listed, and those of NAMES. Each line has the code, the severity, 'fix' if
+    there is one, the name and the title.
 
-    Exit codes: 0 done, 2 a rule package cannot be read.
+    Exit codes: 0 done, 2 unknown rule, or a rule package cannot be read.
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})
-    output.write((_json if kind == "json" else _text)(all_rules()))
+    wanted = {code for word in words for code in matching(word)}
+    chosen = [rule for rule in all_rules() if not words or rule.code in wanted]
+    output.write((_json if kind == "json" else _text)(chosen))
     return 0
 
 

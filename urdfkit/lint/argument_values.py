@@ -1,4 +1,4 @@
-"""ArgumentValues for the xacro arguments that a description lacks, from the files around it.
+"""Values for the xacro arguments that a description lacks, from the files around it.
 
 A robot's file may want arguments that a launch file gives. Where no launch file gives all of them,
 a value is likely that is declared for the same name, or that names a directory which a path with
@@ -28,7 +28,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
-#: ArgumentValues of one argument that a message names.
+#: Values of one argument that a message names.
 _FEW = 10
 
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
@@ -40,7 +40,7 @@ _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
 class ArgumentValues(Record):
-    """ArgumentValues that one argument may have."""
+    """The values that one argument may have."""
 
     values: tuple[str, ...]  # in the order in which they are found
     origin: str  # path of the launch file, xacro file or directory that they are from
@@ -59,7 +59,7 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
 
 def reported(found: ArgumentValues) -> str:
-    """ArgumentValues of an argument, and where they are from."""
+    """The values of an argument, and where they are from."""
     verb = "has" if disk.is_directory(found.origin) else "gives"
     values = [value or "''" for value in found.values]
     return f"{shown(found.origin)} {verb} {few(values, _FEW)}"

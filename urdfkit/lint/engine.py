@@ -6,7 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader, with_assumed
+from urdfkit.lint.check_job import (
+    check_context,
+    check_job,
+    check_one_of_many,
+    check_sets,
+    reader,
+)
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
@@ -102,6 +108,19 @@ def check_with(
     return merged_report(plan, checked, _unchecked(plan, options), spills=spills)
 
 
+def check_read(options: Options, context: Context) -> Report:
+    """Check a robot that was read already.
+
+    Args:
+        options: how; resolved, and of this robot alone (`Options.for_one`).
+        context: the robot, for the targets of the options.
+    """
+    plan = Plan(context.resolver, options)
+    job = Job(context.source.path, "", context.arguments, False, source=context.source)
+    plan.jobs.append(job)
+    return merged_report(plan, [(job, check_context(job, context, options))], ())
+
+
 def check_robots(
     options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
 ) -> tuple[Report, list[Context]]:
@@ -117,11 +136,7 @@ def check_robots(
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
     robots = [as_launched(job, read) for job in plan.jobs]
-    checked = [
-        result
-        for sets in robots
-        for result in with_assumed([(job, check_context(job, one, options)) for job, one in sets])
-    ]
+    checked = [result for sets in robots for result in check_sets(sets, options)]
     return merged_report(plan, checked, ()), [context for sets in robots for _, context in sets]
 
 

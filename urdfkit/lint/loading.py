@@ -17,6 +17,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
     from urdfkit.robot.model import RobotModel
+    from urdfkit.ros.targets import Targets
     from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
 
@@ -62,6 +63,7 @@ def context_of(
     *,
     trust: bool = False,
     cache: bool = False,
+    targets: Targets | None = None,
     progress: Progress | None = None,
 ) -> Context:
     """The one robot of a file, with values for arguments that it lacks as ``check`` finds them.
@@ -76,7 +78,15 @@ def context_of(
         source, given = _described(source, resolver, given)
 
     def described(job: Job) -> Context:
-        return Context(source, resolver, job.arguments, trust=trust, cache=cache, progress=progress)
+        return Context(
+            source,
+            resolver,
+            job.arguments,
+            trust=trust,
+            cache=cache,
+            targets=targets,
+            progress=progress,
+        )
 
     (job, context), *others = as_launched(Job(source.path, "", given, False), described)
     if others:

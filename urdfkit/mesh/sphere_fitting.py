@@ -223,7 +223,7 @@ def _pruned(covers: Flags, chosen: list[int], coverage: float) -> list[int]:
         chosen = list(best)
         times = covers[:, chosen].sum(axis=1)
         for _ in range(_SWAPS):
-            alone = covers[times == 1][:, chosen].sum(axis=0)
+            alone = covers[:, chosen][times == 1].sum(axis=0)
             removed = chosen.pop(int(alone.argmin()))
             times -= covers[:, removed]
             if np.count_nonzero(times == 0) <= allowed:

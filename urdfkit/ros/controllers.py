@@ -20,7 +20,7 @@ from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, mistake, scalars
 from urdfkit.text.source import Source, Span
 
 _MANAGER = "controller_manager"
@@ -52,8 +52,7 @@ class Section(Record):
     def values(self, name: str) -> list[Value]:
         """What a parameter holds, a single value as a list of one."""
         node = self.given.get(name, [])
-        several = node if isinstance(node, list) else [node]
-        return [one for one in several if isinstance(one, Value)]
+        return scalars(node if isinstance(node, list) else [node])
 
     @property
     def types(self) -> dict[str, Value]:
@@ -106,11 +105,18 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
     for plugin in () if _runs_on_hardware(description) else control_plugins(description.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
+            if _is_address(path):
+                files.setdefault(path, ParameterFile(element.span, path, None, element))
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
             found = path if disk.is_file(path) else description.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
+
+
+def _is_address(path: str) -> bool:
+    """True for ``package://...`` and the like, of which the control plugins make no path."""
+    return path.startswith(("package://", "model://", "file://")) and not is_expression(path)
 
 
 def _runs_on_hardware(description: RosDescription) -> bool:
@@ -193,9 +199,7 @@ def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]
     stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
     while stack:
         path, node, above = stack.pop()
-        if not isinstance(node, dict):
-            continue
-        for key, inner in node.items():
+        for key, inner in mapping(node).items():
             if key == _PARAMETERS and path and isinstance(inner, dict):
                 yield path, inner, above
             elif key != _PARAMETERS:
@@ -208,8 +212,7 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
     stack: list[tuple[str, Node]] = [("", root)]
     while stack:
         name, node = stack.pop()
-        if not isinstance(node, dict):
-            continue
+        node = mapping(node)
         kind = node.get("type")
         if isinstance(kind, Value) and "/" in kind.text:
             at = name.span if isinstance(name, Key) else kind.span
@@ -236,9 +239,7 @@ def unread_keys(
 
 
 def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
-    if not isinstance(root, dict):
-        return
-    sections = [(k, node) for k, node in root.items() if isinstance(node, dict)]
+    sections = [(k, node) for k, node in mapping(root).items() if isinstance(node, dict)]
     for key, node in sections:
         for inner in node:
             if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
@@ -283,7 +284,7 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
         message = "type without a controller: it is not indented below a name"
         yield kind.span, message, "indent it below the name of its controller"
     for name, node in manager.items():
-        for key, value in node.items() if isinstance(node, dict) and "type" not in node else ():
+        for key, value in mapping(node).items() if "type" not in mapping(node) else ():
             is_class = isinstance(value, Value) and "/" in value.text
             if isinstance(key, Key) and is_class and is_typo(key, "type"):
                 yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"

@@ -60,6 +60,18 @@ def load(source: Source) -> Node:
         return None
 
 
+def mapping(node: Node, *keys: str) -> dict[str, Node]:
+    """The mapping at some keys, one below the other; empty where there is none."""
+    for key in keys:
+        node = node.get(key) if isinstance(node, dict) else None
+    return node if isinstance(node, dict) else {}
+
+
+def scalars(node: Node) -> list[Value]:
+    """The scalars of a list; none where there is no list."""
+    return [one for one in node if isinstance(one, Value)] if isinstance(node, list) else []
+
+
 def _compose(source: Source, events: Iterable[Any]) -> Node:
     """The value that events make; None where it is too deep.
 

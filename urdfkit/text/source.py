@@ -138,9 +138,13 @@ class Source:
 
     def line(self, number: int) -> str:
         """The text of a line, counted from 1, without its line end."""
+        start, end = self.line_bounds(number)
+        return self.data[start:end].decode("utf-8", "replace").rstrip("\r\n")
+
+    def line_bounds(self, number: int) -> tuple[int, int]:
+        """Where a line, counted from 1, begins, and where the next one does."""
         starts = self._line_starts()
-        end = starts[number] if number < len(starts) else len(self.data)
-        return self.data[starts[number - 1] : end].decode("utf-8", "replace").rstrip("\r\n")
+        return starts[number - 1], starts[number] if number < len(starts) else len(self.data)
 
     def _line_starts(self) -> list[int]:
         if self._starts is None:

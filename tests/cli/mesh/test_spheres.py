@@ -14,6 +14,8 @@ from tests.conftest import MODELS
 from urdfkit import load
 from urdfkit.cli import main
 
+pytestmark = pytest.mark.usefixtures("rough_meshes")
+
 ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 BALLS = """<robot name="balls"><link name="base"><collision><origin xyz="0 0 1"/><geometry>
 <sphere radius="0.1"/></geometry></collision></link>

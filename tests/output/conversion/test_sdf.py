@@ -29,6 +29,9 @@ from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
+#: Each tree starts libsdformat.
+FEWER = settings(max_examples=settings().max_examples // 3)
+
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 
 
@@ -255,7 +258,7 @@ def trees(draw: st.DrawFn) -> str:
     return "".join(parts)  # fmt: skip
 
 
-@settings(suppress_health_check=list(HealthCheck), derandomize=True, max_examples=30)
+@settings(FEWER, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(trees())
 def test_random_trees(tmp_path_factory: pytest.TempPathFactory, parts: str) -> None:
     made = robot(parts)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
-from tests.output.conversion.test_mjcf import BOX, INERTIAL, LIMIT, arm
+from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, arm
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
@@ -54,7 +54,7 @@ def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     assert all(one.note for one in found.entries)
 
 
-@settings(suppress_health_check=list(HealthCheck), derandomize=True, max_examples=30)
+@settings(FEWER, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(robots())
 def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
     robot = read(Source("r.urdf", text.encode()))

@@ -92,9 +92,10 @@ def trees(draw: st.DrawFn, without: tuple[str, ...]) -> str:
 
 @pytest.mark.parametrize("name", ["mujoco", "pinocchio"])
 def test_random_trees(name: str, tmp_path: Path) -> None:
-    @settings(
-        max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-    )
+    # Each tree starts a process.
+    fewer = settings(max_examples=settings().max_examples // 8)
+
+    @settings(fewer, suppress_health_check=[HealthCheck.function_scoped_fixture])
     @given(trees(WITHOUT[name]))
     def runs(text: str) -> None:
         expected = loaded(name, text.encode(), tmp_path)

@@ -6,12 +6,11 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.ros.launch.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")
 #: Lists of plugins, each with the value that needs no parameters.
@@ -35,7 +34,7 @@ def plugins(node: NodeParameters) -> Findings:
     for key, defaults in _PLUGINS.items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
-        listed = list(_words(node.values.get(key)))
+        listed = scalars(node.values.get(key))
         if [one.text for one in listed] == defaults:
             continue
         sections = {name for name, value in node.values.items() if isinstance(value, dict)}
@@ -91,14 +90,10 @@ def _layer(layer: dict[str, Node]) -> Findings:
         hint = f"'{named.text}'; did you mean '{_PACKAGE}::{meant}'?"
         yield Finding(Location(named.span), f"unknown layer {hint}", f"write {_PACKAGE}::{meant}")
     for source in layer.values() if meant in ("ObstacleLayer", "VoxelLayer") else ():
-        kind = source.get("data_type") if isinstance(source, dict) else None
+        kind = mapping(source).get("data_type")
         if isinstance(kind, Value) and kind.text not in _DATA:
             yield Finding(
                 Location(kind.span),
                 f"the costmap stops at data_type '{kind.text}'{did_you_mean(kind.text, _DATA)}",
                 f"write {' or '.join(_DATA)}",
             )
-
-
-def _words(node: Node) -> Iterator[Value]:
-    yield from (one for one in node if isinstance(one, Value)) if isinstance(node, list) else ()

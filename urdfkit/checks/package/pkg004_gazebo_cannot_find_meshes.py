@@ -54,7 +54,7 @@ def check(context: Context) -> Findings:
     if not found or any(True for _ in packages.gazebo_model_paths(context.source.path)):
         return
     seen = survey(packages.workspace(context.source.path), context.resolver.directories)
-    if seen.is_reported or seen.starter is None:
+    if seen.is_mentioned or seen.starter is None:
         return
     try:
         starter = context.resolver.read(seen.starter)

@@ -10,7 +10,7 @@ from urdfkit.robot.model import RobotModel
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.text.located_yaml import Key, Node, Value, scalars
 from urdfkit.workspace.manifest import manifest_of
 
 #: Files of the workspace that are read, and directories in which they are searched.
@@ -113,9 +113,7 @@ def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Finding
 
 
 def _joints(entry: dict[str, Node]) -> set[str]:
-    joints = entry.get("joints")
-    listed = joints if isinstance(joints, list) else []
-    return {one.text for one in listed if isinstance(one, Value)}
+    return {one.text for one in scalars(entry.get("joints"))}
 
 
 def _commanded(controller: Controller) -> set[str]:

@@ -78,7 +78,7 @@ class Difference(Record):
     kind: str  # which sort of thing it is, one of `KINDS`
     what: str  # ``link`` or ``joint``
     name: str  # of the link or joint, in the state after if it is there
-    text: str  # what -> of it, without its name
+    text: str  # what differs, without its name
     #: before and after: the values as the model holds them, for programs; None for nothing.
     before: ComparedValue = None
     after: ComparedValue = None
@@ -155,7 +155,7 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 
 def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
-    """What -> of the entries of a tensor that make more than rounding of the difference."""
+    """The entries of a tensor that make more than rounding of the difference, before and after."""
     noise = _ROUNDING * max(map(abs, (*before, *after)))
     old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
     rows = zip(Tensor._fields, old, new, strict=True)

@@ -26,7 +26,18 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts, a finding in each."""
-    document = {
+    before, empty, after = _dumped(without_findings(report)).partition("[]")
+    yield before
+    between, end = "[\n    ", empty
+    for diagnostic in report.diagnostics:
+        yield between + _dumped(finding(diagnostic)).replace("\n", "\n    ")
+        between, end = ",\n    ", "\n  ]"
+    yield f"{end}{after}\n"
+
+
+def without_findings(report: Report) -> dict[str, Any]:
+    """The document as plain values, with an empty list of findings."""
+    return {
         "version": VERSION,
         "urdfkit": __version__,
         "diagnostics": [],
@@ -44,20 +55,14 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
         ],
         "summary": _summary(report),
     }
-    before, empty, after = _dumped(document).partition("[]")
-    yield before
-    between, end = "[\n    ", empty
-    for diagnostic in report.diagnostics:
-        yield between + _dumped(_diagnostic(diagnostic)).replace("\n", "\n    ")
-        between, end = ",\n    ", "\n  ]"
-    yield f"{end}{after}\n"
 
 
 def _dumped(content: dict[str, Any]) -> str:
     return json.dumps(content, ensure_ascii=False, indent=2)
 
 
-def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+def finding(diagnostic: Diagnostic) -> dict[str, Any]:
+    """One of the findings, as plain values."""
     return {
         "code": diagnostic.code,
         "name": diagnostic.name,

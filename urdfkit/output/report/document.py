@@ -6,20 +6,20 @@ of a library or of a robot, is None, and ``missing`` says why.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Mapping
 from functools import partial
+from math import isfinite
 from typing import Any
 
 from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
-from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
+from urdfkit.lint.check_job import given_targets
 from urdfkit.lint.context import Context, Unavailable
-from urdfkit.lint.engine import check
+from urdfkit.lint.engine import check_read
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import context_of
 from urdfkit.lint.options import Options
@@ -83,8 +83,11 @@ def describe(
     options = options.with_config()
     source, resolver = Source.of(file), Resolver(options.packages)
     values = options.config.entry(source.path, options.arguments, options.variant).arguments
-    context = context_of(source, resolver, values, trust=options.trust)
-    report = check(context.source, options=options.for_one(context.arguments))
+    targets = given_targets(options)
+    context = context_of(
+        source, resolver, values, trust=options.trust, cache=options.cache, targets=targets
+    )
+    report = check_read(options.for_one(context.arguments).resolved(), context)
     reported = ReportInput(_document(context, report), context, tuple(report.diagnostics))
     return reported if quick else completed(reported, progress)
 
@@ -103,9 +106,7 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
     parts, missing = _computed(reported.context, long)
     missing = reported.document["missing"] | missing
     return reported._replace(
-        document=reported.document
-        | _portable(finite(parts), reported.context)
-        | {"missing": missing}
+        document=reported.document | _portable(parts, reported.context) | {"missing": missing}
     )
 
 
@@ -132,9 +133,7 @@ def _document(context: Context, report: Report) -> ReportDocument:
         ]
     is_read = context.reading.document is not None
     places = ElementLookup(context.model if is_read else None)
-    written = json.loads(as_json.render(report))
-    together = grouped(report.diagnostics)
-    listed = json.loads(as_json.render(report._replace(diagnostics=together)))["diagnostics"]
+    written = as_json.without_findings(report)
     document = {
         "version": VERSION,
         "urdfkit": __version__,
@@ -145,33 +144,41 @@ def _document(context: Context, report: Report) -> ReportDocument:
             for key in ("error", "warning", "info", "suppressed", "codes", "rules")
         },
         "targets": _targets(report),
-        "findings": findings(report.diagnostics, written["diagnostics"], places),
-        "gathered": findings(together, listed, places),
+        "findings": findings(report.diagnostics, places),
+        "gathered": findings(grouped(report.diagnostics), places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),
         **parts,
         "missing": missing,
     }
-    found: ReportDocument = _portable(finite(document), context)
-    return found
+    return _portable(document, context)
 
 
-def _portable(value: Any, context: Context) -> Any:
-    """Plain values without the directories of the machine that they were made on.
+def _portable(document: ReportDocument, context: Context) -> ReportDocument:
+    """What JSON can hold, without the directories of the machine that it was made on.
 
     Paths in the workspace of the robot begin at the workspace.
     """
-    if isinstance(value, dict):
-        return {key: _portable(one, context) for key, one in value.items()}
-    if isinstance(value, list):
-        return [_portable(one, context) for one in value]
-    if not isinstance(value, str) or os.sep not in value:
-        return value
     file = disk.real(context.source.path)
-    for directory in (context.resolver.packages.workspace(file), os.path.dirname(file)):
-        value = without_directory(value, directory)
-    return without_directory(value, os.path.expanduser("~"), "~/")
+    around = (context.resolver.packages.workspace(file), os.path.dirname(file))
+    home = os.path.expanduser("~")
+
+    def portable(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: portable(one) for key, one in value.items()}
+        if isinstance(value, list | tuple):
+            return [portable(one) for one in value]
+        if isinstance(value, float):
+            return value if isfinite(value) else None
+        if not isinstance(value, str) or os.sep not in value:
+            return value
+        for directory in around:
+            value = without_directory(value, directory)
+        return without_directory(value, home, "~/")
+
+    found: ReportDocument = portable(document)
+    return found
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:

@@ -1,9 +1,10 @@
 """Findings for a page: with the piece of source that they are about, and the links they concern."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from urdfkit.lint import rule_index
+from urdfkit.output.formats import json as as_json
 from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Span
@@ -16,21 +17,25 @@ MAX_SIDE, MAX_MARKED = 80, 240
 _MORE = "..."
 
 
-def findings(
-    diagnostics: Sequence[Diagnostic], written: Sequence[dict[str, Any]], places: ElementLookup
-) -> list[dict[str, Any]]:
+def findings(diagnostics: Iterable[Diagnostic], places: ElementLookup) -> list[dict[str, Any]]:
     """The findings, each as the JSON report has it, with what a page needs besides."""
     return [
         {
-            **{key: value for key, value in entry.items() if key != "variants"},  # it is one
+            **_written(found),
             "family": rule_index.FAMILIES.get(found.code[:3], found.code[:3]),
             "links": _unique(places.link(call.element) for call in found.calls),
             "joints": _unique(places.joint(call.element) for call in found.calls),
             "excerpt": excerpt(found.span),
             "explanation": rule_index.get(found.code).explanation,
         }
-        for found, entry in zip(diagnostics, written, strict=True)
+        for found in diagnostics
     ]
+
+
+def _written(found: Diagnostic) -> dict[str, Any]:
+    entry = as_json.finding(found)
+    del entry["variants"]  # a report is about one
+    return entry
 
 
 def _unique(names: Any) -> list[str]:
@@ -54,11 +59,9 @@ def _plain(span: Span, number: int) -> dict[str, Any]:
 
 def _marked(span: Span) -> dict[str, Any]:
     data = span.source.data
-    begin = max(data.rfind(b"\n", 0, span.start), data.rfind(b"\r", 0, span.start)) + 1
-    ends = (data.find(b"\n", span.start), data.find(b"\r", span.start))
-    end = min((at for at in ends if at >= 0), default=len(data))
+    begin, end = span.source.line_bounds(span.line)
     before, marked, after = (
-        _shown(data[start:stop].decode("utf-8", "replace"))
+        _shown(data[start:stop].decode("utf-8", "replace").rstrip("\r\n"))
         for start, stop in (
             (max(begin, span.start - 4 * MAX_SIDE), span.start),
             (span.start, min(span.end, end, span.start + 4 * MAX_MARKED)),

@@ -104,7 +104,7 @@ def _link(link: Link) -> dict[str, Any]:
 
 
 def _joints(context: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
-    """One joint for each link that has a parent, as `mechanics.kinematics.frames` has it."""
+    """One joint for each link that has a parent, as `urdfkit.robot.kinematics.frames` has it."""
     joints = context.model.joints_by_name
     every = laws(joints)
     order = {name: number for number, name in enumerate(joints)}

@@ -220,8 +220,8 @@ def _sort_placeholders(
     for group in by_tensor(placeholders):
         free = [link for link in group if link.name not in by_macro]
         unknown = len(free) >= MANY or any(w.radius_of_gyration > WIDE for w in free)
-        shape_mass = any(matters(w.body, w.moments[2]) for w in free)
-        if unknown and shape_mass and group[0].tensor not in reported:
+        is_noticeable = any(matters(w.body, w.moments[2]) for w in free)
+        if unknown and is_noticeable and group[0].tensor not in reported:
             found.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)
         else:
             unlike = [link for link in group if _is_unlike_shape(link)]

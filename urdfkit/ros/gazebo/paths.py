@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.file_head import read_head
 
 #: Bounds of the search.
 MAX_DIRECTORIES, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
 
 _STARTERS = (b"ros_gz_sim", b"ros_ign_gazebo", b"gazebo_ros", b"gz_sim.launch", b"spawn_entity")
-_TELLERS = (
+_VARIABLES = (
     b"gazebo_model_path",
     b"GAZEBO_MODEL_PATH",
     b"GZ_SIM_RESOURCE_PATH",
@@ -36,7 +36,7 @@ class ResourcePaths(Record):
     """What the files of a workspace say."""
 
     starter: str | None  # a launch file that starts Gazebo; None if there is none
-    is_reported: bool  # True if a file mentions Gazebo's resource path, or not all could be read
+    is_mentioned: bool  # True if a file mentions Gazebo's resource path, or not all could be read
 
 
 def survey(root: str, directories: Directories) -> ResourcePaths:
@@ -46,8 +46,8 @@ def survey(root: str, directories: Directories) -> ResourcePaths:
     ]
     starter = None
     for path in files[:MAX_FILES]:
-        data = _begin(path)
-        if any(word in data for word in _TELLERS):
+        data = read_head(path, MAX_BYTES)
+        if any(word in data for word in _VARIABLES):
             return ResourcePaths(starter, True)
         if starter is None and _is_launch(path) and any(word in data for word in _STARTERS):
             starter = path
@@ -57,12 +57,3 @@ def survey(root: str, directories: Directories) -> ResourcePaths:
 def _is_launch(path: str) -> bool:
     name = os.path.basename(path)
     return name.endswith((".launch", ".launch.xml", ".launch.py")) or "_launch." in name
-
-
-def _begin(path: str) -> bytes:
-    try:
-        if not disk.is_file(path):
-            return b""
-        return disk.read(path, MAX_BYTES)
-    except OSError:
-        return b""

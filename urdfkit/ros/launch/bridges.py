@@ -8,7 +8,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.text.located_yaml import Value, load
+from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -95,9 +95,7 @@ def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
     except UnreadableFile:
         return
     for entry in entries if isinstance(entries, list) else ():
-        if not isinstance(entry, dict):
-            continue
-        values = {str(key): one for key, one in entry.items() if isinstance(one, Value)}
+        values = {str(key): one for key, one in mapping(entry).items() if isinstance(one, Value)}
         given = {key: one.text for key, one in values.items()}
         if not values or "service_name" in given:
             continue

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
-from urdfkit.text.located_yaml import Key, Node, Value, load
+from urdfkit.ros.launch.rviz import displays, manager_of
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 
 if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import Launch
@@ -62,7 +63,7 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     stack: list[tuple[Node, bool]] = [(load(source), False)]
     while stack:
         node, is_inside = stack.pop()
-        for key, value in node.items() if isinstance(node, dict) else ():
+        for key, value in mapping(node).items():
             if is_inside and key in _OF_ROBOT and isinstance(value, Value):
                 yield key, key, value
             elif isinstance(value, dict) and isinstance(key, Key):
@@ -71,23 +72,10 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
 
 def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in a configuration of RViz: the fixed one, and those of displays that are on."""
-    root = load(source)
-    manager = root.get("Visualization Manager") if isinstance(root, dict) else None
-    if not isinstance(manager, dict):
-        return
-    options = manager.get("Global Options")
-    fixed = options.get("Fixed Frame") if isinstance(options, dict) else None
+    fixed = mapping(manager_of(source), "Global Options").get("Fixed Frame")
     if isinstance(fixed, Value):
         yield "Fixed Frame of RViz", "", fixed
-    displays = manager.get("Displays")
-    stack: list[Node] = list(displays) if isinstance(displays, list) else []
-    while stack:
-        display = stack.pop()
-        if not isinstance(display, dict):
-            continue
-        frame, enabled = display.get("Reference Frame"), display.get("Enabled")
-        is_on = not isinstance(enabled, Value) or enabled.text.lower() == "true"
-        if is_on and isinstance(frame, Value):
+    for display in displays(source):
+        frame = display.get("Reference Frame")
+        if isinstance(frame, Value):
             yield "display of RViz", "", frame
-        inner = display.get("Displays")
-        stack += inner if is_on and isinstance(inner, list) else []

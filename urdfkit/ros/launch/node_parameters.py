@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.text.located_yaml import Key, Node, load
+from urdfkit.text.located_yaml import Key, Node, load, mapping
 from urdfkit.text.source import Source, Span
 
 _PARAMETERS = "ros__parameters"
@@ -25,13 +25,13 @@ def node_parameters(source: Source) -> Iterator[NodeParameters]:
     stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
     while stack:
         node, above, outside = stack.pop()
-        if not isinstance(node, dict):
-            continue
-        inside = node.get(_PARAMETERS)
+        inside = mapping(node).get(_PARAMETERS)
         if above is not None and isinstance(inside, dict):
             namespace, _, name = f"{outside}/{above}".rpartition("/")
             yield NodeParameters(name, above.span, inside, namespace)
             continue
         within = f"{outside}/{above}" if above else ""
-        keys = [(key, value) for key, value in reversed(node.items()) if isinstance(key, Key)]
+        keys = [
+            (key, value) for key, value in reversed(mapping(node).items()) if isinstance(key, Key)
+        ]
         stack += [(value, key, within) for key, value in keys]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.text.located_yaml import Key, Node, Value, load
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
 
 if TYPE_CHECKING:
     from urdfkit.ros.moveit.srdf import Srdf
@@ -58,9 +58,8 @@ def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
     """The joints that the files name, each with who names it."""
     for name, section in controllers(srdf, resolver):
-        joints = section.get("joints")
-        for joint in joints if isinstance(joints, list) else ():
-            if isinstance(joint, Value) and not joint.text.startswith(_OPEN):
+        for joint in scalars(section.get("joints")):
+            if not joint.text.startswith(_OPEN):
                 yield f"controller '{name}'", joint
     for _, positions in _mappings(load_next_to(srdf, _INITIAL, resolver)):
         for key in positions:
@@ -74,33 +73,29 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
         root = load_next_to(srdf, file, resolver)
         for _, manager in _mappings(root):
             yield from _mappings(manager)
-        listed = root.get("controller_list") if isinstance(root, dict) else None
+        listed = root.get("controller_list")
         for item in listed if isinstance(listed, list) else ():  # in ROS 1
-            name = item.get("name") if isinstance(item, dict) else None
-            if isinstance(item, dict) and isinstance(name, Value):
-                yield name.text, item
+            if isinstance(name := mapping(item).get("name"), Value):
+                yield name.text, mapping(item)
 
 
 def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
     """The settings of the controllers of MoveIt 2, by the places of their names."""
-    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = root.get(MANAGER) if isinstance(root, dict) else None
-    for key, entry in _mappings(manager):
+    for key, entry in _mappings(mapping(load_next_to(srdf, _OF_CONTROLLERS[0], resolver), MANAGER)):
         if not key.startswith(_OPEN):
             yield key, entry
 
 
 def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
     """The plugin by which MoveIt 2 talks to controllers."""
-    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    found = root.get("moveit_controller_manager") if isinstance(root, dict) else None
+    found = load_next_to(srdf, _OF_CONTROLLERS[0], resolver).get("moveit_controller_manager")
     return found if isinstance(found, Value) else None
 
 
 def misplaced_controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, str]]:
     """Sections with the names of controllers in a file without the one that is read, its name."""
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    if isinstance(root, dict) and MANAGER not in root:
+    if MANAGER not in root:
         for key, section in _mappings(root):
             if isinstance(section.get("controller_names"), list) and "ros__parameters" not in root:
                 yield key, MANAGER
@@ -114,29 +109,28 @@ def names_without_settings(
     True if the settings stand in the file, but not below the manager.
     """
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = root.get(MANAGER) if isinstance(root, dict) else None
-    names = manager.get("controller_names") if isinstance(manager, dict) else None
+    manager = mapping(root, MANAGER)
     known = [str(key) for key, _ in _mappings(manager)]
-    for name in names if isinstance(names, list) else ():
-        if isinstance(name, Value) and name.text not in known and not name.text.startswith(_OPEN):
-            yield name, known, isinstance(root, dict) and name.text in root
+    for name in scalars(manager.get("controller_names")):
+        if name.text not in known and not name.text.startswith(_OPEN):
+            yield name, known, name.text in root
 
 
-def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:
-    for key, inner in node.items() if isinstance(node, dict) else ():
+def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:
+    for key, inner in node.items():
         if isinstance(key, Key) and isinstance(inner, dict):
             yield key, inner
 
 
-def load_next_to(srdf: Srdf, name: str, resolver: Resolver) -> Node:
-    """A YAML file next to an SRDF, or in the configuration that it is part of; None without one."""
+def load_next_to(srdf: Srdf, name: str, resolver: Resolver) -> dict[str, Node]:
+    """A YAML file next to an SRDF, or in the configuration that it is part of; else empty."""
     directory = os.path.dirname(os.path.abspath(srdf.path))
     above = os.path.dirname(directory)
     for place in (directory, above, os.path.join(above, "config")):
         path = os.path.join(place, name)
         if disk.is_file(path) and resolver.allows(path, srdf.path):
             try:
-                return load(resolver.read(path))
+                return mapping(load(resolver.read(path)))
             except UrdfkitError:
-                return None
-    return None
+                return {}
+    return {}

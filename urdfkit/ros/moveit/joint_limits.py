@@ -12,7 +12,7 @@ from urdfkit.core.record import Record
 from urdfkit.robot.values import number
 from urdfkit.ros import RosDescription
 from urdfkit.ros.moveit.config import load_next_to
-from urdfkit.text.located_yaml import Key, Value
+from urdfkit.text.located_yaml import Key, Value, mapping
 
 _FILE = "joint_limits.yaml"
 _ON = ("true", "yes", "on", "1")
@@ -45,9 +45,7 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     if description.srdf is None:
         return
     root = load_next_to(description.srdf, _FILE, description.resolver)
-    limits = root.get("joint_limits") if isinstance(root, dict) else None
-    for name, entry in limits.items() if isinstance(limits, dict) else ():
-        values = entry.items() if isinstance(entry, dict) else ()
-        given = {key: value for key, value in values if isinstance(value, Value)}
+    for name, entry in mapping(root, "joint_limits").items():
+        given = {key: one for key, one in mapping(entry).items() if isinstance(one, Value)}
         if given and isinstance(name, Key):
             yield PlannedLimit(name, name.at, given)
