@@ -256,7 +256,7 @@ class _SettingsReader(SettingsTable):
         """See that the configuration names a path of its own workspace, or is trusted."""
         if self.trusted:
             return
-        from urdfkit.workspace.package_directories import is_within
+        from urdfkit.core.paths import is_within
         from urdfkit.workspace.resolve import Resolver
 
         packages = Resolver().packages

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.lint.entry_points import ROOT, DirectoryContents, EntryPoints
@@ -46,7 +47,8 @@ def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryCon
     """
     entry_points = _entry_points(directory, config, resolver)
     found = entry_points.contents()
-    configured = tuple(robot for robot in config.robots if _is_within(robot.file, directory))
+    top = os.path.abspath(directory)
+    configured = tuple(robot for robot in config.robots if is_within(robot.file, top))
     if configured:
         named = {disk.real(robot.file) for robot in configured}
         reached = {path for robot in named for path in entry_points.graph.closure(robot)}
@@ -107,9 +109,9 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
     for directory, here in sorted(changed.items()):
         entry_points = _entry_points(directory, config, resolver)
         found, graph = entry_points.contents(), entry_points.graph
-        known = [robot for robot in config.robots if _is_within(robot.file, directory)]
+        known = [robot for robot in config.robots if is_within(robot.file, directory)]
         # A configuration names the robots below itself; it knows nothing of those in siblings.
-        others = [r for r in found.robots if not (known and _is_within(r.file, config.directory))]
+        others = [r for r in found.robots if not (known and is_within(r.file, config.directory))]
         robots += sorted(
             (
                 robot
@@ -127,17 +129,11 @@ def _repository(file: str, resolver: Resolver) -> str:
     directory = os.path.dirname(file)
     while not disk.is_directory(directory):  # the file is gone, with its directory
         directory = os.path.dirname(directory)
-    above = own = directory
-    while not disk.exists(os.path.join(above, ".git")):
-        above, below = os.path.dirname(above), above
-        if above == below:
-            package = resolver.packages.enclosing(os.path.join(own, "x"))
-            return package[1] if package else own
-    return above
-
-
-def _is_within(path: str, directory: str) -> bool:
-    return path.startswith(os.path.join(os.path.abspath(directory), ""))
+    for above in upwards(directory):
+        if disk.exists(os.path.join(above, ".git")):
+            return above
+    package = resolver.packages.enclosing(os.path.join(directory, "x"))
+    return package[1] if package else directory
 
 
 def descriptions(directory: str, config: Config, directories: Directories) -> Iterator[str]:

@@ -105,11 +105,18 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
     for plugin in () if _runs_on_hardware(description) else control_plugins(description.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
+            if _is_address(path):
+                files.setdefault(path, ParameterFile(element.span, path, None, element))
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
             found = path if disk.is_file(path) else description.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
+
+
+def _is_address(path: str) -> bool:
+    """True for ``package://...`` and the like, of which the control plugins make no path."""
+    return path.startswith(("package://", "model://", "file://")) and not is_expression(path)
 
 
 def _runs_on_hardware(description: RosDescription) -> bool:

@@ -3,21 +3,19 @@
 import os
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 
 FILES = ("urdfkit.toml", "pyproject.toml")
 
 
 def nearest(start: str) -> str | None:
     """Path of the nearest configuration upwards of a file or directory, or None."""
-    directory = os.path.abspath(start)
-    while True:
+    for directory in upwards(os.path.abspath(start)):
         for name in FILES:
             path = os.path.join(directory, name)
             if disk.is_file(path) and (name != "pyproject.toml" or _mentions_us(path)):
                 return path
-        directory, below = os.path.dirname(directory), directory
-        if directory == below:
-            return None
+    return None
 
 
 def _mentions_us(path: str) -> bool:

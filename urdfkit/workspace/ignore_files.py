@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 
 
 def note(path: str) -> None:
@@ -19,15 +20,13 @@ def note(path: str) -> None:
 
 def _deciding(path: str) -> Iterator[str]:
     """https://git-scm.com/docs/gitignore; what is in the index is never ignored."""
-    directory = os.path.dirname(path)
-    while True:
+    for directory in upwards(os.path.dirname(path)):
         yield os.path.join(directory, ".gitignore")
         git = os.path.join(directory, ".git")
         if disk.exists(git):
             break
-        directory, below = os.path.dirname(directory), directory
-        if directory == below:
-            return
+    else:
+        return
     if disk.is_file(git):  # of a submodule or a linked working tree
         git = _named(git, directory)
     common = _named(os.path.join(git, "commondir"), git) or git

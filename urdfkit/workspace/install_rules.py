@@ -50,6 +50,17 @@ class InstallRules:
             return self._is_data(relative)
         return any(_overlap(relative, target) for target in self._targets) or self._is_unclear
 
+    def misplaced(self, relative: str) -> str:
+        """Where a path is installed, if that is not below ``share/<package>`` as in the source.
+
+        Empty if it is installed as it should be, not at all, or if that is not clear.
+        """
+        if not self.file.endswith(".txt") or self._has_unclear_commands:
+            return ""
+        rules = read_rules(self._directory, self._package)
+        places = [place for rule in rules if (place := rule.place(relative))]
+        return "" if f"share/{self._package}/{relative}" in places else "".join(places[:1])
+
     def _is_data(self, relative: str) -> bool:
         """True if a setup.py may list a path among its data files."""
         top = relative.partition("/")[0]
@@ -110,7 +121,12 @@ class InstallRules:
     @cached_property
     def _is_unclear(self) -> bool:
         """True if the CMake file installs nothing that is known, or something else as well."""
-        if not self._targets or re.search(_UNCLEAR, self._text):
+        return not self._targets or self._has_unclear_commands
+
+    @cached_property
+    def _has_unclear_commands(self) -> bool:
+        """True if other commands of the CMake file may install what is not known here."""
+        if re.search(_UNCLEAR, self._text):
             return True
         known = set(known_variables(self._package))
         for command, first, rest in re.findall(_COMMAND, self._text):

@@ -37,6 +37,12 @@ class Installed(Record):
     source: str  # path below the package's directory
     target: str  # where it is installed, below the prefix
 
+    def place(self, path: str) -> str:
+        """Where a path below the package's directory is installed; empty if it is not."""
+        if path == self.source or path.startswith(f"{self.source}/"):
+            return posixpath.normpath(self.target + path[len(self.source) :])
+        return ""
+
 
 class _Command(Record):
     name: str
@@ -80,6 +86,9 @@ def known_variables(package: str) -> dict[str, str]:
         "CMAKE_INSTALL_DATAROOTDIR": "share",
         "CMAKE_INSTALL_FULL_DATADIR": "share",
         "CATKIN_PACKAGE_SHARE_DESTINATION": share,
+        "CATKIN_PACKAGE_BIN_DESTINATION": f"lib/{package}",
+        "CATKIN_PACKAGE_INCLUDE_DESTINATION": f"include/{package}",
+        "CATKIN_PACKAGE_LIB_DESTINATION": "lib",
         "CATKIN_GLOBAL_SHARE_DESTINATION": "share",
     }
 

@@ -6,6 +6,7 @@ import os
 import re
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.comments import without_comments
@@ -156,11 +157,6 @@ def known_tags(number: str | None) -> frozenset[str]:
 
 def nearest_manifest(path: str) -> str | None:
     """The package.xml around a file, whatever is in it."""
-    directory = os.path.dirname(os.path.abspath(path))
-    while True:
-        file = os.path.join(directory, "package.xml")
-        if disk.is_file(file):
-            return file
-        directory, below = os.path.dirname(directory), directory
-        if directory == below:
-            return None
+    directories = upwards(os.path.dirname(os.path.abspath(path)))
+    files = (os.path.join(directory, "package.xml") for directory in directories)
+    return next(filter(disk.is_file, files), None)

@@ -1,10 +1,10 @@
 """Which files a program may edit: what people wrote, in their own workspace."""
 
-import os
 import re
 from collections.abc import Iterable
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.gitignore import GitIgnored
@@ -60,7 +60,7 @@ class Ownership:
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
         real = disk.real(path)
-        return any(real.startswith(os.path.join(directory, "")) for directory in self._workspaces)
+        return any(is_within(real, directory) for directory in self._workspaces)
 
     def _why_protected(self, source: Source, path: str) -> str:
         if not self.owns(path):

@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Mapping
-from functools import lru_cache
 
 from urdfkit.core import disk
 from urdfkit.text.comments import without_comments
@@ -41,10 +40,6 @@ def is_searched(name: str) -> bool:
     return name[0] != "." and name not in _NOT_SOURCES
 
 
-def is_within(path: str, directory: str) -> bool:
-    return os.path.join(path, "").startswith(os.path.join(directory, ""))
-
-
 def _package_name(directory: str) -> str | None:
     data = read_marker(directory, "package.xml")
     if data:
@@ -60,10 +55,3 @@ def _package_name(directory: str) -> str | None:
 def read_marker(directory: str, name: str) -> bytes:
     """A package.xml or manifest.xml without its comments; empty if there is none."""
     return without_comments(read_head(os.path.join(directory, name), 65_536))
-
-
-@lru_cache(maxsize=1024)
-def upwards(directory: str) -> tuple[str, ...]:
-    """A directory and those above it, the innermost first."""
-    above = os.path.dirname(directory)
-    return (directory,) if above == directory else (directory, *upwards(above))

@@ -9,14 +9,10 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import Directories
-from urdfkit.workspace.package_directories import (
-    PackageDirectories,
-    is_within,
-    read_marker,
-    upwards,
-)
+from urdfkit.workspace.package_directories import PackageDirectories, read_marker
 from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
 
 if TYPE_CHECKING:

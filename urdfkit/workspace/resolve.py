@@ -14,10 +14,10 @@ from stat import S_ISDIR, S_ISREG
 
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.directories import Directories
-from urdfkit.workspace.package_directories import upwards
 from urdfkit.workspace.package_files import PackageFiles, join
 from urdfkit.workspace.packages import Packages, path_list
 from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
@@ -206,14 +206,14 @@ class Resolver:
         if not roots.isdisjoint(upwards(real)):
             return True
         certain = (self.directories.real(one.directory) for one in chosen if one.certain)
-        if any(_within(real, directory) for directory in certain):
+        if any(is_within(real, directory) for directory in certain):
             return True
-        if any(_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
+        if any(is_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True
         package = self.packages.enclosing(real)
         around = [package[1]] if package else []
         around += [
-            candidate.directory for candidate in chosen if _within(real, candidate.directory)
+            candidate.directory for candidate in chosen if is_within(real, candidate.directory)
         ]
         return any(not levels().isdisjoint(upwards(directory)) for directory in around)
 
@@ -262,7 +262,7 @@ class Resolver:
         if not relative or (package and package[0] != name):
             return None
         root, directory = self.packages.workspace(near), self.packages.directory_of(near)
-        while _within(directory, root):
+        while is_within(directory, root):
             for path in (relative, f"{name}/{relative}"):
                 if found := self.directories.find(directory, path):
                     return found
@@ -319,7 +319,3 @@ class Resolver:
 
 def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
     return {disk.real(path): data for path, data in texts.items()}
-
-
-def _within(path: str, directory: str) -> bool:
-    return path == directory or path.startswith(directory.rstrip(os.sep) + os.sep)

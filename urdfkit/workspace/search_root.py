@@ -25,13 +25,9 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.memo import Memo
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
-from urdfkit.workspace.package_directories import (
-    PackageDirectories,
-    is_searched,
-    is_within,
-    upwards,
-)
+from urdfkit.workspace.package_directories import PackageDirectories, is_searched
 
 #: Depth at which a directory next to a package shows that it holds packages of its own.
 DEPTH_OF_REPOSITORIES = 2

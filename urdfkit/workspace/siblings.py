@@ -43,7 +43,8 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     They name it with arguments of its own, or do not say which file they are made for.
 
     Args:
-        name: of it; an SRDF is of the robot that it is called like.
+        name: of it; an SRDF is of the robot that it is called like, or of that which a launch file
+            of MoveIt starts it with.
     """
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
@@ -54,7 +55,22 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         is_for = package is not None and setup.is_for(robot, package)
         if not setup.urdf or (is_for and setup.has_arguments):
             directories.update(dict.fromkeys(_directories(moveit, setup)))
-    return [path for path in _srdf_in(directories, resolver) if _may_be_called(path, name)]
+    files = list(_srdf_in(directories, resolver))
+    return [path for path in files if _may_be_called(path, name)] or [
+        path for path in files if _is_started_with(path, robot, resolver)
+    ]
+
+
+def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
+    """True if a launch file next to an SRDF names it and the robot for MoveIt."""
+    directory = os.path.join(os.path.dirname(os.path.dirname(srdf)), "launch")
+    for name in resolver.directories.entries(directory) or ():
+        if name.endswith(".launch.py"):
+            text = read_head(os.path.join(directory, name), 100_000).decode("utf-8", "replace")
+            words = ("MoveItConfigsBuilder", os.path.basename(srdf), os.path.basename(robot))
+            if all(word in text for word in words):
+                return True
+    return False
 
 
 def _is_for_tests(robot: str, package: tuple[str, str] | None) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
+from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.workspace.resolve import Resolver
@@ -50,15 +51,11 @@ def as_it_was(
 def _packages(path: str, given: Mapping[str, str], top: str, directory: str) -> dict[str, str]:
     """The packages that the file may need: of the repository as they were, else as they are."""
     around = Resolver().packages.known(path)
-    outside = {name: at for name, at in around.items() if not _is_within(at, top)}
+    outside = {name: at for name, at in around.items() if not is_within(os.path.realpath(at), top)}
     real = {name: os.path.realpath(at) for name, at in given.items()}
     return outside | {name: _moved(at, top, directory) for name, at in real.items()}
 
 
 def _moved(path: str, top: str, directory: str) -> str:
     """A path of the repository in the directory that holds its old files; others stay."""
-    return os.path.join(directory, os.path.relpath(path, top)) if _is_within(path, top) else path
-
-
-def _is_within(path: str, directory: str) -> bool:
-    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(directory, ""))
+    return os.path.join(directory, os.path.relpath(path, top)) if is_within(path, top) else path

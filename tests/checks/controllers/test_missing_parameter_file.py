@@ -45,7 +45,7 @@ def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:
 
 
 def test_paths_that_say_nothing_here() -> None:
-    for path in ("c.yaml", "$(find p)/c.yaml", "", "package://p/c.yaml"):
+    for path in ("c.yaml", "$(find p)/c.yaml", ""):
         assert reported("RCT026", robot(path)) == []
     other = plugin("libgazebo_ros_camera.so", "<parameters>/no/such.yaml</parameters>")
     assert reported("RCT026", ROBOT + other) == []

@@ -147,3 +147,35 @@ def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
 )
 def test_what_may_be_there_is_calm(tmp_path: Path, kind: str) -> None:
     assert reported(tmp_path, "RCT034", DRIVE.replace(CLASS, kind)) == []
+
+
+TRAJECTORY = """\
+controller_manager:
+  ros__parameters:
+    drive: {type: joint_trajectory_controller/JointTrajectoryController}
+drive:
+  ros__parameters:
+    joints: [left_joint]
+    command_interfaces: [velocity]
+    state_interfaces: [position, velocity]
+    gains: {left_joint: {p: 1.0}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("[left_joint]", "[left_joint, left_joint]", "joints has 'left_joint' twice"),
+        ("[position, velocity]", "[velocity]", "state_interfaces has velocity without position"),
+        ("    gains: {left_joint: {p: 1.0}}\n", "", "the command interface velocity needs gains"),
+    ],
+)
+def test_a_trajectory_controller(tmp_path: Path, old: str, new: str, message: str) -> None:
+    assert reported(tmp_path, "RCT034", TRAJECTORY) == []
+    (found,) = reported(tmp_path, "RCT034", TRAJECTORY.replace(old, new))
+    assert message in found.message
+
+
+def test_commands_without_feedback_need_no_gains(tmp_path: Path) -> None:
+    text = TRAJECTORY.replace("gains: {left_joint: {p: 1.0}}", "open_loop_control: true")
+    assert reported(tmp_path, "RCT034", text) == []

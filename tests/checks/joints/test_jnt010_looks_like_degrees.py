@@ -249,3 +249,10 @@ def test_wheels_are_fast() -> None:
 def test_a_robot_of_one_link() -> None:
     shape = '<origin rpy="90 0 0"/><geometry><sphere radius="1"/></geometry>'
     assert len(messages("JNT010", f'<link name="a"><visual>{shape}</visual></link>')) == 1
+
+
+def test_radians_that_were_converted_the_wrong_way() -> None:
+    text = robot(joint("j", "revolute", limit("-177.616916", "177.616916")))
+    (message,) = messages("JNT010", text)
+    assert message.endswith("177.617] rad, 28.3 turns, which looks like degrees")
+    assert limit("-3.099999991", "3.099999991") in fixed("JNT010", text)

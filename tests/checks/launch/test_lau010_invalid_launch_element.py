@@ -108,3 +108,70 @@ def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, hel
 )
 def test_separated_or_unknown_pieces(tmp_path: Path, command: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch.py", f"Command({command})") == []
+
+
+SPAWNER = "Node(package='controller_manager', executable='spawner')"
+LASTING = "Node(package='robot_state_publisher', executable='robot_state_publisher')"
+PROGRAM = "def generate_launch_description():\n    {}\n"
+HANDLED = "LaunchDescription([{}RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))])"
+
+
+def described(first: str, entities: str) -> str:
+    """A launch file with the actions ``a`` and ``b``."""
+    return f"a = {first}\nb = {SPAWNER}\n" + PROGRAM.format(f"return {entities}")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (described(SPAWNER, HANDLED.format("a, b, ")), "'b' is started twice, and launch stops at"),
+        (described(LASTING, HANDLED.format("a, ")), "it is started when robot_state_publisher"),
+        (described(SPAWNER, "LaunchDescription([a, TimerAction(actions=b)])"), "actions of Timer"),
+        (described(SPAWNER, "LaunchDescription(a)"), "initial_entities of LaunchDescription is"),
+        (PROGRAM.format("LaunchDescription([])"), "generate_launch_description() returns nothing"),
+        (
+            PROGRAM.replace("ption", "pton").format("return LaunchDescription([])"),
+            "launch calls generate_launch_description(), which is missing",
+        ),
+        (
+            "XMLLaunchDescriptionSource('/a/b.launch.py')",
+            "XMLLaunchDescriptionSource does not read 'b.launch.py'",
+        ),
+        ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
+    ],
+)
+def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -> None:
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert [one.message[: len(message)] for one in found if one.severity.name != "INFO"] == [
+        message
+    ] or [one.message[: len(message)] for one in found] == [message]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        described(SPAWNER, HANDLED.format("a, ")),
+        described(SPAWNER, "LaunchDescription([a, TimerAction(actions=[b])])"),
+        described(LASTING, HANDLED.format("a, ").replace("[b]", "[Shutdown()]")) + "b.x\n",
+        PROGRAM.format("raise ValueError"),
+        PROGRAM.format("if x:\n        return LaunchDescription([])"),
+        "from a import generate_launch_description\nLaunchDescription([])\n",
+        "PythonLaunchDescriptionSource('/a/b.launch.py')",
+        "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",
+    ],
+)
+def test_programs_that_launch_takes(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "help"),
+    [
+        (ROS_2 + '<node pkg="a" exec="b" args="$(find a)/c"/>', "write $(find-pkg-share ...)"),
+        (ROS_2 + '<node pkg="a" exec="b" if="$(arg x)"/>', "write $(var ...)"),
+        (ROS_1 + '<node pkg="a" type="b" name="c" args="$(var x)"/>', "write $(arg ...)"),
+    ],
+)
+def test_substitutions_of_the_other_ros(tmp_path: Path, text: str, help: str) -> None:
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
+    assert (found.span.line, found.help) == (3, help)

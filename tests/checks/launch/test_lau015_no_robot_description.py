@@ -61,3 +61,35 @@ def test_calm_in_xml(tmp_path: Path, text: str) -> None:
 def test_the_path_of_a_file(tmp_path: Path, value: str, count: int) -> None:
     text = NODE.format(f", parameters=[{{'robot_description': {value}}}]")
     assert len(reported(tmp_path, "LAU015", "a.launch.py", text)) == count
+
+
+XACRO = {
+    "arm.xacro": '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:if value="1"/></robot>'
+}
+PLAIN = {"arm.xacro": "<robot><!-- <xacro:if/> --></robot>"}
+READS = [
+    "text = open('../arm.xacro').read()\n",
+    "with open('../arm.xacro') as f:\n    text = f.read()\n",
+    "from pathlib import Path\ntext = Path('../arm.xacro').read_text()\n",
+]
+
+
+@pytest.mark.parametrize("read", READS)
+@pytest.mark.parametrize(("files", "count"), [(XACRO, 1), (PLAIN, 0)])
+def test_a_xacro_that_nothing_expands(
+    tmp_path: Path, read: str, files: dict[str, str], count: int
+) -> None:
+    text = read + NODE.format(", parameters=[{'robot_description': text}]")
+    assert len(reported(tmp_path, "LAU015", "a.launch.py", text, files)) == count
+
+
+def test_a_xacro_that_is_expanded_is_calm(tmp_path: Path) -> None:
+    text = "import xacro\ntext = xacro.parse(open('../arm.xacro')).toxml()\n"
+    text += NODE.format(", parameters=[{'robot_description': text}]")
+    assert reported(tmp_path, "LAU015", "a.launch.py", text, XACRO) == []
+
+
+def test_a_textfile_of_ros_1(tmp_path: Path) -> None:
+    text = '<param name="robot_description" textfile="$(dirname)/../arm.xacro"/>'
+    (found,) = reported(tmp_path, "LAU015", "a.launch", text, XACRO)
+    assert found.message == "'arm.xacro' is a xacro file, which nothing expands here"

@@ -31,6 +31,7 @@ FILES = {
     "config/good.yaml": _YAML,
 }
 
+_FIND = "$(find PACKAGE)/config/FILE.yaml in the xacro, which works everywhere"
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
 
@@ -47,7 +48,10 @@ def check(context: Context) -> Findings:
 
 def _missing(context: Context) -> Findings:
     for file in parameter_files(context):
-        if file.found is None and file.element:  # LAU003 reports those of launch files
+        if file.element and "://" in file.path:
+            message = f"the plugin takes '{file.path}' for a path, which does not exist"
+            yield Finding(file.element, message, f"write {_FIND}")
+        elif file.found is None and file.element:  # LAU003 reports those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
                 continue  # the launch file writes it first
             is_here = context.resolver.packages.searches(file.path, context.source.path)
@@ -60,6 +64,6 @@ def _missing(context: Context) -> Findings:
             yield Finding(
                 file.element,
                 f"parameter file not found{where}: {file.path}{hint}",
-                "correct the path; $(find PACKAGE)/config/FILE.yaml in the xacro works everywhere",
+                f"correct the path; write {_FIND}",
                 severity=Severity.INFO if is_chosen else severity,
             )

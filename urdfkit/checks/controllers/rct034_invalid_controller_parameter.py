@@ -11,6 +11,9 @@ The controller manager does not load the controller, or the controller runs with
   `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
   type". Only what all versions of a class since Humble agree on is reported.
 - A value that must be positive is not.
+- A trajectory controller has a joint or an interface twice, or the state interface `velocity`
+  without `position`: it is not configured. With `effort` or `velocity` as its only command
+  interface a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
 
 Only classes of the packages that urdfkit knows are checked, and not those of a package of the
 workspace, which may have parameters of its own.
@@ -19,11 +22,14 @@ Sources:
     rclcpp, parameter types: https://docs.ros.org/en/rolling/Concepts/Basic/About-Parameters.html
     ros2_controllers: https://control.ros.org/master/doc/ros2_controllers/doc/controllers_index.html
     ros_controllers: https://wiki.ros.org/ros_controllers
+    joint_trajectory_controller, interfaces: https://control.ros.org/master/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
+    ros-controls/ros2_controllers#1631: https://github.com/ros-controls/ros2_controllers/issues/1631
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
 from collections.abc import Iterator
 
+from urdfkit.checks.controllers.trajectory_interfaces import invalid_interfaces, without_gains
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
@@ -86,7 +92,8 @@ def check(context: Context) -> Findings:
             problems = [*_unknown_class(one), *_missing(one, own, others)]
             if known is not None:
                 problems += _invalid_values(known, one.section)
-            typos = list(_misspelt(one))
+            problems += invalid_interfaces(one)
+            typos = [*_misspelt(one), *without_gains(one, own)]
             for severity, several in ((None, problems), (Severity.WARNING, typos)):
                 for span, message, help in several:
                     at, whole = Location(span), f"controller '{one.name}': {message}"
@@ -144,7 +151,12 @@ def _missing(
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
     absent = [name for name in required if name not in own.places]
-    missing = [name for name in absent if not nearest(name, own.places, _PARAMETER_TYPO)]
+    spelt = parameters(controller.type) if controller.type in controller_types() else ()
+    missing = [
+        name
+        for name in absent
+        if name not in spelt or not nearest(name, own.places, _PARAMETER_TYPO)
+    ]
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:
         yield own.at, message, "add " + " and ".join(f"{name}: ..." for name in missing)

@@ -72,7 +72,10 @@ def _worlds(context: Context) -> Findings:
                 hint = f"did you mean '{suggested}'?" if suggested else ""
                 yield Finding(Location(started.span), f"world not found: {name}", hint)
         elif started.generation == GZ and name and not started.is_shipped:
-            suggested = next((one for one in shipped_worlds() if is_typo(name, one)), None)
+            other = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
+            suggested = next(
+                (one for one in shipped_worlds() if is_typo(name, one) or one == other), None
+            )
             root = packages.workspace(context.source.path)
             files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
             if suggested and not any(path.endswith(f"/{name}") for path in files):

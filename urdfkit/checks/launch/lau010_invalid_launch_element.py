@@ -5,13 +5,20 @@
 - An attribute is unknown, or its value is not one of those allowed. `ros2 launch` stops at it:
   "Unexpected attribute(s) found"; `roslaunch` ignores it. Many are typos, others belong to the
   other ROS, which calls the executable of a node `type` (ROS 1) or `exec` (ROS 2).
+- A substitution is that of the other ROS (error): `$(find x)` and `$(arg x)` are
+  `$(find-pkg-share x)` and `$(var x)` in ROS 2.
 - A tag is misspelt. Packages may bring tags of their own, so only typos of known tags are reported.
 - The pieces of a `Command` have no space between them (error). launch joins them as they are:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
 - A call in Python has a value of another type than launch takes (error): a dictionary where a list
   of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
-  among `arguments`, a plain text as a condition.
+  among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, the
+  source of another format than the file has.
+- `generate_launch_description` is missing or returns nothing (error).
+- One action is in the launch description and in an event handler of it (error): launch starts it
+  once and stops at the second time. An action waits for the exit of a node that runs until the end,
+  such as robot_state_publisher, and is never started.
 - An action is made and never added to the launch description, so nothing starts it (info: many are
   left over on purpose).
 

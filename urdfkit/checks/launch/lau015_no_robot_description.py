@@ -1,15 +1,16 @@
 """The robot_state_publisher is started without a robot description.
 
 In ROS 2 it takes the robot from its parameter `robot_description` and stops without it: "parameter
-must not be empty". A misspelt name of the parameter does the same, and the path of a file in place
-of its text.
+must not be empty". A misspelt name of the parameter does the same, the path of a file in place of
+its text, and the text of a xacro file that nothing expands: `open(path).read()`, and `textfile` in
+ROS 1.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -28,6 +29,7 @@ _PARAMETER = "robot_description"
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
 def check(context: Context) -> Findings:
+    yield from reported(context, "LAU015")
     for node in context.launch.started:
         given = node.parameters.every
         if node.package != "robot_state_publisher" or given is None or node.words:

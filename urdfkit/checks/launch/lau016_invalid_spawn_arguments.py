@@ -73,6 +73,9 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
     if option == "file" and text.endswith(".xacro") and not _is_expanded(context, text):
         message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
+    elif option == "string" and text.endswith((".urdf", ".xacro", ".sdf")):
+        message = f"-string is the text of a robot, and '{os.path.basename(text)}' the path of one"
+        yield Finding(place, message, f"spawn -topic {_TOPIC}, or an expanded -file")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
         is_inside = context.resolver.allows(text, context.source.path)
         if not disk.exists(text) and (is_inside or not text.startswith("/tmp/")):

@@ -16,8 +16,9 @@
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
   /controller_manager/list_controllers". A relative name is in the namespace of the spawner.
-- A filter or a costmap that reads odometry, an IMU or a scan from a topic that nothing publishes,
-  while such messages are published under another name. All that the workspace starts must be known.
+- A filter, a costmap or all displays of RViz that read odometry, an IMU, images or a scan from a
+  topic that nothing publishes, while such messages are published under another name. All that the
+  workspace starts must be known. So must be the publishers of the robot that RViz shows.
 
 A file is left out that includes what is not at hand, unless that is part of ROS.
 
@@ -81,7 +82,7 @@ def check(context: Context) -> Findings:
     yield from paused(context, started)
     yield from mock_hardware(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
-        yield from unpublished_description(started)
+        yield from unpublished_description(context, started)
         yield from unpublished_inputs(context)
         yield from other_manager(context, started)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from urdfkit.checks.launch.rviz_displays import unpublished_models
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import controllers, manager
@@ -15,12 +16,13 @@ _DESCRIPTION = "robot_description"
 _MANAGER = "controller_manager"
 
 
-def unpublished_description(started: tuple[StartedProgram, ...]) -> Findings:
-    """The program that spawns the robot waits on a topic that no robot_state_publisher has."""
+def unpublished_description(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """What spawns or shows the robot waits on a topic that no robot_state_publisher has."""
     publishers = [one for one in started if one.package == _PUBLISHER]
     if not publishers or any(one.is_remapped or one.namespace is None for one in publishers):
         return
     published = {_resolved(_DESCRIPTION, one.namespace): one for one in publishers}
+    yield from unpublished_models(context, {name: one.span for name, one in published.items()})
     for one in started:
         spawner = spawner_of(one)
         topic = options(one, spawner)[0].get("topic") if spawner else None

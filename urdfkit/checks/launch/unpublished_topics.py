@@ -1,4 +1,4 @@
-"""Topics that a filter or a costmap reads and nothing publishes.
+"""Topics that a filter, a costmap or RViz reads and nothing publishes.
 
 Told only where all that runs is known, and some of it publishes such messages under another name.
 
@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.rviz_displays import read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
@@ -21,6 +22,7 @@ from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.text.located_yaml import Node, Value, mapping
 
@@ -35,6 +37,8 @@ _PUBLISHERS = (_CONTROLLERS, "robot_localization", "ros_gz_bridge")
 _FILTERED = "/odometry/filtered"
 _INPUT = re.compile(r"(odom|imu)\d+")
 _READ = {"odom": "Odometry", "imu": "Imu"}
+#: The messages of displays of RViz.
+_SHOWN = {name: name for name in ("Image", "LaserScan", "Odometry", "PointCloud2")}
 #: Of controllers, by the end of their type, the messages that they publish and the topic.
 _PUBLISHED = {
     "DiffDriveController": ("Odometry", "odom"),
@@ -49,10 +53,12 @@ class _Read(Record):
     topic: Value
     message: str  # without its package
     who: str
+    others: tuple[str, ...] = ()  # topics of the same message, of which one is enough
 
 
 def unpublished_inputs(context: Context) -> Findings:
-    wanted = [one for one in _read(context) if not one.topic.text.startswith(("$", "~"))]
+    every = (*_read(context), *_shown(context))
+    wanted = [one for one in every if not one.topic.text.startswith(("$", "~"))]
     if not wanted or is_included(context.source.path, context.resolver):
         return
     others = launches_of_workspace(context.source.path, context.resolver)
@@ -65,7 +71,8 @@ def unpublished_inputs(context: Context) -> Findings:
                 break
         is_known = all(_is_known(x, one.message) for x in started)
         name = "/" + one.topic.text.strip("/")
-        if not published or name in published or name == _FILTERED or not is_known:
+        names = {name, *(f"/{topic.strip('/')}" for topic in one.others)}
+        if not published or not is_known or not names.isdisjoint((_FILTERED, *published)):
             continue
         if any(launch.has_scopes for launch in launches):
             continue
@@ -87,6 +94,17 @@ def _is_known(started: StartedProgram, message: str) -> bool:
         return True
     is_plain = started.is_sure and not started.is_remapped and started.namespace == ""
     return is_plain and package in _PUBLISHERS
+
+
+def _shown(context: Context) -> Iterator[_Read]:
+    """What RViz shows; of several displays for one message, some may be for other robots."""
+    found: dict[str, list[Value]] = {}
+    for _, display, name in read_by_rviz(context):
+        message = _SHOWN.get(name.rpartition("/")[2])
+        if message and (topic := topic_of(display)):
+            found.setdefault(message, []).append(topic)
+    for message, topics in found.items():
+        yield _Read(topics[0], message, "RViz", tuple(topic.text for topic in topics))
 
 
 def _read(context: Context) -> Iterator[_Read]:

@@ -15,6 +15,11 @@ _NAMES = {
     "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
     "setup.py": rb"(?m)^[ \t]*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
 }
+#: Of each build type its build file, and that of the other.
+_BUILT_BY = {
+    "ament_cmake": ("CMakeLists.txt", "setup.py"),
+    "ament_python": ("setup.py", "CMakeLists.txt"),
+}
 _INDEX = "share/ament_index/resource_index/packages"
 
 
@@ -48,6 +53,23 @@ def not_finished(directory: str) -> Findings:
             Location(Span(source, *found.span(1))),
             "ament_package() is not called: ROS does not find the package after the build",
             "write ament_package() as the last line",
+        )
+
+
+def other_build_type(directory: str) -> Findings:
+    """A build type whose build file is not there, while that of another type is."""
+    manifest = _read(directory, "package.xml")
+    found = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", manifest.data) if manifest else None
+    if manifest is None or found is None or len(re.findall(rb"<build_type\b", manifest.data)) > 1:
+        return
+    kind = found.group(1).decode()
+    needed, other = _BUILT_BY.get(kind, ("", ""))
+    has = {file: disk.exists(os.path.join(directory, file)) for file in _NAMES}
+    if needed and not has[needed] and has[other]:
+        yield Finding(
+            Location(Span(manifest, *found.span(1))),
+            f"build type {kind} needs a {needed}, and the package has a {other}",
+            "write " + next(one for one, (file, _) in _BUILT_BY.items() if file == other),
         )
 
 

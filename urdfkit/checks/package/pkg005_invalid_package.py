@@ -9,6 +9,7 @@ nowhere.
 - The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
   installs the files below that name, or catkin stops: "package name does not match project name".
 - CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package.
+- The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
   `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
@@ -24,7 +25,12 @@ Sources:
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
 
-from urdfkit.checks.package.build_files import not_finished, not_registered, other_name
+from urdfkit.checks.package.build_files import (
+    not_finished,
+    not_registered,
+    other_build_type,
+    other_name,
+)
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
@@ -66,6 +72,7 @@ def check(context: Context) -> Findings:
         others = list(other_name(*home))
         yield from others or not_registered(*home)  # which has the name of package.xml
         yield from not_finished(home[1])
+        yield from other_build_type(home[1])
     file = nearest_manifest(path)
     if file is None or disk.is_link(file):  # which may lead anywhere
         return

@@ -1,7 +1,8 @@
 """A transmission, `<ros2_control>` or a controller names a joint that the robot does not have.
 
 - `<ros2_control>`: from ROS 2 Jazzy on the controller manager stops with an exception; the
-  simulators of Humble leave the joint out.
+  simulators of Humble leave the joint out. Its `<param name="mimic">` names another joint of the
+  block.
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
   in the list of available interfaces"). A controller none of whose joints is in the robot is taken
@@ -21,7 +22,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import Suggester
+from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -31,12 +32,16 @@ from urdfkit.ros.ros_control import (
     components,
     control_plugins,
     driven_joints,
+    parameter,
     reads_transmissions,
 )
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
+
+#: What ``mimic`` may be besides the name of a joint, since ROS 2 Iron.
+_SWITCH = ("true", "false")
 
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
 FIXED = GOOD = BAD.replace("sholder", "shoulder")
@@ -49,6 +54,7 @@ def check(context: Context) -> Findings:
     if known and not context.is_part:
         yield from _of_robot(context, Suggester(known))
     yield from _not_in_block(context)
+    yield from _mimicked(context)
     if not context.is_part:
         yield from _of_controllers(context)
 
@@ -89,6 +95,19 @@ def _not_in_block(context: Context) -> Findings:
                         f"{component.called}",
                         "list the joint in the same block, or correct the name",
                     )
+
+
+def _mimicked(context: Context) -> Findings:
+    """The parameter ``mimic`` of ROS 2 Humble names a joint of the same block."""
+    for component in components(context.model):
+        listed = [joint.name for joint in component.joints]
+        for joint in component.joints:
+            named = parameter(joint.at, "mimic")
+            name = named.text.strip() if named else ""
+            if named and name not in listed and name.lower() not in _SWITCH:
+                message = f"joint '{joint.name}': mimicked joint '{name}' is not in "
+                message += f"{component.called}{did_you_mean(name, listed)}"
+                yield Finding(named, message, "list the joint in the same block, or fix the name")
 
 
 def _of_controllers(context: Context) -> Findings:

@@ -1,6 +1,7 @@
 """Gazebo does not load the world that a launch file starts, or not all of it.
 
 - The file is not well-formed, or holds no `<world>`: Gazebo starts without a world (error).
+- The `<world>` has no name, or its `<max_step_size>` is not above 0 (error).
 - A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and the like are for Gazebo
   Classic, `gz-sim-...-system` for gz sim. It is not loaded, which Gazebo reports once (warning).
 - The library or the class of a plugin is misspelt: `name` is the class in gz sim (error).
@@ -28,6 +29,7 @@ from collections.abc import Iterator
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
@@ -74,6 +76,7 @@ def check(context: Context) -> Findings:
         if opened.world is None and opened.path:
             yield from _unreadable(opened)
         elif opened.world is not None:
+            yield from _values(opened, opened.world)
             yield from _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
@@ -95,6 +98,20 @@ def _unreadable(opened: OpenedWorld) -> Findings:
     elif not opened.problems:
         message = f"'{file}' is not a world: it has no <world> in an <sdf>"
         yield Finding(at, message, "name a world; models are spawned, or included by one")
+
+
+def _values(opened: OpenedWorld, world: World) -> Findings:
+    """A world without a name, and a step of physics that is no time."""
+    if not world.name:
+        message, help = "the <world> has no name: SDF rejects it", 'write <world name="...">'
+        yield Finding(world.at, message, help, related=opened.note)
+    for physics in world.at.all("physics"):
+        step = physics.child("max_step_size")
+        text = step.text.strip() if step is not None else ""
+        value = number(text)
+        if step is not None and text and (value is None or value <= 0):
+            message = f"<max_step_size> is '{text}', must be a number of seconds > 0"
+            yield Finding(step, message, "write 0.001", related=opened.note)
 
 
 def _plugins(opened: OpenedWorld, world: World) -> Findings:

@@ -4,7 +4,7 @@ xacro turns the value of a property, of an argument and of a macro's parameter i
 is `true` or `false`. `${with_camera == 'true'}` is False whatever is passed, and the camera is
 never there; with `!=` it always is. Write `${with_camera}`, or `${not with_camera}`. Text that is
 quoted inside of the value (`value="'true'"`) stays text, and `'$(arg with_camera)' == 'true'`
-compares text with text.
+compares text with text: then `'True'` differs from `true`, the default of the argument.
 
 Sources:
     xacro, __init__.py (get_boolean_value): https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
@@ -27,6 +27,8 @@ BAD = xacro_xml(
 GOOD = BAD.replace("${camera == 'true'}", "${camera}")
 
 _CONDITION = rb"""<xacro:(?:if|unless)\s+value\s*=\s*"\s*\$\{([^{}"]*)\}\s*\""""
+_TEXTS = rb"""^[\s(]*'\$\(arg (\w+)\)'\s*(?:==|!=)\s*'([Tt]rue|[Ff]alse)'[\s)]*$"""
+_DEFAULT = r"""<xacro:arg\s+name\s*=\s*"{}"\s+default\s*=\s*"([Tt]rue|[Ff]alse)\""""
 _COMPARED = rb"""^[\s(]*([A-Za-z_]\w*)\s*(==|!=)\s*'(?:[Tt]rue|[Ff]alse)'[\s)]*$"""
 
 
@@ -38,6 +40,28 @@ def check(context: Context) -> Findings:
                 result = "False" if operator == "==" else "True"
                 message = f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'"
                 yield Finding(Location(span), message)
+        for name, word, span in _texts(source):
+            default = _default(name, context)
+            if word != default and word.lower() == default.lower():
+                message = f"'{word}' is never equal to '{default}', the default of '{name}'"
+                yield Finding(Location(span), message, f"write $(arg {name}) alone, or '{default}'")
+
+
+def _texts(source: Source) -> Iterator[tuple[str, str, Span]]:
+    """The arguments that conditions compare as texts, the texts, and the comparisons."""
+    if b"rue'" not in source.data and b"alse'" not in source.data:
+        return
+    for condition in re.finditer(_CONDITION, bytes(blank_comments(source.data))):
+        if found := re.match(_TEXTS, condition.group(1)):
+            name, word = found.group(1).decode(), found.group(2).decode()
+            yield name, word, Span(source, *condition.span(1))
+
+
+def _default(name: str, context: Context) -> str:
+    """The default of an argument, if all files that declare it agree on true or false."""
+    pattern = _DEFAULT.format(name).encode()
+    found = {one for source in context.xacro.sources for one in re.findall(pattern, source.data)}
+    return found.pop().decode() if len(found) == 1 else ""
 
 
 def _compared(source: Source) -> Iterator[tuple[str, str, Span]]:

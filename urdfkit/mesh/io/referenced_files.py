@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.workspace.package_directories import is_within
+from urdfkit.core.paths import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh

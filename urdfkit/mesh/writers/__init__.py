@@ -141,7 +141,7 @@ def _require_inside(path: str) -> None:
     real = disk.real(path)
     if real == path:
         return
-    from urdfkit.workspace.package_directories import is_within
+    from urdfkit.core.paths import is_within
     from urdfkit.workspace.resolve import Resolver
 
     if not is_within(real, disk.real(Resolver().packages.workspace(path))):

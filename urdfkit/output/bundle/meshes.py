@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
+from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
 from urdfkit.errors import MissingLibrary
 from urdfkit.mesh.io import facts, referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
 from urdfkit.output.bundle.consumers import Consumer
-from urdfkit.workspace.package_directories import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh

@@ -3,6 +3,7 @@
 import os
 from functools import cached_property
 
+from urdfkit.core.paths import is_within
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import context_of
@@ -63,6 +64,6 @@ class RobotState:
             spans += [step.span for call in finding.calls for step in call.via]
             known.update((id(span.source), span.source) for span in spans)
         for source in known.values():
-            if source.path.startswith(os.path.join(self._directory, "")):
+            if is_within(source.path, self._directory):
                 path = os.path.relpath(source.path, self._directory)
                 source.path = f"{revision}:{path.replace(os.sep, '/')}"

@@ -19,6 +19,7 @@ from urdfkit.ros.launch.contents import (
     StartedProgram,
 )
 from urdfkit.ros.launch.known_packages import mistakes
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
@@ -29,6 +30,7 @@ UNKNOWN = "/package-not-found"
 
 
 _XACRO = ("xacro", "xacro.py")
+_EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
 #: Reads a launch file with the values of its arguments, included at a place.
 Reader: TypeAlias = (
     "Callable[[Collector, Source, Mapping[str, str | None], CallFrame | None], None]"
@@ -121,6 +123,18 @@ class Collector:
             is_whole = len(known) == len(arguments)
             found = LaunchedDescription(path, known, frame, is_whole, is_yaml)
             self.descriptions.append(found)
+
+    def unexpanded(self, path: str, span: Span, frame: CallFrame | None) -> None:
+        """A file whose text is the robot description as it is: reported if xacro must expand it."""
+        if not disk.exists(path) or not self.resolver.admits(path):
+            return
+        try:
+            data = self.resolver.read(path).data
+        except UnreadableFile:
+            return
+        if b"<xacro:" in blank_comments(data):
+            message = f"'{os.path.basename(path)}' is a xacro file, which nothing expands here"
+            self.problems.append(Problem("LAU015", span, message, _EXPAND, frame))
 
     def follow(
         self,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch.rviz import displays, manager_of
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 
 if TYPE_CHECKING:
@@ -71,17 +72,10 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
 
 def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in a configuration of RViz: the fixed one, and those of displays that are on."""
-    manager = mapping(load(source), "Visualization Manager")
-    fixed = mapping(manager, "Global Options").get("Fixed Frame")
+    fixed = mapping(manager_of(source), "Global Options").get("Fixed Frame")
     if isinstance(fixed, Value):
         yield "Fixed Frame of RViz", "", fixed
-    displays = manager.get("Displays")
-    stack: list[Node] = list(displays) if isinstance(displays, list) else []
-    while stack:
-        display = mapping(stack.pop())
-        frame, enabled = display.get("Reference Frame"), display.get("Enabled")
-        is_on = not isinstance(enabled, Value) or enabled.text.lower() == "true"
-        if is_on and isinstance(frame, Value):
+    for display in displays(source):
+        frame = display.get("Reference Frame")
+        if isinstance(frame, Value):
             yield "display of RViz", "", frame
-        inner = display.get("Displays")
-        stack += inner if is_on and isinstance(inner, list) else []

@@ -11,7 +11,13 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, IncludedFile, StartedProgram
-from urdfkit.ros.launch.python_mistakes import dropped_directory, mistakes, not_started
+from urdfkit.ros.launch.event_handlers import never_reached, started_twice
+from urdfkit.ros.launch.python_mistakes import (
+    dropped_directory,
+    entry_point,
+    mistakes,
+    not_started,
+)
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import JOINED, Values, argument, called
@@ -59,6 +65,7 @@ class _PythonReader:
         self.collector = collector
         self.source = source
         self.frame = frame
+        self._tree = tree
         self.values = Values(collector, source, tree, arguments)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
@@ -112,6 +119,9 @@ class _PythonReader:
                 problems.append(dropped)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
+            problems += entry_point(self._tree, self.source)
+        problems += never_reached(self.calls, self.values)
+        problems += started_twice(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
@@ -183,6 +193,8 @@ class _PythonReader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
+                    if name == "robot_description" and self.frame is None:
+                        self._unexpanded(value)
                     if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
                         items = self.values.items(value)
                         lists[name] = tuple(self.values.text(item) for item in items)
@@ -261,7 +273,8 @@ class _PythonReader:
 
     def _process_file(self, call: ast.Call) -> None:
         """Of the module xacro."""
-        self._describe(call, argument(call, 0, "input_file_name"))
+        file, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
+        self._describe(call, file, mappings)
 
     def _parse(self, call: ast.Call) -> None:
         """``xacro.parse(open(path))``, which ``xacro.process_doc`` expands."""
@@ -269,7 +282,16 @@ class _PythonReader:
         if isinstance(call.func, ast.Attribute) and isinstance(file, ast.Call):
             module = call.func.value
             if isinstance(module, ast.Name) and module.id == "xacro" and called(file) == "open":
-                self._describe(call, argument(file, 0, "file"))
+                self._describe(call, argument(file, 0, "file"), self._mappings_of(call))
+
+    def _mappings_of(self, parsing: ast.Call) -> ast.expr | None:
+        """The arguments with which ``xacro.process_doc`` expands what a call has parsed."""
+        for call in self.calls:
+            if called(call) == "process_doc":
+                document = argument(call, 0, "doc")
+                if document is not None and self.values.suggested(document) is parsing:
+                    return argument(call, None, "mappings")
+        return None
 
     def _open(self, call: ast.Call) -> None:
         """A plain URDF, whose text becomes a parameter."""
@@ -277,17 +299,34 @@ class _PythonReader:
         if (self.values.text(file) or "").endswith(".urdf"):
             self._describe(call, file)
 
-    def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
+    def _unexpanded(self, value: ast.expr | None) -> None:
+        """A xacro file whose text becomes the robot description as it is."""
+        text = self.values.suggested(value)
+        if isinstance(text, ast.Call) and called(text) == "ParameterValue":
+            text = self.values.suggested(argument(text, 0, "value"))
+        if not isinstance(text, ast.Call) or called(text) not in ("read", "read_text"):
+            return
+        file = text.func.value if isinstance(text.func, ast.Attribute) else None
+        opened = self.values.opened(file) or self.values.suggested(file)
+        if isinstance(opened, ast.Call) and called(opened) in ("open", "Path"):
+            path = self.values.text(argument(opened, 0, "file"))
+            found = path and self._path(path)
+            if found:
+                self.collector.unexpanded(found, self.values.span(text), None)
+
+    def _describe(
+        self, call: ast.Call, file: ast.expr | None, given: ast.expr | None = None
+    ) -> None:
         text = self.values.text(file)
         path = text and self._path(text)
         if not path:
             return
-        mappings = self.values.suggested(argument(call, None, "mappings"))
+        mappings = self.values.suggested(given)
         arguments: dict[str, str | None] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):
                 arguments[self.values.text(key) or ""] = self.values.text(value)
-        elif argument(call, None, "mappings") is not None:
+        elif given is not None:
             arguments[""] = None
         span = self.values.span(call)
         self.collector.description(path, arguments, span, self._frame(call))

@@ -4,14 +4,37 @@ import ast
 import re
 from collections.abc import Collection, Iterator
 
+from urdfkit.core.suggest import nearest
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.source import Source, Span
+
+#: The function that launch calls.
+_ENTRY = "generate_launch_description"
 
 #: Actions that do nothing unless a launch description holds them.
 _ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
 #: The arguments of a call that are lists, and what a string or a dictionary there means.
 _LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
+#: Of each action that takes a list of actions, where.
+_HOLDERS = {
+    "GroupAction": (0, "actions"),
+    "LaunchDescription": (0, "initial_entities"),
+    "TimerAction": (None, "actions"),
+}
 _CONDITIONS = ("IfCondition", "UnlessCondition")
+#: Of each source of a launch description, the suffixes of the files that it reads.
+_SOURCES = {
+    "PythonLaunchDescriptionSource": (".py",),
+    "XMLLaunchDescriptionSource": (".xml", ".launch"),
+    "YAMLLaunchDescriptionSource": (".yaml", ".yml"),
+}
+#: What Node called its arguments until Foxy.
+_FORMER = {
+    "node_executable": "executable",
+    "node_name": "name",
+    "node_namespace": "namespace",
+}
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
 #: Numbers and booleans, as launch has texts and substitutions only.
 _NO_TEXT = (bool, int, float)
@@ -23,6 +46,11 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
     if name == "Node":
         yield from _lists(call, values)
         yield from _words(argument(call, None, "arguments"), values)
+        yield from _former(call, values)
+    elif name in _HOLDERS:
+        yield from _held(call, values)
+    elif name in _SOURCES:
+        yield from _source(call, values)
     elif name == "ExecuteProcess":
         yield from _words(argument(call, 0, "cmd"), values)
     elif name == "DeclareLaunchArgument":
@@ -59,6 +87,63 @@ def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
             help = f"write '{text.lstrip('/')}'"
             return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
     return None
+
+
+def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
+    """The function that launch calls, where it is missing or returns nothing."""
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    found = [one for one in functions if one.name == _ENTRY]
+    if found and found[-1].body and not any(map(_gives, found[-1].body)):
+        start = source.offset(found[-1].lineno, 1) + found[-1].col_offset + len("def ")
+        at = Span(source, start, start + len(_ENTRY))
+        message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
+        yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
+    names = [one.name for one in functions]
+    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, names, 0.9)):
+        start = source.data.index(f"def {name}".encode()) + len("def ")
+        at = Span(source, start, start + len(name))
+        message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
+        yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
+
+
+def _gives(statement: ast.AST) -> bool:
+    """True if a statement of a function returns a value, or does not return."""
+    if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
+        return False  # a function of its own
+    if isinstance(statement, ast.Return):
+        return statement.value is not None
+    is_other = isinstance(statement, (ast.Raise, ast.Yield, ast.YieldFrom))
+    return is_other or any(map(_gives, ast.iter_child_nodes(statement)))
+
+
+def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
+    if b"ROS_DISTRO" in values.source.data:
+        return  # it chooses by the version
+    for keyword in call.keywords:
+        if now := _FORMER.get(keyword.arg or ""):
+            at = values.span(keyword.value)
+            message = f"Node has no argument '{keyword.arg}' (it had until Foxy)"
+            yield Problem("LAU010", at, message, f"write {now}=", severity=Severity.INFO)
+
+
+def _held(call: ast.Call, values: Values) -> Iterator[Problem]:
+    position, name = _HOLDERS[called(call)]
+    node = argument(call, position, name)
+    given = values.suggested(node)
+    if node is not None and isinstance(given, ast.Call) and called(given) in _ACTIONS:
+        message = f"{name} of {called(call)} is not a list of actions"
+        yield _rejected(node, message, "write it in [ ]", values)
+
+
+def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A launch file of another format than its source reads."""
+    node = argument(call, 0, "launch_file_path")
+    path = values.text(node) or ""
+    name = called(call)
+    for other, suffixes in _SOURCES.items():
+        if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
+            message = f"{name} does not read '{path.rpartition('/')[2]}'"
+            yield _rejected(call.func, message, f"write {other}", values)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:

@@ -10,8 +10,13 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.ros.catalog import data, record
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import CallFrame, Element
+from urdfkit.text.document import Attribute, CallFrame, Element
 
+#: What the substitutions of one ROS are called in the other.
+_SUBSTITUTIONS = {
+    1: {"find-pkg-share": "find", "var": "arg"},
+    2: {"find": "find-pkg-share", "arg": "var"},
+}
 _CONDITIONS = frozenset(("if", "unless"))
 
 #: Attributes of namespaces, of rosmon, and those that part the items of a list in ROS 2.
@@ -70,6 +75,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
     known = own.names(element.tag)
     for attribute in element.attributes.values():
         name = attribute.name
+        yield from _substitutions(attribute, ros, frame)
         path = f"{element.tag}/@{name}"
         words = own.words.get(path, "").split()
         if words and attribute.value not in words and "$" not in attribute.value:
@@ -81,6 +87,15 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
         help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
         message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
+
+
+def _substitutions(attribute: Attribute, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
+    """Substitutions that only the other ROS knows."""
+    for other, own in _SUBSTITUTIONS[ros].items() if "$(" in attribute.value else ():
+        if f"$({other} " in attribute.value:
+            message, help = f"ROS {ros} has no $({other} ...)", f"write $({own} ...)"
+            at = attribute.span
+            yield Problem("LAU010", at, message, help, frame, severity=Severity.ERROR)
 
 
 def _is_written(element: Element, name: str, own: _Dialect) -> bool:

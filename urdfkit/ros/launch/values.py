@@ -40,6 +40,11 @@ class Values:
         self.source = source
         self.arguments: dict[str, ast.expr | str | None] = dict(arguments)
         self._scopes = Scopes(tree)
+        self._opened: dict[str, list[ast.expr]] = {}
+        for node in ast.walk(tree):
+            for item in node.items if isinstance(node, ast.With) else ():
+                if isinstance(item.optional_vars, ast.Name):
+                    self._opened.setdefault(item.optional_vars.id, []).append(item.context_expr)
 
     def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
         """The text that an expression gives; None where it is known at run time only."""
@@ -67,6 +72,11 @@ class Values:
                 return node
             node = self._scopes.value(node)
         return None
+
+    def opened(self, node: ast.expr | None) -> ast.expr | None:
+        """The call that opens a file, for the name that ``with open(...) as name`` gives it."""
+        calls = self._opened.get(node.id, []) if isinstance(node, ast.Name) else []
+        return calls[0] if len(calls) == 1 else None
 
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
         """The items of a list; None for any number of unknown ones."""

@@ -103,8 +103,6 @@ class Srdf:
     @cached_property
     def fits_robot(self) -> bool:
         """True if it is of this robot and this variant: except typos, one name may be unknown."""
-        if self.root.get("name") != self.tree.model.name:
-            return False
         strange = {
             name.value
             for kind, name in self.references()

@@ -1,0 +1,83 @@
+"""Displays of RViz that stay empty: of a class that it does not have, or of a silent topic.
+
+Sources: plugins_description.xml of rviz_default_plugins, Humble to Rolling.
+"""
+
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.ros.launch.contents import FileUse
+from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
+from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.source import Span
+
+_PLUGINS = "rviz_default_plugins"
+#: What a misspelt class resembles a known one by.
+_TYPO = 0.8
+
+
+def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
+    """The displays in the configurations of RViz in ROS 2: the file, the display, its class."""
+    if not any(one.package == "rviz2" for one in context.launch.started):
+        return
+    seen: set[str] = set()
+    for file in context.launch.files:
+        if file.path in seen or not (file.exists and file.path.endswith(".rviz")):
+            continue
+        seen.add(file.path)
+        try:
+            source = context.resolver.read(file.path)
+        except UnreadableFile:
+            continue
+        for display in displays(source):
+            written = display.get("Class")
+            if isinstance(written, Value):
+                yield file, display, written.text
+
+
+def unknown_classes(context: Context) -> Findings:
+    """The classes of RViz in ROS 1, and misspelt ones."""
+    reported: set[str] = set()
+    for file, display, name in read_by_rviz(context):
+        package, _, kind = name.partition("/")
+        suggested = kind if kind in DISPLAYS else nearest(kind, DISPLAYS, _TYPO)
+        is_known = package not in ("rviz", _PLUGINS) or name == f"{_PLUGINS}/{suggested}"
+        written = display["Class"]
+        if is_known or not suggested or name in reported or not isinstance(written, Value):
+            continue
+        reported.add(name)
+        yield _finding(
+            written.span,
+            f"RViz has no display '{name}'",
+            f"write {_PLUGINS}/{suggested}",
+            file,
+        )
+
+
+def unpublished_models(context: Context, published: dict[str, Span]) -> Findings:
+    """RobotModel displays that read the robot from a topic on which nothing publishes it.
+
+    Args:
+        published: the topics of the robots, and what publishes them.
+    """
+    for file, display, name in read_by_rviz(context):
+        topic = topic_of(display, "Description Topic")
+        source = display.get("Description Source")
+        is_topic = not isinstance(source, Value) or source.text == "Topic"
+        if topic is None or not name.endswith("/RobotModel") or not is_topic:
+            continue
+        if f"/{topic.text.strip('/')}" not in published:
+            other = next(iter(published))
+            yield _finding(
+                topic.span,
+                f"RobotModel of RViz reads '{topic.text}', on which nothing publishes a robot",
+                f"write {other}",
+                file,
+            )
+
+
+def _finding(at: Span, message: str, help: str, file: FileUse) -> Finding:
+    note = Related(file.span, "the file is named here")
+    return Finding(Location(at), message, help, related=(note,), severity=Severity.WARNING)

@@ -1,0 +1,86 @@
+"""Actions that a Python launch file starts when something else happens."""
+
+import ast
+from collections.abc import Iterator
+
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem, Severity
+
+_ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+#: What starts other actions later.
+_TRIGGERS = ("RegisterEventHandler", "TimerAction")
+#: Where a handler or a timer names what it starts.
+_LATER = ("on_exit", "on_start", "actions")
+#: Nodes that run until the launch ends, by package and executable.
+_LASTING = frozenset(
+    "controller_manager/ros2_control_node joint_state_publisher/joint_state_publisher "
+    "joint_state_publisher_gui/joint_state_publisher_gui ros_gz_bridge/parameter_bridge "
+    "robot_state_publisher/robot_state_publisher".split()
+)
+
+
+def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Actions that wait for the exit of a node that does not exit."""
+    for call in calls:
+        target = values.suggested(argument(call, None, "target_action"))
+        if called(call) != "OnProcessExit" or not isinstance(target, ast.Call):
+            continue
+        package, name = (
+            values.text(argument(target, None, key)) for key in ("package", "executable")
+        )
+        waiting = argument(call, None, "on_exit")
+        if waiting is None or f"{package}/{name}" not in _LASTING:
+            continue
+        if any(_is_action(item, values) for item in _listed(waiting, values)):
+            yield Problem(
+                "LAU010",
+                values.span(waiting),
+                f"it is started when {name} exits, which runs until the end",
+                "take the spawner before it as target_action, or OnProcessStart",
+                severity=Severity.WARNING,
+            )
+
+
+def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Actions that a launch description holds and an event handler or a timer in it, too."""
+    for call in calls:
+        held = argument(call, 0, "initial_entities")
+        if called(call) != "LaunchDescription" or held is None:
+            continue
+        listed = _listed(held, values)
+        direct = {item.id: item for item in listed if isinstance(item, ast.Name)}
+        for item in listed:
+            for name in _later(values.suggested(item), values):
+                if name.id in direct and _is_action(name, values):
+                    yield Problem(
+                        "LAU010",
+                        values.span(direct[name.id]),
+                        f"'{name.id}' is started twice, and launch stops at the second time",
+                        "keep it in the event handler only",
+                        severity=Severity.ERROR,
+                    )
+
+
+def _later(action: ast.expr | None, values: Values) -> Iterator[ast.Name]:
+    """The names of the actions that an event handler or a timer starts."""
+    if not isinstance(action, ast.Call) or called(action) not in _TRIGGERS:
+        return
+    if argument(action, None, "condition") is not None:
+        return
+    for node in ast.walk(action):
+        if isinstance(node, ast.keyword) and node.arg in _LATER:
+            for item in _listed(node.value, values):
+                if isinstance(item, ast.Name):
+                    yield item
+
+
+def _listed(node: ast.expr, values: Values) -> list[ast.expr]:
+    """The items of a list, or a single action."""
+    if _is_action(node, values):
+        return [node]
+    return [item for item in values.items(node) if item is not None]
+
+
+def _is_action(node: ast.expr, values: Values) -> bool:
+    action = values.suggested(node)
+    return isinstance(action, ast.Call) and called(action) in _ACTIONS

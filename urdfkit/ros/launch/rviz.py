@@ -1,0 +1,40 @@
+"""Configurations of RViz."""
+
+from collections.abc import Iterator
+
+from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.text.source import Source
+
+#: The displays of rviz_default_plugins, Humble to Rolling.
+DISPLAYS = (
+    "AccelStamped", "Axes", "Camera", "CameraInfo", "DepthCloud", "Effort", "FluidPressure", "Grid",
+    "GridCells", "Illuminance", "Image", "InteractiveMarkers", "LaserScan", "Map", "Marker",
+    "MarkerArray", "Odometry", "Path", "PointCloud", "PointCloud2", "PointStamped", "Polygon",
+    "Pose", "PoseArray", "PoseWithCovariance", "Range", "RelativeHumidity", "RobotModel", "TF",
+    "Temperature", "TwistStamped", "Wrench", "WrenchStamped",
+)  # fmt: skip
+
+
+def manager_of(source: Source) -> dict[str, Node]:
+    """The part of a configuration that has the displays; empty if there is none."""
+    return mapping(load(source), "Visualization Manager")
+
+
+def displays(source: Source) -> Iterator[dict[str, Node]]:
+    """The displays that are on, those in groups too."""
+    found = manager_of(source).get("Displays")
+    stack: list[Node] = list(found) if isinstance(found, list) else []
+    while stack:
+        display = mapping(stack.pop())
+        enabled = display.get("Enabled")
+        if isinstance(enabled, Value) and enabled.text.lower() != "true":
+            continue
+        yield display
+        inner = display.get("Displays")
+        stack += inner if isinstance(inner, list) else []
+
+
+def topic_of(display: dict[str, Node], name: str = "Topic") -> Value | None:
+    """The topic that a display reads; None if it names none, or as a text of ROS 1."""
+    value = mapping(display, name).get("Value")
+    return value if isinstance(value, Value) and value.text else None
