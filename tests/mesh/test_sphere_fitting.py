@@ -119,7 +119,7 @@ def test_an_open_mesh_becomes_its_hull() -> None:
     assert len(closed(open_box).faces) == 12
 
 
-@settings(max_examples=3)
+@settings(max_examples=6)
 @given(
     st.tuples(*[st.floats(0.01, 0.5)] * 3),
     st.floats(0.005, 0.05),
