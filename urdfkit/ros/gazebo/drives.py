@@ -38,8 +38,8 @@ class DrivenWheel(Record):
 
     @property
     def is_flat(self) -> bool:
-        """True if it turns about the vertical."""
-        return abs(self.axis[2]) >= _PARALLEL
+        """True if it turns about the vertical, tyre and all."""
+        return self.hub is not None and abs(self.axis[2]) >= _PARALLEL
 
     def is_parallel(self, other: DrivenWheel) -> bool:
         """True if two wheels turn about the same direction, in either sense."""
