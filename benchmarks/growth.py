@@ -22,7 +22,11 @@ LINKS = (10, 100, 1000, 5000)
 #: A file of 10**7 triangles is larger than urdfkit reads.
 TRIANGLES = (10**3, 2 * 10**5, 10**6, 2 * 10**6)
 #: Joints that Pinocchio has memory for; the pairs of links, which are compared, grow as the square.
-FEWER = {"statics": (10, 50, 150), "collisions": (10, 25, 50)}
+FEWER = {
+    "statics": (10, 50, 150),
+    "collisions": (10, 25, 50),
+    "convert-mjcf": (10, 50, 150),
+}
 #: Seconds after which a command is given up.
 LIMIT = 600
 #: An exponent beyond it has a reason, or is a defect.
@@ -39,6 +43,10 @@ ROBOT_COMMANDS = {
     "collisions": "collisions {} --samples 100 --jobs 1",
     "render": "render {} -o {}.png --size 320x240",
     "report": "report {} --quick -o {}.html",
+    "importers": "importers {}",
+    "convert-urdf": "convert {} --to urdf -o {}.urdf.out --force",
+    "convert-sdf": "convert {} --to sdf -o {}.sdf.out --force",
+    "convert-mjcf": "convert {} --to mjcf -o {}.mjcf.out --force",
     "format": "format {} --check",
     "fix": "fix {} --diff",
 }
@@ -51,7 +59,10 @@ MESH_COMMANDS = {
 }
 #: Limits that would end a measurement.
 LIFTED = " --timeout 1000000 --memory 1000"
-WITH_LIMITS = ("info", "mass", "kinematics", "statics", "collisions", "render", "report")
+WITH_LIMITS = (
+    *("info", "mass", "kinematics", "statics", "collisions", "render", "report"),
+    *("convert-urdf", "convert-sdf", "convert-mjcf"),
+)
 
 _LINK = """\
   <link name="l{n}">

@@ -60,7 +60,7 @@ def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any)
     with progress_bar() as bar:
         context = robot(asked, bar)
     found = convert(context, out, to=to, **options)
-    output.json_or_page(form, found.facts, _page(found, out))
+    output.json_or_page(form, lambda: found.facts, _page(found, out))
     return 0
 
 

@@ -45,7 +45,7 @@ def show(context: Context, form: str, *, old: bool) -> int:
     conversion = SdfConversion(context.tree, OLD if old else NEW)
     rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
-    output.json_or_page(form, as_json(conversion, rejected), lines)
+    output.json_or_page(form, lambda: as_json(conversion, rejected), lines)
     return 0
 
 

@@ -15,7 +15,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.ros.importers.changes import changes
 from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, chosen
-from urdfkit.ros.importers.imported import Imported
+from urdfkit.ros.importers.imported import Imported, ImportedBody
 from urdfkit.ros.importers.index_map import IndexMap, index_map
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span, shown
@@ -62,7 +62,7 @@ def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, for
         return 0
     errors = {one.name: _errors(asked, context, one) for one in facts} if asked_for else {}
     lines = _reports(robots, errors) if asked_for else _overview(robots)
-    output.json_or_page(form, _as_json(robots, errors), lines)
+    output.json_or_page(form, lambda: _as_json(robots, errors), lines)
     return 0
 
 
@@ -83,7 +83,7 @@ def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
     if form == "csv":
         output.write("".join(_map_csv(found)))
     else:
-        output.json_or_page(form, _map_as_json(found), [_map_line(found)])
+        output.json_or_page(form, lambda: _map_as_json(found), [_map_line(found)])
     return 0
 
 
@@ -124,13 +124,13 @@ def _letter(number: int) -> str:
     return chr(ord("A") + number)
 
 
-def _moving(one: Imported) -> list[str]:
+def _moving(one: Imported) -> list[ImportedBody]:
     world = one.facts.merges_into_world
-    return [body.name for body in one.bodies if not (world and body.name == "world")]
+    return [body for body in one.bodies if not (world and body.name == "world")]
 
 
 def _total(one: Imported) -> str:
-    masses = [body.mass for body in one.bodies if body.name in _moving(one)]
+    masses = [body.mass for body in _moving(one)]
     known = [mass for mass in masses if mass is not None]
     return f"{sum(known):.4g}" if len(known) == len(masses) else "?"
 

@@ -82,7 +82,7 @@ def command(
     chosen = [one for one in proposals if links or one.is_doubtful]
     if write or diff:
         return _write(chosen, color, is_diff=diff)
-    output.json_or_page(form, as_json(proposals), [*table(proposals), *proposed(chosen)])
+    output.json_or_page(form, lambda: as_json(proposals), [*table(proposals), *proposed(chosen)])
     return 0
 
 

@@ -45,7 +45,7 @@ def command(asked: dict[str, Any], form: str) -> int:
     with progress_bar("mesh files") as bar:
         context = robot(asked, bar)
         found = summarise(context, positions(context, asked))
-    output.json_or_page(form, as_json(found), render(found))
+    output.json_or_page(form, lambda: as_json(found), render(found))
     return 0
 
 

@@ -59,7 +59,7 @@ def command(
     if jacobian or mass_matrix:
         found |= _dynamics(context, given, jacobian, mass_matrix)
     roots = context.tree.root_of
-    output.json_or_page(form, as_json(found, roots), render(found, roots))
+    output.json_or_page(form, lambda: as_json(found, roots), render(found, roots))
     return 0
 
 

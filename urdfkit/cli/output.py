@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.source import shown_text
@@ -180,7 +180,7 @@ def note(text: str) -> None:
         print(f"note: {printable(shown_text(text))}", file=sys.stderr)
 
 
-def json_or_page(form: str, document: object, lines: Iterable[str]) -> None:
+def json_or_page(form: str, document: Callable[[], object], lines: Iterable[str]) -> None:
     """Write what a command found: as JSON if that is its format, or as lines for people.
 
     Raises:
@@ -189,7 +189,7 @@ def json_or_page(form: str, document: object, lines: Iterable[str]) -> None:
     if form == "json":
         from urdfkit.core.strict_json import dumped
 
-        write(dumped(document))
+        write(dumped(document()))
     else:
         page(lines)
 

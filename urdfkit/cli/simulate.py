@@ -54,7 +54,7 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
 
         output.write(render(found, context.source.path))
     else:
-        output.json_or_page(form, found.facts, _page(found))
+        output.json_or_page(form, lambda: found.facts, _page(found))
     return int(not found.passes)
 
 

@@ -81,7 +81,7 @@ def command(
     stands = standing(context, given, contacts, payload=carried, visuals=visuals)
     lines = [*render(loads, context.model, posed=bool(given)), ""]
     lines += (line for text in describe(stands) for line in output.wrapped(text))
-    output.json_or_page(form, as_json(loads, stands), lines)
+    output.json_or_page(form, lambda: as_json(loads, stands), lines)
     return 0
 
 

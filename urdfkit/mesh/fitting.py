@@ -98,7 +98,9 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     points = shell.vertices
     if np.ptp(points, axis=0).max() < _SMALLEST:
         raise NoHull("it is too small for a shape around it")
-    tried = [_judged(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))]
+    tried = [
+        _measured_fit(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))
+    ]
     good = [one for one in tried if one.error <= bound]
     if not good:
         for one in _meshes(mesh, shell, bound, most):
@@ -114,8 +116,8 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
 
 
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
-    lean = _judged(mesh, "hull", _NO_SIZE, Transform(), with_few_corners(shell))
-    yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Transform(), shell)
+    lean = _measured_fit(mesh, "hull", _NO_SIZE, Transform(), with_few_corners(shell))
+    yield lean if lean.error <= bound else _measured_fit(mesh, "hull", _NO_SIZE, Transform(), shell)
     if most > 1:
         many = _in_pieces(mesh, most)
         if many.error <= bound:  # else fewer will not do either
@@ -124,13 +126,13 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
 
 
 def _in_pieces(mesh: Mesh, most: int) -> Fit:
-    return _judged(mesh, "pieces", _NO_SIZE, Transform(), cut(mesh, most=most))
+    return _measured_fit(mesh, "pieces", _NO_SIZE, Transform(), cut(mesh, most=most))
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 
-def _judged(mesh: Mesh, kind: str, size: Vector, frame: Transform, shape: Mesh) -> Fit:
+def _measured_fit(mesh: Mesh, kind: str, size: Vector, frame: Transform, shape: Mesh) -> Fit:
     placed = moved(shape, frame)
     # Primitives are made around all points; their meshes have flat sides.
     lost = missing(placed, mesh) if kind in ("hull", "pieces") else 0.0

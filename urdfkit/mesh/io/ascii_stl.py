@@ -1,4 +1,4 @@
-"""Judging ASCII STL files from their bytes."""
+"""Validating ASCII STL files from their bytes."""
 
 import re
 
@@ -17,7 +17,7 @@ _BAD_VERTEX = re.compile(
 _NOT_FINITE = re.compile(rb"nan|inf|#")
 
 
-def judge(data: bytes) -> tuple[Defect | None, str]:
+def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with an ASCII STL, and which coordinate is not finite."""
     text = data.lower()
     facets = text.count(b"endfacet")

@@ -1,4 +1,4 @@
-"""Judging binary STL files from their bytes.
+"""Validating binary STL files from their bytes.
 
 80 bytes of header, the number of triangles (32 bits, little endian), and for each
 triangle 50 bytes: normal and three corners as 12 floats of 32 bits, and 2 bytes of colour.
@@ -32,7 +32,7 @@ def _count(data: bytes) -> int:
     return int.from_bytes(data[80:HEADER], "little")
 
 
-def judge(data: bytes) -> tuple[Defect | None, str]:
+def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a binary STL, and which coordinate is not finite."""
     size = len(data)
     if size < HEADER:

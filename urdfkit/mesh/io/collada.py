@@ -1,4 +1,4 @@
-"""Judging COLLADA files from their bytes, without reading their numbers."""
+"""Validating COLLADA files from their bytes, without reading their numbers."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _CUT_OFF = (3, 5, 6, 20)
 _TOLERATED = (11, 18, 19)
 
 
-def judge(data: bytes) -> tuple[Defect | None, str]:
+def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a COLLADA file, and which coordinate is not finite."""
     content = _Content()
     error: expat.ExpatError | None = None

@@ -1,4 +1,4 @@
-"""Judging glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
+"""Validating glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
 
 from struct import unpack_from
 from typing import Any
@@ -11,7 +11,7 @@ _CHUNK_HEADER = 8
 _JSON_CHUNK = 0x4E4F534A
 
 
-def judge_glb(data: bytes) -> tuple[Defect | None, str]:
+def validate_glb(data: bytes) -> tuple[Defect | None, str]:
     if len(data) < _HEADER + _CHUNK_HEADER:
         return truncated(f"ends after {counted(len(data), 'byte')}, inside its header"), ""
     version, length = unpack_from("<II", data, 4)
@@ -25,10 +25,10 @@ def judge_glb(data: bytes) -> tuple[Defect | None, str]:
         return unreadable("does not begin with a JSON chunk"), ""
     if start + size > len(data):
         return truncated(f"declares {size} bytes of JSON and has {len(data) - start}"), ""
-    return judge_json(data[start : start + size])
+    return validate_json(data[start : start + size])
 
 
-def judge_json(data: bytes) -> tuple[Defect | None, str]:
+def validate_json(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with the JSON of a glTF file."""
     import json  # 3 ms, and few robots have glTF
 

@@ -1,4 +1,4 @@
-"""Judging Wavefront OBJ files from their bytes."""
+"""Validating Wavefront OBJ files from their bytes."""
 
 import re
 
@@ -13,7 +13,7 @@ _OBJECT = re.compile(rb"(?:\A|(?<=\n))[ \t]*[go](?=[ \t\r\n])")
 _BAD_VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]+([^\r\n]*(?:nan|inf|#ind)[^\r\n]*)")
 
 
-def judge(data: bytes) -> tuple[Defect | None, str]:
+def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with an OBJ file, and which coordinate is not finite."""
     faces = len(_FACE.findall(data))
     vertices = len(_VERTEX.findall(data))

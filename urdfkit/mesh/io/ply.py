@@ -1,4 +1,4 @@
-"""Judging PLY files from their bytes: a text header, then vertices, faces and more."""
+"""Validating PLY files from their bytes: a text header, then vertices, faces and more."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class _PlyElement(Record):
         return int(self.name == "face" and any(one.length for one in self.properties))
 
 
-def judge(data: bytes) -> tuple[Defect | None, str]:
+def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a PLY file; coordinates that are not finite are found by loading it."""
     end = _END_OF_HEADER.search(data[:MAX_HEADER])
     if end is None:

@@ -20,14 +20,14 @@ _LARGEST = 1024**3
 _HEAD = 4096
 _LONG_HEAD = 64 * 1024
 
-_JUDGES = {
-    facts.BINARY_STL: ("binary_stl", "judge"),
-    facts.ASCII_STL: ("ascii_stl", "judge"),
-    facts.COLLADA: ("collada", "judge"),
-    facts.OBJ: ("obj", "judge"),
-    facts.PLY: ("ply", "judge"),
-    facts.GLB: ("gltf", "judge_glb"),
-    facts.GLTF: ("gltf", "judge_json"),
+_VALIDATORS = {
+    facts.BINARY_STL: ("binary_stl", "validate"),
+    facts.ASCII_STL: ("ascii_stl", "validate"),
+    facts.COLLADA: ("collada", "validate"),
+    facts.OBJ: ("obj", "validate"),
+    facts.PLY: ("ply", "validate"),
+    facts.GLB: ("gltf", "validate_glb"),
+    facts.GLTF: ("gltf", "validate_json"),
 }
 
 _TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
@@ -76,7 +76,7 @@ _FOREIGN = (
 
 
 def sniff_file(path: str) -> MeshFacts:
-    """Judge a mesh file. Never raises: a file that cannot be read is a defect like others."""
+    """Validate a mesh file. Never raises: a file that cannot be read is a defect like others."""
     try:
         state = disk.state(path)
         if not S_ISREG(state.st_mode):  # a device or a pipe might never end
@@ -92,7 +92,7 @@ def sniff_file(path: str) -> MeshFacts:
 
 
 def sniff(data: bytes, suffix: str) -> MeshFacts:
-    """Judge the bytes of a mesh file.
+    """Validate the bytes of a mesh file.
 
     Args:
         suffix: of its name, such as ``.stl``; says what broken content was meant to be.
@@ -103,8 +103,8 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
     if not form:
         defect = _foreign(data)
         form = "" if defect else _suggested(data, suffix.lower())
-    if form in _JUDGES:
-        module, function = _JUDGES[form]
+    if form in _VALIDATORS:
+        module, function = _VALIDATORS[form]
         defect, not_finite = getattr(import_module(f"urdfkit.mesh.io.{module}"), function)(data)
     elif not form and defect is None:
         defect = _unknown(data)

@@ -105,7 +105,7 @@ def repair(
         return Repair(mesh, (), before, before)
     if progress:
         progress(_ROUNDS, _ROUNDS + 1)
-    return _judged(mesh, soup, _summed(steps), before, asked)
+    return _if_better(mesh, soup, _summed(steps), before, asked)
 
 
 def _rounds(
@@ -183,7 +183,7 @@ def _do(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) ->
     return done
 
 
-def _judged(
+def _if_better(
     mesh: Mesh, soup: TriangleSoup, steps: list[RepairStep], before: Health, asked: Health
 ) -> Repair:
     """The repair, or the mesh as it was if the repair is no gain.

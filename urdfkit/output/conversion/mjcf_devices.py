@@ -48,10 +48,10 @@ def add_actuators(made: MjcfRobot, robot: Context) -> None:
         kind, at = commands.get(joint.name, ("effort", None))
         _actuator(made, joint, kind)
         if at is not None:
-            _tell(made, at, kind)
+            _record(made, at, kind)
 
 
-def _tell(made: MjcfRobot, at: Element, kind: str) -> None:
+def _record(made: MjcfRobot, at: Element, kind: str) -> None:
     """What becomes of the interface that a joint is commanded by, and of what is around it."""
     what = f"actuator for {kind}"
     made.losses.keep(at, what)

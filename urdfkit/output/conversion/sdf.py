@@ -23,7 +23,7 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.output.conversion.sdf_extensions import set_value
-from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, tell
+from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, record_losses
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
 from urdfkit.output.conversion.sdf_proof import Sdf, prove
 from urdfkit.output.conversion.sdf_refusal import require
@@ -56,7 +56,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         if not proof.holds:
             raise UrdfkitError(f"the SDF does not agree with the robot: {proof.differences}")
         losses = LossTable()
-        tell(losses, conversion, model, bundle)
+        record_losses(losses, conversion, model, bundle)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, REASONS))
         found = Conversion("sdf", MODEL, "", sdf.counts, entries, proof)
         found.write_report(directory)

@@ -31,7 +31,9 @@ _FOR = {"visual": "a visual", "collision": "a collision", "link": "a link", "joi
 _TURNED = 1e-9
 
 
-def tell(losses: LossTable, conversion: SdfConversion, model: SdfModel, bundle: Bundle) -> None:
+def record_losses(
+    losses: LossTable, conversion: SdfConversion, model: SdfModel, bundle: Bundle
+) -> None:
     """Mark what became of a robot.
 
     Args:
