@@ -271,10 +271,11 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 def warn(text: str) -> None:
     """Say on standard error what is odd; the cache of results holds standard output only."""
     disk.depends_on_more()
+    from urdfkit.text.source import shown_text
     from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:
-        print(f"warning: {printable(text)}", file=sys.stderr)
+        print(f"warning: {printable(shown_text(text))}", file=sys.stderr)
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:

@@ -55,7 +55,10 @@ class KinematicTree:
     def unsound(self) -> str:
         """What is said where a computation needs one tree."""
         path = shown(self.model.root.span.source.path)
-        return f"{path}: links and joints do not form one tree; see 'urdfkit check {path}'"
+        what = "links and joints do not form one tree"
+        if not self.model.links:
+            what = "it has no link; perhaps other files include it for its macros"
+        return f"{path}: {what}; see 'urdfkit check {path}'"
 
     @cached_property
     def roots(self) -> tuple[Link, ...]:

@@ -89,6 +89,11 @@ def test_angles_with_decimals(ends: str, count: int) -> None:
         )
 
 
+@pytest.mark.parametrize(("lower", "count"), [("-6.999", 1), ("-7.001", 0)])
+def test_about_a_turn_may_be_in_radians_at_one_end(lower: str, count: int) -> None:
+    assert len(reported("JNT010", robot(joint("j", "revolute", limit(lower, "90"))))) == count
+
+
 def test_round_numbers_alone_are_no_evidence() -> None:
     free = [joint(f"j{size}", "revolute", limit(f"-{size}", f"{size}")) for size in (50, 100, 300)]
     assert reported("JNT010", robot(*free)) == []
@@ -244,3 +249,10 @@ def test_wheels_are_fast() -> None:
 def test_a_robot_of_one_link() -> None:
     shape = '<origin rpy="90 0 0"/><geometry><sphere radius="1"/></geometry>'
     assert len(messages("JNT010", f'<link name="a"><visual>{shape}</visual></link>')) == 1
+
+
+def test_radians_that_were_converted_the_wrong_way() -> None:
+    text = robot(joint("j", "revolute", limit("-177.616916", "177.616916")))
+    (message,) = messages("JNT010", text)
+    assert message.endswith("177.617] rad, 28.3 turns, which looks like degrees")
+    assert limit("-3.099999991", "3.099999991") in fixed("JNT010", text)

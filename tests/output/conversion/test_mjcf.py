@@ -275,9 +275,9 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
         (arm(LIMIT.replace('"2"', '"-3"')), "lower is over upper"),
         (arm(LIMIT, kind="hinge"), "joint 'turn' has the type 'hinge'"),
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
-        (Source("r.urdf", b'<robot name="r"/>'), "do not form one tree"),
+        (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
-         "<sphere> has no size that is over 0"),
+         "<sphere> of link 'tip' has no size that is over 0"),
         (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')), "repeated name 'world'"),
     ],
 )  # fmt: skip

@@ -283,3 +283,37 @@ def test_no_file_is_written_beside_it(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.chdir(tmp_path)
     loaded(meshed(tmp_path), tmp_path / "o")
     assert not (tmp_path / "MUJOCO_LOG.TXT").exists()
+
+
+def test_a_fixed_link_with_a_bad_tensor_and_a_mount_without_mass(tmp_path: Path) -> None:
+    """Neither has an inertia that a body can have; with what is fixed to them they do."""
+    bad = INERTIAL.replace('value="2"', 'value="0.001"').replace('iyy="0.1"', 'iyy="0.3"')
+    mount = (
+        '<link name="mount"/><link name="antenna">' + bad.replace("0.1", "1e-9") + "</link>"
+        '<joint name="a" type="fixed"><parent link="mount"/><child link="base"/></joint>'
+        '<joint name="b" type="fixed"><parent link="mount"/><child link="antenna"/></joint>'
+    )
+    bad_source = arm(LIMIT, more=mount.replace("0.3", "3e-9"))
+    model, _ = loaded(bad_source, tmp_path / "o", base="free")
+    assert model.body("mount").mass[0] == pytest.approx(2.001)
+
+
+def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    (tmp_path / "flat.obj").write_text("\n".join([*lines, "f 1 2 3", "f 1 3 4"]))
+    shape = '<geometry><mesh filename="flat.obj" scale="2 1 1"/></geometry>'
+    tip = f"{INERTIAL}<collision>{shape}</collision>"
+    file = tmp_path / "arm.urdf"
+    file.write_bytes(arm(LIMIT, tip=tip).data)
+    model, parts = loaded(file, tmp_path / "o")
+    assert sorted(model.geom_aabb[0, 3:].round(6)) == [0.0005, 0.5, 1]
+    note = parts["link/tip/collision/geometry/mesh"]
+    assert note == "approximated: its convex hull, 1 mm thick, since it is flat"
+
+
+def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:
+    tip = INERTIAL + '<visual><geometry><box size="0 0 0"/></geometry></visual>'
+    model, parts = loaded(arm(LIMIT, tip=tip), tmp_path / "o")
+    assert model.ngeom == 0
+    assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size that is over 0"

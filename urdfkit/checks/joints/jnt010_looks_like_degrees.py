@@ -6,7 +6,8 @@ Angles are radians in URDF, velocities radians per second, and every parser read
   are reported if they are whole numbers up to 360, exceed two turns, and are common angles (45, 90,
   135, 180, 270, 360), or multiples of 5 that differ from joint to joint; the other joints or the
   other end may also show that radians are used elsewhere. So are numbers with one or two decimals,
-  such as 177.6, next to other joints that differ or are in radians; multiples of pi are not.
+  such as 177.6, next to other joints that differ or are in radians; multiples of pi are not. So are
+  those that were converted the wrong way: 177.617 is what 3.1 rad is in degrees.
 - An `rpy` of a joint, a shape or an inertia: 90 is 14.3 turns, so the part is rotated by 116.6
   degrees. It is reported if an angle is more than a turn and a whole or half number.
 - The velocity of a revolute joint: data sheets of arms have 150 or 225 degrees per second. It is
@@ -85,6 +86,9 @@ def _limits(model: RobotModel) -> Findings:
     in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
     lonely = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
     many = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND
+    for joint, ends in revolute:
+        if _is_converted(ends):
+            yield _limit(joint, *ends)
     for joint, ends in suspects:
         if many or lonely or {abs(end) for end in ends} & _NAMED:
             yield _limit(joint, *ends)
@@ -124,6 +128,16 @@ def _is_written_in_degrees(size: float) -> bool:
     return has_few_decimals and not (
         _is_near_multiple(size, pi) or _is_near_multiple(size, _ROUND_ANGLE)
     )
+
+
+def _is_converted(ends: tuple[float, float]) -> bool:
+    """True for ends beyond two turns that are whole hundredths of a rad, written in degrees."""
+    if not _FAR < max(map(abs, ends)) <= 360 or any(
+        map(_is_written_in_degrees, filter(None, ends))
+    ):
+        return False
+    hundredths = [100 * radians(end) for end in ends]
+    return all(abs(one - round(one)) < 1e-3 for one in hundredths)
 
 
 def _is_near_multiple(size: float, unit: float) -> bool:

@@ -36,7 +36,7 @@ def convert(
         out: a directory; whole or not at all.
         to: a name of `FORMATS`.
         base: ``fixed`` welds the root to the world, ``free`` lets it float; ``auto`` lets a robot
-            float that stands on more than its root.
+            float that stands on wheels or feet.
         fixed: ``keep`` gives each link a body; ``merge`` makes those of fixed joints sites and
             geoms of their parents.
         collision: what a collision mesh becomes: ``hull``, its convex hull; ``decompose``, convex

@@ -10,31 +10,26 @@ import mujoco
 import numpy as np
 
 from urdfkit.core import atomic
-from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.mesh.containment import protrusion
-from urdfkit.mesh.convex_decomposition import decompose
-from urdfkit.mesh.convex_hull import NoHull
-from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh, MeshPart
-from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.writers import encode
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_pieces import Piece, halved
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
-from urdfkit.robot.assets.collision_shapes import RELATIVE
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.model import Body, Link, Material, Shape
 from urdfkit.text.document import Element
 
 #: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
 VISUAL_GROUP, COLLISION_GROUP = 2, 3
+#: A mesh that is thinner than this part of its size is flat, and becomes a plate of so many m.
+FLAT, THICKNESS = 1e-6, 1e-3
 #: MuJoCo reads no mesh with fewer vertices.
 _LEAST_VERTICES = 4
 
@@ -46,15 +41,6 @@ _KINDS = {
     "mesh": mujoco.mjtGeom.mjGEOM_MESH,
 }
 _NO_SIZE = (0.0, 0.0, 0.0)
-
-
-class Piece(Record):
-    """A geom in the frame of its visual or collision."""
-
-    kind: str  # of the shape
-    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
-    frame: Transform = Transform()
-    mesh: str = ""  # the name of its mesh; empty for a primitive
 
 
 class Geoms:
@@ -101,7 +87,7 @@ class Geoms:
             Those that collide.
 
         Raises:
-            UrdfkitError: a shape has no size.
+            UrdfkitError: a shape that collides has no size.
         """
         colliding: list[Any] = []
         visuals = link.visuals if self._options.visuals else ()
@@ -110,10 +96,14 @@ class Geoms:
             if shape is None or shape.kind not in _KINDS:
                 continue
             size = _size(shape)
-            if size is None:
-                raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no size that is over 0")
-            place = frame @ geometry.origin
             is_visual = any(geometry is one for one in link.visuals)
+            if size is None:
+                what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
+                if not is_visual:
+                    raise UrdfkitError(f"{shape.at.span}: {what}")
+                self._losses.lose(geometry.at, what)
+                continue
+            place = frame @ geometry.origin
             what = "visual geom" if is_visual else "collision geom"
             self._losses.keep(geometry.at, what)
             for tag in ("origin", "geometry"):
@@ -258,35 +248,49 @@ class Geoms:
             if pieces:
                 self._losses.approximate(shape.at, note)
                 return pieces
+        plate = self._plate(geometry, shape, file)
+        if plate:
+            note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, since it is flat"
+            self._losses.approximate(shape.at, note)
+            return (plate,)
         self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")
         return (Piece("mesh", size, mesh=self._mesh(file, shape.scale, is_visual=False)),)
 
+    def _plate(self, geometry: Body, shape: Shape, file: str) -> Piece | None:
+        """A plate for a flat mesh, of which MuJoCo makes no hull; None for another mesh."""
+        vertices = self._robot.meshes.vertices(shape)
+        if vertices is None or not len(vertices):
+            return None
+        _, sizes, axes = np.linalg.svd(vertices - vertices.mean(axis=0), full_matrices=False)
+        if sizes[-1] > FLAT * sizes[0]:
+            return None
+        normal = axes[-1]
+        sides = [vertices + side * THICKNESS / 2 * normal for side in (-1, 1)]
+        corners = np.concatenate(sides)
+        faces = np.resize(np.arange(len(corners)), (-(-len(corners) // 3), 3))  # each in some face
+        path = f"{os.path.splitext(file)[0]}_plate_{len(self._meshes) + 1}.stl"
+        self._write(path, Mesh((MeshPart(corners, faces),)))
+        name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
+        self._spec.mesh(name).inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
+        return Piece("mesh", _NO_SIZE, mesh=name)
+
     def _simplified(self, geometry: Body, file: str) -> tuple[list[Piece], str]:
         """Simpler shapes for a mesh, and what they are; none where it is flat."""
-        mesh = body_mesh(self._robot, geometry)
-        if mesh is None:
+        # Its libraries take longer to import than most robots to convert.
+        from urdfkit.output.conversion.simpler_collisions import simplified
+
+        found = simplified(self._robot, geometry, self._options.collision)
+        if found is None:
             return [], ""
-        try:
-            if self._options.collision == "primitives":
-                best = fit(mesh, RELATIVE * soup_of(mesh).size).best
-                what, parts, error = str(best), best.mesh, best.error
-                if best.kind in ("box", "sphere", "cylinder"):
-                    halved = _halved(best.kind, best.size)
-                    return [Piece(best.kind, halved, best.frame)], _approximated(what, error)
-            else:
-                parts = decompose(mesh)
-                count = len(parts.parts)
-                what, error = f"{count} convex pieces", protrusion(parts, mesh)
-                what = "its convex hull" if count == 1 else what
-        except NoHull:
-            return [], ""
+        if found.primitive is not None:
+            return [found.primitive], found.note
         pieces = []
-        for number, part in enumerate(parts.parts, 1):
+        for number, part in enumerate(found.meshes, 1):
             path = f"{os.path.splitext(file)[0]}_piece_{len(self._simpler) + 1}_{number}.stl"
-            self._write(path, parts._replace(parts=(part,)))
+            self._write(path, part)
             name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
             pieces.append(Piece("mesh", _NO_SIZE, mesh=name))
-        return pieces, _approximated(what, error)
+        return pieces, found.note
 
     def _write(self, path: str, mesh: Mesh) -> None:
         """A mesh file in the directory of the conversion."""
@@ -325,10 +329,6 @@ def _count_vertices(parts: list[MeshPart]) -> int:
     return len(np.unique(corners, axis=0))
 
 
-def _approximated(what: str, error: float) -> str:
-    return f"{what}, up to {error * 1e3:.3g} mm outside of the mesh"
-
-
 def _size(shape: Shape) -> tuple[float, ...] | None:
     """MuJoCo's size of a shape; None for one that is not over 0."""
     if shape.kind == "mesh":
@@ -338,12 +338,4 @@ def _size(shape: Shape) -> tuple[float, ...] | None:
     else:
         written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
     sizes = [one for one in written if one is not None and one > 0]
-    return _halved(shape.kind, sizes) if len(sizes) == len(written) else None
-
-
-def _halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
-    """Half the edges of a box; radius and half the length of what has them."""
-    if kind == "box":
-        return tuple(edge / 2 for edge in sizes)
-    radius, *length = sizes
-    return (radius, length[0] / 2 if length else 0.0, 0.0)
+    return halved(shape.kind, sizes) if len(sizes) == len(written) else None

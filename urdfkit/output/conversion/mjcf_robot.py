@@ -1,6 +1,6 @@
 """A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from typing import Any
 
 import mujoco
@@ -18,7 +18,7 @@ from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
-from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
+from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
@@ -249,14 +249,21 @@ def _inertials(
     fixed = {joint.name for joint in tree.model.joints if joint.kind == "fixed"}
     for group in rigid_bodies(tree, frozenset(fixed - merged_joints if merged_joints else ())):
         own = {link.name: properties_of(link, Transform()) for link, _ in group.links}
-        top, has_sound_top = group.top.name, _is_physical(own[group.top.name].tensor)
-        summed = [properties_of(group.top, Transform())]
-        for link, frame in group.links[1:]:
-            if not merged_joints and has_sound_top and _is_physical(own[link.name].tensor):
-                yield link.name, own[link.name]
-            else:
-                summed.append(properties_of(link, frame))
-        yield top, combined(summed) if len(summed) > 1 else own[top]
+        sound = {name for name, one in own.items() if _is_physical(one.tensor)}
+        top = group.top.name
+        kept = sound - {top} if top in sound and not merged_joints else set()
+        summed = _summed(group, kept)
+        if kept and not _is_physical(summed.tensor):  # the others do not weigh enough for that
+            kept, summed = set(), _summed(group, set())
+        yield top, summed
+        for name in kept:
+            yield name, own[name]
+
+
+def _summed(group: RigidBody, apart: Container[str]) -> MassProperties:
+    """The inertia of a body but for some of its links, in the frame of the topmost."""
+    parts = [properties_of(link, frame) for link, frame in group.links if link.name not in apart]
+    return combined(parts) if len(parts) > 1 else parts[0]
 
 
 def _is_physical(tensor: Tensor) -> bool:

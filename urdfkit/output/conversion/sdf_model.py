@@ -139,15 +139,6 @@ class SdfModel:
         return tag
 
 
-def is_merged(joint: Joint, conversion: SdfConversion) -> bool:
-    """True if sdformat merges the child of a joint into the parent."""
-    return (
-        joint.kind == "fixed"
-        and joint.name not in conversion.preserved
-        and joint.parent_name not in ("", WORLD)
-    )
-
-
 def is_hinge(joint: Joint, conversion: SdfConversion) -> bool:
     """True for a fixed joint that an old tag makes a revolute one without a range."""
     tags = {
@@ -184,11 +175,11 @@ def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
         below = [
             (one.child_name, one, False)
             for one in reversed(_children(tree, name))
-            if is_merged(one, conversion) != is_done
+            if conversion.merges(one) != is_done
         ]
         if not is_done:
             stack.append((name, joint, True))
-        elif joint is not None and is_merged(joint, conversion):
+        elif joint is not None and conversion.merges(joint):
             yield joint
         stack += below
 

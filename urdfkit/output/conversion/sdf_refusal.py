@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
-from urdfkit.output.conversion.sdf_model import merged_joints
 from urdfkit.robot.model import Link
 from urdfkit.ros.gazebo.conversion import JOINT_TYPES, SdfConversion
 from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
@@ -15,8 +14,6 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
-#: Older versions reject a joint of a ``<gazebo>`` tag with a link that is merged.
-_FOLLOWED = "GAZ067"
 #: What urdfdom reads, and what each of them needs.
 _SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
 
@@ -32,8 +29,7 @@ def require(robot: Context, conversion: SdfConversion) -> None:
     """
     diagnostics = run_rules(robot, sorted(CODES)).diagnostics
     for one in rejections(diagnostics, conversion):
-        if one.code != _FOLLOWED:
-            raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}")
+        raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}")
     for diagnostic in diagnostics:
         if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
             raise UrdfkitError(
@@ -60,7 +56,6 @@ def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
         leader = joint.mimic.joint if joint and joint.mimic else None
         if leader is not None and joint is not None and leader.value == joint.name:
             yield leader.span, "gz rejects the robot: the joint follows itself"
-    yield from _of_frames(conversion)
 
 
 def _too_deep(root: Element) -> Element | None:
@@ -87,35 +82,3 @@ def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
             yield shape.at.span, f"{what}: Gazebo reads no <{shape.kind}> of a URDF"
         elif getattr(shape, _SHAPES[shape.kind]) is None:
             yield shape.at.span, f"{what}: <{shape.kind}> needs {_SHAPES[shape.kind]}"
-
-
-def _of_frames(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
-    """Frames that hang in the air, or have the name of something else."""
-    taken = {link.name for link in conversion.links} | conversion.joint_names
-    taken |= conversion.added
-    for joint in merged_joints(conversion):
-        child = joint.child_name
-        if child in conversion.dropped:
-            reason = conversion.dropped[child]
-            message = (
-                f"gz-sim rejects the robot: '{child}' is merged into a link that is dropped "
-                f"({reason}), and its frame is attached to nothing; give that link a mass"
-            )
-            yield joint.at.span, message
-        for name in (joint.name, child):
-            if name in taken:
-                message = (
-                    f"gz-sim rejects the robot: the frame of the merged '{name}' has the name of "
-                    "another link, joint or frame"
-                )
-                yield joint.at.span, message
-            taken.add(name)
-    for block in conversion.model.gazebo:
-        for added in block.children if not block.get("reference") else ():
-            name = added.get("name") or ""
-            if added.tag not in ("frame", "model"):
-                continue
-            if name in taken:
-                message = f"gz-sim rejects the robot: another part is called '{name}'"
-                yield added.span, message
-            taken.add(name)

@@ -13,7 +13,7 @@ from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_collisions
-from urdfkit.output.conversion.mjcf import assembled, compiled, floats
+from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws

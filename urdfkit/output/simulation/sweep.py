@@ -113,7 +113,7 @@ def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
             unit, _ = unit_of(joint)
             text = (
                 f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} "
-                f"{unit} where <mimic> takes it to {should:.3g} {unit}"
+                f"{unit} where <mimic> takes it to {should:.3g} {unit}{_stop(robot, name, should)}"
             )
             place = joint.mimic.at.span if joint.mimic else None
             yield Verdict("mimic", False, text, apart, SAG, (name,), place)
@@ -121,6 +121,14 @@ def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
         most = max(apart for apart, _, _ in worst.values())
         text = f"what follows a joint is never off by more than {most:.2g} rad or m"
         yield Verdict("mimic", True, text, most, SAG)
+
+
+def _stop(robot: SimulatedRobot, joint: str, should: float) -> str:
+    """What keeps a joint from going where it should, if its own range does."""
+    lower, upper = robot.range(joint) or (should, should)
+    if lower <= should <= upper:
+        return ""
+    return f", and its own range ends at {lower if should < lower else upper:.3g}"
 
 
 def _held_at(robot: SimulatedRobot, end: int) -> dict[str, tuple[float, float]]:

@@ -40,10 +40,11 @@ class Converter(Record):
     name: str  # of its versions
     least_mass: float  # a link of this mass in kg or less counts as massless
     stops_at_merged: bool  # True if a massless link that is merged loses the joints below it
+    has_frames: bool  # True if merged links and joints leave frames of their names
 
 
-OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True)
-NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False)
+OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True, False)
+NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False, True)
 
 
 class SimulatedLink:
@@ -167,6 +168,14 @@ class SdfConversion:
     def merged(self) -> dict[str, str]:
         """The link that each merged link became part of."""
         return {name: into for name, into in self.survivor.items() if name != into}
+
+    def merges(self, joint: Joint) -> bool:
+        """True if the child of a joint becomes part of its parent, or is dropped with it."""
+        return (
+            joint.kind == "fixed"
+            and joint.name not in self.preserved
+            and joint.parent_name not in ("", WORLD)
+        )
 
     def _survives(self, body: RigidBody) -> bool:
         """True if Gazebo creates a link for a body; parents come before their children."""

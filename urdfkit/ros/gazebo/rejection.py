@@ -52,9 +52,9 @@ def rejections(diagnostics: Iterable[Diagnostic], conversion: SdfConversion) -> 
     """
     found = list(_reported(diagnostics))
     if not found and not (conversion.links or conversion.added_links):
-        message = "no link has a mass, so that the model has no link"
-        found.append(Rejection("libsdformat", "INE004", message, conversion.model.root.span))
+        found.append(_of_nothing(conversion))
     found += _of_names(conversion)
+    found += _of_frames(conversion)
     found += _of_joints(conversion)
     found += _of_inertia(conversion)
     return found
@@ -78,6 +78,50 @@ def _reported(diagnostics: Iterable[Diagnostic]) -> Iterator[Rejection]:
             yield Rejection("libsdformat", one.code, one.message, one.span)
         elif one.code in BY_GZ or REJECTED_BY_GZ in says:
             yield Rejection("gz", one.code, one.message, one.span)
+
+
+def _of_nothing(conversion: SdfConversion) -> Rejection:
+    """A model that no link is left of."""
+    message, place = "the robot has no link", conversion.model.root
+    for body in conversion.massless[:1]:
+        place = body.top.at
+        message = (
+            f"link '{body.top.name}' has no mass, so that it is dropped with all links below it, "
+            "and none is left; give it an <inertial>"
+        )
+    return Rejection("libsdformat", "INE004", message, place.span)
+
+
+def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
+    """Frames that hang in the air, or have the name of something else."""
+    taken = {link.name for link in conversion.links} | conversion.joint_names | conversion.added
+    leaves_frames = conversion.converter.has_frames and conversion.tree.is_sound
+    for joint in filter(conversion.merges, conversion.model.joints) if leaves_frames else ():
+        child = joint.child_name
+        if child in conversion.dropped:
+            reason = conversion.dropped[child]
+            message = (
+                f"'{child}' is merged into a link that is dropped ({reason}), and its frame is "
+                "attached to nothing; give that link a mass"
+            )
+            yield Rejection("gz", "INE004", message, joint.at.span)
+        for name in (joint.name, child):
+            if name in taken:
+                message = (
+                    f"the frame of the merged '{name}' has the name of another link, joint or "
+                    "frame; rename one of them"
+                )
+                yield Rejection("gz", "", message, joint.at.span)
+            taken.add(name)
+    for block in conversion.model.gazebo:
+        for added in block.children if not block.get("reference") else ():
+            name = added.get("name") or ""
+            if added.tag not in ("frame", "model"):
+                continue
+            if name in taken:
+                message = f"another part is called '{name}'"
+                yield Rejection("gz", "", message, added.span)
+            taken.add(name)
 
 
 def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
@@ -106,6 +150,8 @@ def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
 def _of_joints(conversion: SdfConversion) -> Iterator[Rejection]:
     """Joints of SDF between links that are not there, and floating joints, which leave no frame."""
     for joint, end, into in conversion.lost_joint_ends():
+        if into and conversion.converter.has_frames:
+            continue  # its frame bears the joint
         what = f"is merged into '{into}'" if into else "is not in the converted model"
         message = (
             f"<joint> '{joint.get('name')}' in <gazebo>: {end.tag} '{end.text.strip()}' {what}"

@@ -1,0 +1,25 @@
+"""What a shape of a URDF is made of in MJCF."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Transform
+
+
+class Piece(Record):
+    """A geom in the frame of its visual or collision."""
+
+    kind: str  # of the shape
+    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
+    frame: Transform = Transform()
+    mesh: str = ""  # the name of its mesh; empty for a primitive
+
+
+def halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
+    """Half the edges of a box; radius and half the length of what has them."""
+    if kind == "box":
+        return tuple(edge / 2 for edge in sizes)
+    radius, *length = sizes
+    return (radius, length[0] / 2 if length else 0.0, 0.0)

@@ -1,0 +1,62 @@
+"""Simpler shapes for a collision mesh, and how far they are from it."""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.lint.context import Context
+from urdfkit.mesh.containment import protrusion
+from urdfkit.mesh.convex_decomposition import decompose
+from urdfkit.mesh.convex_hull import NoHull
+from urdfkit.mesh.fitting import fit
+from urdfkit.mesh.geometry import Mesh
+from urdfkit.mesh.repair.soup import soup_of
+from urdfkit.output.conversion.mjcf_pieces import Piece, halved
+from urdfkit.robot.assets.collision_shapes import RELATIVE
+from urdfkit.robot.assets.geometry import body_mesh
+from urdfkit.robot.model import Body
+
+
+class SimplerCollision(Record):
+    """A primitive or convex meshes."""
+
+    note: str  # what it is, and how far outside of the mesh
+    primitive: Piece | None = None
+    meshes: tuple[Mesh, ...] = ()
+
+
+def simplified(robot: Context, geometry: Body, how: str) -> SimplerCollision | None:
+    """What stands for the mesh of a collision; None where it is flat or not there.
+
+    Args:
+        how: ``decompose`` or ``primitives``, as in `urdfkit.output.conversion.options.COLLISIONS`.
+    """
+    mesh = body_mesh(robot, geometry)
+    if mesh is None:
+        return None
+    try:
+        return _primitive(mesh) if how == "primitives" else _pieces(mesh)
+    except NoHull:
+        return None
+
+
+def _primitive(mesh: Mesh) -> SimplerCollision:
+    best = fit(mesh, RELATIVE * soup_of(mesh).size).best
+    note = _note(str(best), best.error)
+    if best.kind in ("box", "sphere", "cylinder"):
+        return SimplerCollision(note, Piece(best.kind, halved(best.kind, best.size), best.frame))
+    return SimplerCollision(note, meshes=_apart(best.mesh))
+
+
+def _pieces(mesh: Mesh) -> SimplerCollision:
+    parts = decompose(mesh)
+    count = len(parts.parts)
+    what = "its convex hull" if count == 1 else f"{count} convex pieces"
+    return SimplerCollision(_note(what, protrusion(parts, mesh)), meshes=_apart(parts))
+
+
+def _apart(mesh: Mesh) -> tuple[Mesh, ...]:
+    return tuple(mesh._replace(parts=(part,)) for part in mesh.parts)
+
+
+def _note(what: str, error: float) -> str:
+    return f"{what}, up to {error * 1e3:.3g} mm outside of the mesh"
