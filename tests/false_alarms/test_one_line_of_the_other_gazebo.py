@@ -65,6 +65,8 @@ def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
     )
     found = codes(tmp_path, "gz_ros2_control/GazeboSimSystem", both)
     assert found.count("GAZ040") == 2
+    sensors = check(tmp_path / "r.urdf", select=["GAZ040"]).diagnostics
+    assert {one.severity.value for one in sensors} == {"info"}, "one of the two makes them"
 
 
 def test_a_package_for_both_generations_of_ros(tmp_path: Path) -> None:

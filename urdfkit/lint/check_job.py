@@ -22,6 +22,11 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
+#: Rules about what arguments choose: which parts a robot has, and from which files.
+_OF_PARTS = frozenset(
+    ("GAZ001", "RCT001", "RCT010", "REF001", "TRE001", "TRE002", "XAC001", "XAC003")
+)
+
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
     """Reads the description of a job."""
@@ -67,19 +72,53 @@ def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Ch
 
 def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
     try:
-        return with_assumed(
-            [
-                (launched, check_context(launched, context, options))
-                for launched, context in as_launched(job, reader(options, resolver))
-            ]
-        )
+        return check_sets(as_launched(job, reader(options, resolver)), options)
     except UrdfkitError:
         raise
     except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
         return [(job, failed(job, error))]
 
 
-def with_assumed(checked: list[Checked]) -> list[Checked]:
+def check_sets(sets: list[tuple[Job, Context]], options: Options) -> list[Checked]:
+    """Check one robot with each set of its arguments."""
+    checked = [(job, context, check_context(job, context, options)) for job, context in sets]
+    return _with_assumed(
+        [(job, _with_unknown_values(job, context, result)) for job, context, result in checked]
+    )
+
+
+def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:
+    """A result, less severe where it depends on arguments whose values are known at run time only.
+
+    Launch files that ask for a gripper start the robot with one; with its defaults it has none, and
+    is in pieces.
+    """
+    if all(one.code not in _OF_PARTS for one in result.diagnostics):
+        return result
+    xacro = context.reading.xacro
+    open_names = {argument.name for argument in xacro.arguments} if xacro else set()
+    open_names -= job.arguments.keys()
+    if not open_names:
+        return result
+    from urdfkit.ros.launch.robot_arguments import known_at_run_time
+
+    names = known_at_run_time(job.path, open_names, context.resolver)
+    if not names:
+        return result
+    with_defaults = (f"the default of {', '.join(names)}",)
+
+    def lowered(one: Diagnostic) -> Diagnostic:
+        if one.code not in _OF_PARTS or one.severity is Severity.INFO:
+            return one
+        less = Severity.WARNING if one.severity is Severity.ERROR else Severity.INFO
+        return one._replace(
+            severity=less, confidence=Confidence.GUESSED, variants=with_defaults, fix=None
+        )
+
+    return result._replace(diagnostics=tuple(map(lowered, result.diagnostics)))
+
+
+def _with_assumed(checked: list[Checked]) -> list[Checked]:
     """The results of one robot, in which no error depends on values that nobody may start it with.
 
     An error that only assumed values show is a warning that names them, unless several sets of them

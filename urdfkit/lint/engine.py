@@ -6,7 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader, with_assumed
+from urdfkit.lint.check_job import (
+    check_context,
+    check_job,
+    check_one_of_many,
+    check_sets,
+    reader,
+)
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
@@ -130,11 +136,7 @@ def check_robots(
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
     robots = [as_launched(job, read) for job in plan.jobs]
-    checked = [
-        result
-        for sets in robots
-        for result in with_assumed([(job, check_context(job, one, options)) for job, one in sets])
-    ]
+    checked = [result for sets in robots for result in check_sets(sets, options)]
     return merged_report(plan, checked, ()), [context for sets in robots for _, context in sets]
 
 

@@ -34,6 +34,13 @@ def test_it_stands(center: str) -> None:
     assert messages("DYN004", on_wheels(center)) == []
 
 
+def test_what_thrusters_carry_stands_on_nothing() -> None:
+    thrusters = "".join(
+        link(f"thruster_{n}") + joint("base", f"thruster_{n}", "fixed", "0 0 1") for n in (1, 2)
+    )
+    assert messages("DYN004", on_wheels("0.02 0 0.1") + thrusters) == []
+
+
 def test_two_wheels_balance() -> None:
     assert messages("DYN004", on_wheels("0.5 0 0", casters="-0.15 0 0.1")) == []
 

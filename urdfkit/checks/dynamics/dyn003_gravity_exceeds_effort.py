@@ -5,8 +5,8 @@ the controller does, the robot sags or falls there. A search finds the worst pos
 held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
 counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
-do not count. Robots that fly, with several rotors, are not searched: no root is held. `urdfkit
-statics` has the numbers for all joints, and takes payloads.
+do not count. Robots that several rotors or thrusters carry are not searched: no root is held.
+`urdfkit statics` has the numbers for all joints, and takes payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -14,16 +14,16 @@ Sources:
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.dynamics.rotors import is_carried_by_rotors
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable
 from urdfkit.robot.joints import effort_unit
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
@@ -43,9 +43,6 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
-#: In the names of joints of robots that fly, and how many of these carry one; not that of a motor.
-_ROTOR, _ROTORS = r"rotor_?\d|propeller|thrust", 2
-
 #: Drawn poses; the search finds the worst of a serial arm without any.
 _SAMPLES = 20
 
@@ -59,7 +56,7 @@ def check(context: Context) -> Findings:
     overloaded = overloadable(context.tree)
     if not overloaded or context.is_part or context.masses.consistently_wrong:  # INE010
         return
-    if _flies(context.model):
+    if is_carried_by_rotors(context.model):
         return
     from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.gravity_model import GravityModel
@@ -79,11 +76,6 @@ def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -
     from urdfkit.physics.gravity import gravity_loads
 
     return gravity_loads(model, dict(efforts), model.starts(_SAMPLES, seed=0), pose={})
-
-
-def _flies(model: RobotModel) -> bool:
-    """True if the names of joints tell of rotors that carry the robot."""
-    return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS
 
 
 def _weightless(context: Context) -> set[str]:

@@ -2,9 +2,10 @@
 
 All joints at zero, the lowest collisions touch the ground: their hull is what the robot stands on.
 In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
-or correct a mass or the place of one. Three kinds are not judged: a robot that stands on its base
-alone, since bases are bolted down, one on two wheels, which balances, and one on legs, which does
-not stand with all joints at zero; `urdfkit statics --pose` computes its stability in any pose.
+or correct a mass or the place of one. Four kinds are not judged: a robot that stands on its base
+alone, since bases are bolted down, one on two wheels, which balances, one on legs, which does not
+stand with all joints at zero, and one that several rotors or thrusters carry; `urdfkit statics
+--pose` computes its stability in any pose.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -12,6 +13,7 @@ Sources:
 
 from collections.abc import Iterator
 
+from urdfkit.checks.dynamics.rotors import is_carried_by_rotors
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel, Shape
@@ -59,6 +61,8 @@ _TOLERANCE = 1e-3
 )
 def check(context: Context) -> Findings:
     if context.is_part or not context.tree.is_sound or _is_serial(context.tree):
+        return
+    if is_carried_by_rotors(context.model):
         return
     standing = stand(context, meshes=False)
     if not _falls(context, standing):

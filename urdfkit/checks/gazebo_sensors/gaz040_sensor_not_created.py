@@ -4,7 +4,7 @@
   sensor whose plugin is unknown, too, is taken for one that the plugin's package defines.
 - The type is of another generation of Gazebo than the target: `ray` and `gpu_ray` became
   `gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. An info where no Gazebo is
-  among the targets.
+  among the targets, or where the robot has plugins of both generations: one of them has the type.
 - Force and torque are measured in a joint: `<gazebo reference="JOINT">`. On a link gz-sim creates a
   sensor that never sends, and Gazebo Classic none. Cameras, lidars and the like belong to links.
 - The noise of an IMU, a GPS, a magnetometer, an altimeter, a pressure or force sensor has its type
@@ -86,12 +86,14 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
     else:
         return
     at = sensor.at.attributes["type"]
+    is_for_both = wants_gz and wants_classic and bool(targets.evidence)
+    is_error = (wants_gz or wants_classic) and not is_for_both
     yield Finding(
         at,
         f"{sensor.who}: {reader} has no sensor type '{sensor.type}'",
         f"write type '{other}'" if other else f"use a type that {reader} has",
-        fix_value(at, other) if wants_gz or wants_classic else None,
-        severity=Severity.ERROR if wants_gz or wants_classic else Severity.INFO,
+        fix_value(at, other) if is_error else None,
+        severity=Severity.ERROR if is_error else Severity.INFO,
         targets=targets.among(GZ if reader == "gz-sim" else CLASSIC),
     )
 

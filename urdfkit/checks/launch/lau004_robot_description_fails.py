@@ -59,12 +59,13 @@ def check(context: Context) -> Findings:
 
 
 def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
-    """True if it lacks arguments only, and is given some whose values are not known here.
+    """True if it is given arguments whose values are not known here.
 
-    Or packages only, that this machine lacks: that is reported where they are needed.
+    Or if it lacks packages only that this machine does not have: that is reported where they are
+    needed, as are the errors that it has with its defaults.
     """
     codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
-    return codes == {"XAC011"} or (not description.is_whole and codes == {"XAC010"})
+    return codes == {"XAC011"} or not description.is_whole
 
 
 def _errors(robot: Context) -> list[Problem]:

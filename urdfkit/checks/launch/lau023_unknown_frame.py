@@ -7,9 +7,10 @@ name robot_localization, Nav2 and slam_toolbox wait for ever: "Could not find a 
 Frame [base] does not exist". A static transform with such a parent makes a second tree.
 
 Checked are `base_link_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and `sensor_frame`,
-RViz's fixed frame and the frames of its displays, and the parents of static transforms. The robot
-is that of the launch file, else those that the other launch files of the workspace start. A frame
-that a program of the workspace names is left out. `map`,
+RViz's fixed frame and the frames of its displays, and the parents of static transforms, unless the
+launch file starts drivers that are not in the workspace, which publish frames of their own. The
+robot is that of the launch file, else those that the other launch files of the workspace start. A
+frame that a program of the workspace names is left out. `map`,
 `odom` and `world` as the fixed frame are reported where a launch file starts RViz with
 joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is neither
 its `odom_frame` nor its `map_frame`, at which the filter stops, and an `odom_frame` that is one of
@@ -34,6 +35,7 @@ from urdfkit.ros.launch.frames import NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.workspace.ros_packages import comes_with_ros
 from urdfkit.workspace.xml_programs import named_in_programs
 
 NAME = "launch/filter.launch.py"
@@ -64,6 +66,8 @@ _RVIZ = ("rviz", "rviz2")
 _SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
 #: What starts nothing that localizes the robot.
 _VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
+#: Packages of ROS whose nodes publish frames of their own: of a sensor, or what was recorded.
+_PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
 #: Robots of a workspace that are expanded, to know their links.
 _MAX_ROBOTS = 8
 _NAMED = 4
@@ -79,13 +83,52 @@ def check(context: Context) -> Findings:
     if known:
         known |= _of_filters(launch, named)
         given = {key for one in _started(launch) for key in one.parameters.values}
-        unknown = [one for one in named if one.name not in known and one.key not in given]
-        parents = dict(_unknown_parents(launch, known, _of_robots(context, (launch,))))
+        last_words = {name.rpartition("/")[2] for name in known}
+        of_others = _of_drivers(launch)
+        unknown = [
+            one
+            for one in named
+            # In a namespace: of a robot that is started with a prefix, or MODEL/FRAME of Gazebo.
+            if one.name not in known
+            and ("/" not in one.name or one.name.rpartition("/")[2] not in last_words)
+            and one.key not in given
+            and (one.key or one.name not in of_others)
+        ]
+        parents = {}
+        if not _has_foreign_publishers(context):
+            parents = dict(_unknown_parents(launch, known, _of_robots(context, (launch,))))
         words = {one.name for one in unknown} | parents.keys()
         elsewhere = named_in_programs(words, context.source.path, context.resolver)
         yield from (_unknown(one, known) for one in unknown if one.name not in elsewhere)
         yield from (found for name, found in parents.items() if name not in elsewhere)
     yield from _other_world(context)
+
+
+def _of_drivers(launch: Launch) -> frozenset[str]:
+    """The frames that nodes are told to stamp their messages with, in which RViz shows them."""
+    return frozenset(
+        value.lstrip("/")
+        for one in _started(launch)
+        for key, value in one.parameters.values.items()
+        if value and "frame" in key
+    )
+
+
+def _has_foreign_publishers(context: Context) -> bool:
+    """True if nodes that are not at hand may publish frames: drivers, or what a bag plays back."""
+    launch, packages = context.launch, context.resolver.packages
+
+    def is_foreign(package: str) -> bool:
+        if comes_with_ros(package) and package not in _PUBLISHERS_OF_ROS:
+            return False
+        return not any(True for _ in packages.candidates(package, context.source.path))
+
+    started = _started(launch)
+    if any(is_foreign(one.package) for one in started if one.package):
+        return True
+    if any("bag" in (word.text for word in one.words) for one in started if not one.package):
+        return True
+    return any(all(map(is_foreign, path.split("/"))) for path in launch.unread if path)
 
 
 def _of_filters(launch: Launch, named: list[NamedFrame]) -> frozenset[str]:

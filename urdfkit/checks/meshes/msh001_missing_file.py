@@ -11,6 +11,8 @@ was never committed. A package that is not found is XAC011. Also reported:
 - A third slash, as in `package:///arm/arm.stl`: it names no package.
 - A file outside the workspace of the model and of the packages that are found: it is on this
   computer only, and urdfkit does not read it (a warning).
+- A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: whether
+  it exists is not known there (a warning).
 - A relative path that is found from a directory above: PyBullet alone looks there (a warning); of a
   xacro, programs read it from where the expanded URDF is written (an info).
 - A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
@@ -28,6 +30,7 @@ Sources:
 """
 
 import os
+import re
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
@@ -51,6 +54,8 @@ FILES = {
 _SCHEMES = ("package", "model", "file")
 #: How far above a robot the directory of its URDF is looked for: description/urdf/parts.
 _LEVELS = 3
+#: Where packages of ROS are installed: `/opt/ros/humble`, `/opt/pal/ferrum`.
+_INSTALLATION = re.compile(r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/")
 #: Fetched by some programs, and not by urdfkit.
 _REMOTE = ("http", "https", "ftp", "fuel")
 
@@ -79,7 +84,7 @@ def check(context: Context) -> Findings:
             help = "move it into the package, name its directory with --package, or pass --trust"
             yield Finding(mesh.at, message, help, severity=Severity.WARNING)
         elif id(mesh) in missing:
-            yield _missing(context, mesh)
+            yield _of_installation(mesh) or _missing(context, mesh)
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
@@ -97,6 +102,18 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
         return Finding(mesh.at, message, "write package://PACKAGE/path")
     fix = _fix(mesh, f"{right}://{rest}", f"write {right}://")
     return Finding(mesh.at, message, f"did you mean '{right}://'?", fix)
+
+
+def _of_installation(mesh: MeshReference) -> Finding | None:
+    """The finding about a file of an installation that this computer does not have."""
+    located = mesh.located
+    found = _INSTALLATION.match(located.tried[0]) if located.scheme == "absolute" else None
+    if found is None or disk.is_directory(found[0]):
+        return None
+    directory = found[0].rstrip("/")
+    message = f"{mesh.who} is in {directory}, which is not on this computer: not checked"
+    help = "write package://PACKAGE/..., which is found wherever the package is installed"
+    return Finding(mesh.at, message, help, severity=Severity.WARNING, group_key=directory)
 
 
 def _missing(context: Context, mesh: MeshReference) -> Finding:

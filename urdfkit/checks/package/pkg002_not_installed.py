@@ -4,7 +4,8 @@ In the source tree the file exists. After `colcon build` or `catkin_make install
 `share/`, and `$(find ...)` and `package://` lead to a file that is not there: RViz shows the robot
 without meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install
 the directory. `DESTINATION share` without `/${PROJECT_NAME}`, and a slash behind the name of a
-directory, which installs its contents alone, put the files elsewhere.
+directory, which installs its contents alone, put the files elsewhere. In ROS 1 it is an info: from
+catkin's devel space, with which most work, packages are found in the source tree.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -21,6 +22,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.package_references import of_package
 
 NAME = "urdf/bot.urdf"
@@ -42,6 +44,9 @@ def check(context: Context) -> Findings:
         return
     name, directory = home
     rules = InstallRules(directory, name)
+    manifest = manifest_of(context.resolver, context.source.path)
+    has_devel_space = manifest is not None and manifest.ros == 1
+    severity = Severity.INFO if has_devel_space else None
     uses = _launched if is_launch(context.source.path) else _referenced
     reported: set[str] = set()
     for relative, span in uses(context, name, directory):
@@ -54,11 +59,11 @@ def check(context: Context) -> Findings:
             reported.add(top)
             message = f"{rules.file} installs '{relative}' as {misplaced}"
             message += f", not as share/{name}/{relative}"
-            yield Finding(Location(span), message, rules.advice(top))
+            yield Finding(Location(span), message, rules.advice(top), severity=severity)
         elif not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
-            yield Finding(Location(span), message, rules.advice(top))
+            yield Finding(Location(span), message, rules.advice(top), severity=severity)
 
 
 def _referenced(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:

@@ -273,7 +273,8 @@ class _PythonReader:
 
     def _process_file(self, call: ast.Call) -> None:
         """Of the module xacro."""
-        self._describe(call, argument(call, 0, "input_file_name"))
+        file, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
+        self._describe(call, file, mappings)
 
     def _parse(self, call: ast.Call) -> None:
         """``xacro.parse(open(path))``, which ``xacro.process_doc`` expands."""
@@ -281,7 +282,16 @@ class _PythonReader:
         if isinstance(call.func, ast.Attribute) and isinstance(file, ast.Call):
             module = call.func.value
             if isinstance(module, ast.Name) and module.id == "xacro" and called(file) == "open":
-                self._describe(call, argument(file, 0, "file"))
+                self._describe(call, argument(file, 0, "file"), self._mappings_of(call))
+
+    def _mappings_of(self, parsing: ast.Call) -> ast.expr | None:
+        """The arguments with which ``xacro.process_doc`` expands what a call has parsed."""
+        for call in self.calls:
+            if called(call) == "process_doc":
+                document = argument(call, 0, "doc")
+                if document is not None and self.values.suggested(document) is parsing:
+                    return argument(call, None, "mappings")
+        return None
 
     def _open(self, call: ast.Call) -> None:
         """A plain URDF, whose text becomes a parameter."""
@@ -304,17 +314,19 @@ class _PythonReader:
             if found:
                 self.collector.unexpanded(found, self.values.span(text), None)
 
-    def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
+    def _describe(
+        self, call: ast.Call, file: ast.expr | None, given: ast.expr | None = None
+    ) -> None:
         text = self.values.text(file)
         path = text and self._path(text)
         if not path:
             return
-        mappings = self.values.suggested(argument(call, None, "mappings"))
+        mappings = self.values.suggested(given)
         arguments: dict[str, str | None] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):
                 arguments[self.values.text(key) or ""] = self.values.text(value)
-        elif argument(call, None, "mappings") is not None:
+        elif given is not None:
             arguments[""] = None
         span = self.values.span(call)
         self.collector.description(path, arguments, span, self._frame(call))

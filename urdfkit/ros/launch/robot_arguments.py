@@ -63,6 +63,26 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
     return list((own or others).values())
 
 
+def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) -> tuple[str, ...]:
+    """Those of some arguments to which each launch file that starts a robot gives unknown values.
+
+    That is what they may be: a launch file that the values of others come from is not read. Empty
+    if no launch file starts the robot.
+    """
+    real = disk.real(robot)
+    for directory, mentioned in _searched(robot, resolver):
+        found = [
+            description
+            for _, description in _descriptions(directory, mentioned, resolver)
+            if disk.real(description.path) == real
+        ]
+        if found:
+            is_open = not any(description.is_whole for description in found)
+            known = {name for description in found for name in description.arguments}
+            return tuple(sorted(set(names) - known)) if is_open else ()
+    return ()
+
+
 def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
     """The values that launch files about the package of a robot declare for their own arguments.
 

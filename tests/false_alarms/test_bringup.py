@@ -1,0 +1,133 @@
+"""Robots with a bring-up: what is known at run time, is elsewhere, or comes from others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import MANIFEST, launch, reported
+from tests.workspaces import add_file
+from urdfkit import Diagnostic, check
+from urdfkit.text.diagnostic import Confidence
+
+ROBOT = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:arg name="cell" default="false"/><link name="base"/><link name="world"/>
+<xacro:if value="$(arg cell)"><joint name="j" type="fixed"><parent link="world"/>
+<child link="base"/></joint></xacro:if></robot>
+"""
+START = """import os, xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    {choice}
+    path = os.path.join(get_package_share_directory("arm"), "arm.xacro")
+    doc = xacro.parse(open(path))
+    xacro.process_doc(doc, mappings={{"cell": cell}})
+    return LaunchDescription([Node(package="robot_state_publisher", name="p",
+        executable="robot_state_publisher", parameters=[{{"robot_description": doc.toxml()}}])])
+"""
+
+
+def errors(directory: Path, choice: str, robot: str = ROBOT) -> list[Diagnostic]:
+    files = {"arm.xacro": robot}
+    text = START.format(choice=choice)
+    found = reported(directory, "LAU004", "a.launch.py", text, files)
+    return [*found, *check(directory / "arm.xacro", select=["TRE002", "XAC001"]).diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("choice", "severity"), [("cell = input()", "warning"), ("cell = 'false'", "error")]
+)
+def test_parts_that_are_chosen_at_run_time(tmp_path: Path, choice: str, severity: str) -> None:
+    """IFRA's robots: the launch file asks for the cell, and the default is none."""
+    (found,) = errors(tmp_path / "arm", choice)
+    assert (found.code, found.severity.value) == ("TRE002", severity)
+    assert (found.confidence is Confidence.GUESSED) == (severity == "warning")
+    assert found.variants == (("the default of cell",) if severity == "warning" else ())
+
+
+def test_a_default_that_does_not_expand(tmp_path: Path) -> None:
+    """ReseQ: the launch file makes the parameter file; the default lacks what it adds."""
+    robot = ROBOT.replace('value="$(arg cell)"', "value=\"${dict(false=0)['$(arg cell)x']}\"")
+    found = errors(tmp_path / "arm", "cell = input()", robot)
+    assert {(one.code, one.severity.value) for one in found} == {("XAC001", "warning")}
+
+
+URDF = '<robot name="r"><link name="a"><visual><geometry><mesh filename="{}"/></geometry>'
+END = "</visual></link></robot>"
+
+
+@pytest.mark.parametrize(
+    ("file", "severity"),
+    [
+        ("file:///opt/ros/nowhere/share/arm/a.stl", "warning"),
+        ("/opt/vendor/nowhere/share/arm/a.stl", "warning"),
+        ("/usr/share/nowhere_description/a.stl", "warning"),
+        ("file:///home/nobody/ws/install/arm/share/arm/a.stl", "error"),
+    ],
+)
+def test_meshes_of_an_installation_that_this_computer_lacks(
+    tmp_path: Path, file: str, severity: str
+) -> None:
+    (tmp_path / "r.urdf").write_text(URDF.format(file) + END)
+    (found,) = check(tmp_path / "r.urdf", select=["MSH001"]).diagnostics
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(("name", "severity"), [("a", "error"), ("a_template", "info")])
+def test_templates_of_launch_files(tmp_path: Path, name: str, severity: str) -> None:
+    """The plugin loader of `gazebo-pkgs`, whose user writes a package for `<your-package>`."""
+    text = '<rosparam ns="<your-package>" file="$(find <your-package>)/config/a.yaml"/>'
+    (found,) = reported(tmp_path / "arm", "LAU001", f"{name}.launch", text)
+    assert found.severity.value == severity
+
+
+PUBLISHER = """
+<param name="robot_description" command="xacro $(dirname)/../r.urdf"/>
+<node pkg="robot_state_publisher" exec="robot_state_publisher"/>
+"""
+STATIC = '<node pkg="tf2_ros" exec="static_transform_publisher" args="0 0 0 0 0 0 {} tag"/>'
+RVIZ = '<node pkg="rviz2" exec="rviz2" args="-d $(dirname)/view.rviz"/>'
+VIEW = "Visualization Manager:\n  Global Options:\n    Fixed Frame: {}\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "frame", "count"),
+    [
+        (STATIC.format("camera"), "map", 1),
+        (STATIC.format("camera") + '<node pkg="some_camera" exec="driver"/>', "map", 0),
+        (STATIC.format("camera") + '<executable cmd="ros2 bag play a"/>', "map", 0),
+        (STATIC.format("camera") + '<node pkg="usb_cam" exec="usb_cam_node"/>', "map", 1),
+        (RVIZ, "laser", 1),
+        (
+            RVIZ + '<node pkg="lidar" exec="lidar"><param name="frame_id" value="laser"/></node>',
+            "laser",
+            0,
+        ),
+        (RVIZ, "leo1/base_link", 0),
+        (RVIZ, "leo1/bse_link", 1),
+    ],
+)
+def test_frames_that_others_publish(tmp_path: Path, more: str, frame: str, count: int) -> None:
+    """Drivers, bags, messages of a lidar, and robots that are started with a prefix."""
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/view.rviz": VIEW.format(frame),
+    }
+    found = reported(tmp_path / "arm", "LAU023", "a.launch.xml", PUBLISHER + more, files)
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(("tool", "severity"), [("catkin", "info"), ("ament_cmake", "warning")])
+def test_the_devel_space_of_catkin(tmp_path: Path, tool: str, severity: str) -> None:
+    """In ROS 1 packages are found in the source tree without being installed."""
+    build = f"<buildtool_depend>{tool}</buildtool_depend></package>"
+    add_file(tmp_path / "package.xml", MANIFEST.replace("</package>", build).encode())
+    rules = b"project(arm)\ninstall(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n"
+    add_file(tmp_path / "CMakeLists.txt", rules)
+    add_file(tmp_path / "launch" / "a.launch", launch("").encode())
+    found = check(tmp_path / "launch" / "a.launch", select=["PKG002"]).diagnostics
+    assert [one.severity.value for one in found] == [severity]
