@@ -377,6 +377,20 @@ def test_a_rule_that_lacks_memory_is_no_bug(
     assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)
 
 
+def test_expand_stops_where_xacro_stops(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A check goes on with a default that comes too late (XAC020); an expansion may not."""
+    robot = tmp_path / "r.xacro"
+    robot.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="$(arg p)a"/>'
+        '<xacro:arg name="p" default=""/></robot>'
+    )
+    assert main(["expand", str(robot)]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("error: Undefined substitution argument p\n")
+    assert main(["expand", str(robot), "p:=b_"]) == 0
+
+
 def test_expand_makes_the_directory_of_its_output_unless_a_file_is_in_the_way(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -70,6 +70,9 @@ def test_an_endless_word_costs_little() -> None:
         ("gripper", ""),
         ("roller_1", ""),  # nor roller_b
         ("base_imu_link", ""),
+        ("fl_arm", ""),
+        ("imu_link", ""),
+        ("bs_link", "base_link"),
         ("roler_b", "roller_b"),
     ],
 )

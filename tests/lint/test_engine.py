@@ -239,3 +239,12 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
         gc.enable()
     assert len(alive) > 1
     assert len(set(alive)) == 1
+
+
+def test_an_argument_that_one_of_several_robots_has_is_known(tmp_path: Path) -> None:
+    with_it = '<xacro:arg name="side" default="left"/><link name="a"/>'
+    bodies = {"a": '<link name="a"/>', "b": with_it, "c": '<link name="a"/>'}
+    robots = [write(tmp_path, f"{name}.xacro", body) for name, body in bodies.items()]
+    given = {"side": "left"}
+    assert dict(check(robots[0], arguments=given).unknown_arguments).keys() == given.keys()
+    assert check(*robots, arguments=given).unknown_arguments == ()

@@ -1,10 +1,13 @@
 """What forbids a fix, by hand-made reports of a check before it and one after it."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from urdfkit.lint.context import Context
 from urdfkit.lint.fix_consistency import without_inconsistent_fixes
-from urdfkit.lint.fix_guard import _is_used, ineffective, regression
+from urdfkit.lint.fix_guard import RegressionGuard, _is_used, ineffective, regression
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Finding
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Edit, Fix, Severity
@@ -58,6 +61,25 @@ def test_a_rule_that_fails_forbids_a_fix() -> None:
     failed = report(crashed=("ABC001",))
     assert judged(report(), failed) == "dropped: with it, ABC001 fails"
     assert judged(failed, failed) == ""
+
+
+@pytest.mark.parametrize(
+    "after",
+    [
+        report(found("ABC001", "link/a")),
+        report(skipped=("ABC001",)),
+        report(crashed=("ABC001",)),
+    ],
+)
+def test_so_does_each_of_these_in_a_robot_that_nobody_asked_for(
+    after: Report, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    checker: Any = SimpleNamespace(
+        guard_others=lambda texts, files: after if texts else report(), robots=lambda *_: [None]
+    )
+    guard = RegressionGuard(checker)
+    monkeypatch.setattr(guard, "_others", lambda changed, known: ["other.urdf"])
+    assert guard.regression({}, {"part.xacro": b""}, []) != ""
 
 
 def test_an_error_of_a_rule_that_could_not_look_before_was_there() -> None:

@@ -6,7 +6,7 @@ from urdfkit import Report, check
 from urdfkit.lint import rule_index
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.ignore_comments import ignores
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, Span
 
 PLAIN = """<robot name="r">
   <link name="a"/>
@@ -45,6 +45,14 @@ def run(text: str) -> Report:
 
 def codes(report: Report) -> list[str]:
     return [diagnostic.code for diagnostic in report.diagnostics]
+
+
+def test_a_comment_ends_where_its_element_does():
+    source = Source("r.urdf", b"<robot><!-- urdfkit: ignore[JNT] --><a/><b/></robot>")
+    (comment,) = ignores(source)
+    before, start, end = (source.data.index(tag) for tag in (b"<!--", b"<a/>", b"<b/>"))
+    covered = [comment.covers(Span(source, at, at + 1)) for at in (before, start, end - 1, end)]
+    assert covered == [False, True, True, False]
 
 
 def test_a_former_code_suppresses_and_is_noted(monkeypatch):

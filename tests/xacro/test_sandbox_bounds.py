@@ -76,6 +76,24 @@ def test_padding_is_refused_before_it_is_made(method: str) -> None:
         _within_bounds("a", method, (1_000_001,))
 
 
+class Unasked(int):
+    """A number that nobody may compute with."""
+
+    def refuse(self, other: Any, *_: Any) -> Any:
+        pytest.fail("it is made, and looked at afterwards")
+
+    __pow__ = __mul__ = __lshift__ = refuse
+
+
+@pytest.mark.parametrize(
+    ("operation", "left", "right"),
+    [("power", 2**63, 17), ("times", 2**1000, 2**40), ("shift", 1, 1024)],
+)
+def test_a_long_integer_is_refused_before_it_is_made(operation: str, left: int, right: int) -> None:
+    with pytest.raises(TooLarge):
+        getattr(sandbox(), operation)(Unasked(left), right)
+
+
 def test_a_method_of_a_class_has_the_bounds_of_its_object(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[tuple[Any, ...]] = []
 
@@ -86,6 +104,12 @@ def test_a_method_of_a_class_has_the_bounds_of_its_object(monkeypatch: pytest.Mo
     monkeypatch.setattr(module, "_within_bounds", within_bounds)
     assert sandbox().call(str.ljust, "a", 3) == "a  "
     assert asked == [("a", "ljust", (3,))]
+
+
+@pytest.mark.parametrize("value", ["a", 1, [], (), {1}, int])
+def test_what_begins_with_an_underscore_is_no_data(value: object) -> None:
+    with pytest.raises(UnsafeExpression):
+        sandbox().attribute(value, "__class__")
 
 
 def test_fields_of_three_digits() -> None:

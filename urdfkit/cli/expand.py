@@ -79,8 +79,9 @@ def command(
     xacro = expand(
         source, Resolver(how.packages), how.arguments, trust=how.trust, root_dir=root_dir
     )
-    _print_notes(xacro, quiet=quiet or verbosity == 0)
-    if xacro.document is None:
+    error = _error(xacro)
+    _print_notes(xacro, error, quiet=quiet or verbosity == 0)
+    if error is not None:
         return 2
     if map_file is not None:
         _write_map(xacro, map_file)
@@ -100,15 +101,23 @@ def _read(file: str, root_dir: str) -> Source:
     return source
 
 
-def _print_notes(xacro: Xacro, *, quiet: bool) -> None:
+def _error(xacro: Xacro) -> str | None:
+    """What xacro stops with; a default that comes too late is used by checks alone."""
+    early = (one.argument for one in xacro.problems if one.code == "XAC020")
+    if (name := next(early, None)) is not None:
+        return f"Undefined substitution argument {name}"
+    return xacro.first_error
+
+
+def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
     """Warnings, and errors with their places, on standard error."""
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""
         kind = f"{message.kind}: " if message.kind else ""
         print(f"{kind}{message.text}{where}", file=sys.stderr)
-    if xacro.document is not None:
+    if error is None:
         return
-    print(f"error: {xacro.first_error}", file=sys.stderr)
+    print(f"error: {error}", file=sys.stderr)
     for problem in _errors(xacro):
         print(f"{problem.span}: {problem.code} {problem.message}", file=sys.stderr)
         steps = problem.frame.steps() if problem.frame else ()

@@ -10,6 +10,9 @@ from urdfkit.core import disk
 #: file, and of a word that is taken for the same, misspelt.
 SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
 
+#: Least ratio of a word in a name and the one in its place: ``cam_link``, ``camera_link``.
+_RELATED = 0.4
+
 #: Candidates, of which the first is taken that is like a word without a common end, too.
 _COMPARED = 3
 
@@ -96,8 +99,9 @@ class Suggester:
     """Suggests known names for unknown ones, with bounded work.
 
     Siblings are not typos of one another: ``wheel_5`` does not suggest ``wheel_4`` or
-    ``wheel_b``, ``left_arm`` not ``right_arm``, ``base_imu_link`` not ``base_link``. A word in
-    front changes the meaning, too: ``baseline`` does not suggest ``hackBaseline``.
+    ``wheel_b``, ``left_arm`` not ``right_arm``, ``base_imu_link`` not ``base_link``,
+    ``rl_wheel_link`` not ``caster_wheel_link``. A word in front changes the meaning, too:
+    ``baseline`` does not suggest ``hackBaseline``.
     """
 
     #: Unknown names that get a suggestion, and known ones that each is compared with.
@@ -139,6 +143,7 @@ def _are_siblings(word: str, other: str) -> bool:
         bool(sides and others and sides != others)
         or _numbers(sides) != _numbers(others)
         or _has_more_words(word, other)
+        or _has_another_word(word, other)
     )
 
 
@@ -151,6 +156,16 @@ def _has_more_words(word: str, other: str) -> bool:
         return not words - others <= _KINDS
     is_cut_short = other.casefold().startswith(word.casefold())
     return words < others and not (others - words <= _KINDS or is_cut_short)
+
+
+def _has_another_word(word: str, other: str) -> bool:
+    """True if one word of the names differs, and has hardly a letter of the other."""
+    pairs = list(zip(word.casefold().split("_"), other.casefold().split("_"), strict=False))
+    apart = [pair for pair in pairs if pair[0] != pair[1]]
+    if len(pairs) < 2 or word.count("_") != other.count("_") or len(apart) != 1:
+        return False
+    (one, another), *_ = apart
+    return nearest(one, [another], _RELATED) is None
 
 
 def _words(name: str) -> set[str]:

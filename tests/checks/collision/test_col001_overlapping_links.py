@@ -49,6 +49,11 @@ def test_what_no_joint_binds_is_nowhere(kind: str) -> None:
     assert not messages("COL001", arm.partition("<joint")[0])
 
 
+@pytest.mark.parametrize(("depth", "count"), [(0.0009, 0), (0.0011, 1)])
+def test_a_millimetre_is_deep(depth: float, count: int) -> None:
+    assert len(messages("COL001", bent(depth))) == count
+
+
 def test_the_depth_and_the_smaller_body() -> None:
     text = bent(0.004)
     assert messages("COL001", text) == [

@@ -98,6 +98,14 @@ def test_a_reference_by_another_name_is_reported_once(name: str) -> None:
     assert found.help == 'write reference="base"'
 
 
+def test_the_physics_of_a_world_are_for_no_joint() -> None:
+    physics = '<physics type="ode"><max_step_size>0.001</max_step_size></physics>'
+    (found,) = reported("GAZ005", BASE + block(physics, ""))
+    assert found.severity is Severity.WARNING
+    assert found.help == "write it into the <world> of the SDF file"
+    assert "for a joint" in reported("GAZ005", BASE + block("<physics/>", ""))[0].message
+
+
 def test_a_block_is_reported_once() -> None:
     tags = "<mu1>1</mu1><mu2>1</mu2><kp>1</kp><kd>1</kd><mu1>1</mu1>"
     robot = BASE + block(f"{tags}<static>1</static>", "")

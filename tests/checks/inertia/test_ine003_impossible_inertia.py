@@ -31,6 +31,12 @@ def test_rounding_is_no_defect(high: float, found: int) -> None:
     assert len(messages("INE003", link("arm", inertial(2, (1, 1, high))))) == found
 
 
+@pytest.mark.parametrize(("high", "found"), [(2 + 1e-10, 0), (2 + 1e-8, 1)])
+def test_what_mujoco_takes_for_rounding(high: float, found: int) -> None:
+    robot = link("arm", inertial(2, (1, 1, high))) + link("tip") + joint("arm", "tip", "revolute")
+    assert len(reported("INE003", robot, targets=("mujoco",))) == found
+
+
 def test_a_moment_that_stands_alone() -> None:
     (found,) = reported("INE003", part("base", 12, (0, 0, 0.9), BOX))
     assert found.message.endswith("0.9 > 0 + 0 kg·m²")

@@ -44,6 +44,12 @@ def test_a_striking_radius_of_gyration_is_reported() -> None:
     assert message.endswith("; its radius of gyration is 31.6 m")
 
 
+@pytest.mark.parametrize(("moment", "is_named"), [(0.98, False), (1.02, True)])
+def test_ten_times_the_reach_is_striking(moment: float, is_named: bool) -> None:
+    (message,) = messages("INE006", part("ball", 1, (moment,) * 3, BALL))
+    assert ("its radius of gyration" in message) is is_named
+
+
 def test_the_share_of_a_merged_body_is_reported() -> None:
     robot = part("base", 1, (0.3, 0.3, 0.3), '<box size="1 1 1"/>') + part(
         "ball", 1, (0.1, 0.1, 0.1), BALL

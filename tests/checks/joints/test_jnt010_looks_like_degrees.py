@@ -89,6 +89,11 @@ def test_angles_with_decimals(ends: str, count: int) -> None:
         )
 
 
+@pytest.mark.parametrize(("lower", "count"), [("-6.999", 1), ("-7.001", 0)])
+def test_about_a_turn_may_be_in_radians_at_one_end(lower: str, count: int) -> None:
+    assert len(reported("JNT010", robot(joint("j", "revolute", limit(lower, "90"))))) == count
+
+
 def test_round_numbers_alone_are_no_evidence() -> None:
     free = [joint(f"j{size}", "revolute", limit(f"-{size}", f"{size}")) for size in (50, 100, 300)]
     assert reported("JNT010", robot(*free)) == []

@@ -28,6 +28,12 @@ def test_one_origin_far_from_all_others() -> None:
     assert places("JNT012", text) == [(12, '<origin xyz="0 0 -150"/>')]
 
 
+@pytest.mark.parametrize(("reach", "count"), [("9.9", 0), ("10", 1)])
+def test_ten_metres_are_far(reach: str, count: int) -> None:
+    near = [at(name, "0 0 0.05") for name in "abc"]
+    assert len(reported("JNT012", robot(*near, at("j", f"0 0 {reach}")))) == count
+
+
 def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
     far = robot(at("a", "0 0 120"), at("b", "0 250 0"))
     (message,) = messages("JNT012", shown(MESH.format("0.001")) + far)

@@ -32,6 +32,14 @@ def test_limits_without_effect(content: str, shown: str, mended: str | None) -> 
         assert mended in after
 
 
+@pytest.mark.parametrize(
+    ("ends", "severity"), [("3.14", "info"), ("3.13", "warning"), ("0", "info")]
+)
+def test_less_than_a_turn_narrows(ends: str, severity: str) -> None:
+    (found,) = reported("JNT013", robot(joint("j", "continuous", limit(f"-{ends}", ends))))
+    assert found.severity.value == severity
+
+
 def test_the_place_is_the_first_of_the_two() -> None:
     assert places("JNT013", robot(joint("j", "continuous", limit("-3", "4")))) == [(4, "-3")]
 

@@ -15,7 +15,7 @@ def symmetric_pairs(left: str, right: str, kind: str = "revolute", other: str = 
     ("right", "difference"),
     [
         (limit("-1", "2", "1000", "11"), "effort 1000, not 80 N·m"),
-        (limit("-1", "2", "82", "11"), "effort 82, not 80 N·m"),
+        (limit("-1", "2", "81", "11"), "effort 81, not 80 N·m"),
         (limit("-1", "2", "80", "5"), "velocity 5, not 11 rad/s"),
         (limit("-1", "1.5", "80", "11"), "limits [-1, 1.5], not [-1, 2] rad"),
         (limit("-1.2", "2.2", "80", "11"), "limits [-1.2, 2.2], not [-1, 2] rad"),

@@ -18,10 +18,10 @@ def commanded(name: str, interface: str, least: str, greatest: str) -> str:
     ("joint", "message"),
     [
         (
-            commanded("slide", "position", "0", "0.6"),
+            commanded("slide", "position", "0", "0.506"),
             (
-                "joint 'slide': the range of command_interface 'position', [0, 0.6] m, exceeds the "
-                "joint limit [0, 0.5] m"
+                "joint 'slide': the range of command_interface 'position', [0, 0.506] m, exceeds "
+                "the joint limit [0, 0.5] m"
             ),
         ),
         (

@@ -7,7 +7,7 @@ is not fixed: a warning.
 
 A block without a reference belongs to the whole model, which has no friction, material or sensor of
 its own: the converter stores these tags and never uses them, without a message. That is an error.
-Write one block per link, with `reference="..."`.
+Write one block per link, with `reference="..."`. The `<physics>` of a world there is a warning.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -90,7 +90,11 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
             help = f'write reference="{value}"'
             yield Finding(attribute, f"{message} reference", help, severity=Severity.ERROR)
             return
-    misplaced = [child for child in block.children if child.tag in owners]
+    of_world = [child for child in block.children if _is_of_world(child)]
+    for child in of_world:
+        message = "<physics> in a <gazebo> without a reference (ignored): it is that of a world"
+        yield Finding(child, message, "write it into the <world> of the SDF file")
+    misplaced = [child for child in block.children if child.tag in owners and child not in of_world]
     if not misplaced:
         return
     child, owner = misplaced[0], owners[misplaced[0].tag]
@@ -103,6 +107,12 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
         group_key=child.tag,
         severity=None if {one.tag for one in misplaced} <= _HARMLESS else Severity.ERROR,
     )
+
+
+def _is_of_world(child: Element) -> bool:
+    """True for the engine and the step of a simulation, which a robot cannot set."""
+    steps = ("max_step_size", "real_time_update_rate", "real_time_factor")
+    return child.tag == "physics" and any(child.child(tag) for tag in steps)
 
 
 def _other(context: Context, name: str, kind: str) -> Link | Joint | None:
