@@ -1,4 +1,4 @@
-"""What `urdfkit scan` costs, and whether every engine, and a run that is killed, gives the same.
+"""What `urdfkit check` and `scan` cost on many robots; all engines, and a killed run, agree.
 
 Usage: python benchmarks/scan.py CORPUS SCRATCH [--count N] [--kills N] [--jobs N]
 
@@ -30,6 +30,16 @@ from urdfkit.errors import UrdfkitError
 LINKS = 20
 #: Every so many variants one is a copy of the one before, or is broken in the middle.
 COPIES, BROKEN = 50, 500
+_URDFKIT = [sys.executable, "-c", "import sys; from urdfkit.cli import main; sys.exit(main())"]
+#: Loads each robot without its meshes, and keeps none.
+_PEER = """
+import pathlib, sys, yourdfpy
+for path in pathlib.Path(sys.argv[1]).rglob("*.urdf"):
+    try:
+        yourdfpy.URDF.load(path, load_meshes=False, build_scene_graph=False)
+    except Exception:
+        pass  # every 500th is broken
+"""
 _NUMBER = re.compile(r'(?<=<mass value=")[^"]*|(?<=\bxyz=")[^"]*')
 
 
@@ -53,6 +63,13 @@ def main() -> int:
     collection = asked.scratch / f"variants-{asked.count}"
     if not collection.is_dir():
         make(asked.corpus, collection, asked.count)
+    alone = ("--no-cache", "--jobs", "1", "--exit-zero")
+    checked = run([*_URDFKIT, "check", str(collection), *alone])
+    print(f"check: {show(checked, asked.count)}", flush=True)
+    loaded = run([sys.executable, "-c", _PEER, str(collection)])
+    print(f"yourdfpy, which loads them: {show(loaded, asked.count)}", flush=True)
+    time_ratio, memory_ratio = checked.cpu / loaded.cpu, checked.parent / loaded.parent
+    print(f"check to yourdfpy: {time_ratio:.2f} x CPU time, {memory_ratio:.2f} x memory")
     results = {}
     for name, options in (
         ("1 process", ("--jobs", "1")),
@@ -60,7 +77,7 @@ def main() -> int:
         (f"Dask, {asked.jobs} workers", ("--engine", "dask", "--jobs", str(asked.jobs))),
     ):
         out = asked.scratch / f"results-{name.replace(' ', '-').replace(',', '')}"
-        print(f"{name}: {show(run(collection, out, *options), asked.count)}", flush=True)
+        print(f"{name}: {show(run(command(collection, out, *options)), asked.count)}", flush=True)
         results[name] = rows(out)
     out = asked.scratch / "results-killed"
     kills = kill_and_resume(collection, out, asked.kills, asked.jobs)
@@ -110,14 +127,14 @@ def _varied(text: str, chance: random.Random) -> str:
 
 
 def command(collection: Path, out: Path, *options: str) -> list[str]:
-    run = "import sys; from urdfkit.cli import main; sys.exit(main())"
-    return [sys.executable, "-c", run, "scan", str(collection), "-o", str(out), *options]
+    return [*_URDFKIT, "scan", str(collection), "-o", str(out), *options]
 
 
-def run(collection: Path, out: Path, *options: str) -> Run:
-    """Run a scan and look at its memory while it lasts."""
+def run(words: list[str]) -> Run:
+    """Run a command and look at its memory while it lasts."""
     start, parent, worker = time.perf_counter(), 0.0, 0.0
-    process = psutil.Popen(command(collection, out, *options), stderr=subprocess.DEVNULL)
+    null = subprocess.DEVNULL
+    process = psutil.Popen(words, stdout=null, stderr=null)
     while (ended := os.wait4(process.pid, os.WNOHANG))[0] == 0:
         try:
             parent = max(parent, process.memory_info().rss / 1e6)
@@ -127,7 +144,7 @@ def run(collection: Path, out: Path, *options: str) -> Run:
             pass  # it has just ended
         time.sleep(0.5)
     usage = ended[2]
-    assert ended[1] == 0, options
+    assert ended[1] == 0, words
     return Run(time.perf_counter() - start, usage.ru_utime + usage.ru_stime, parent, worker)
 
 

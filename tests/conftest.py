@@ -6,6 +6,7 @@ import gc
 import importlib
 import json
 import os
+import shutil
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -317,6 +318,12 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
+
+
+@pytest.fixture
+def gazebo_pkg(tmp_path: Path) -> Path:
+    """A copy of the mission's package, which a test may change."""
+    return Path(shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg"))
 
 
 @pytest.fixture

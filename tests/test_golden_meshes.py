@@ -14,11 +14,6 @@ from urdfkit.text.diagnostic import Diagnostic
 BAD = MODELS / "bad" / "meshes"
 
 
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    return shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
-
-
 def only_finding(package: Path) -> Diagnostic:
     report = engine.check(package / "urdf" / "waking_robot_new.xacro", select=["MSH"])
     assert report.crashed == ()
@@ -28,11 +23,11 @@ def only_finding(package: Path) -> Diagnostic:
     return found
 
 
-def test_missing(package: Path) -> None:
-    found = only_finding(package)
+def test_missing(gazebo_pkg: Path) -> None:
+    found = only_finding(gazebo_pkg)
     assert found.code == "MSH001"
     assert found.message.endswith(
-        f"does not exist in package 'gazebo_pkg'; tried {package / 'meshes' / 'hokuyo.dae'}"
+        f"does not exist in package 'gazebo_pkg'; tried {gazebo_pkg / 'meshes' / 'hokuyo.dae'}"
     )
 
 
@@ -45,9 +40,11 @@ def test_missing(package: Path) -> None:
         ("lfs_pointer.stl", "MSH009", "is a Git LFS pointer: the mesh of 684 bytes itself"),
     ],
 )
-def test_made_in_a_way_that_does_not_work(package: Path, mesh: str, code: str, reason: str) -> None:
-    (package / "meshes").mkdir()
-    shutil.copyfile(BAD / mesh, package / "meshes" / "hokuyo.dae")
-    found = only_finding(package)
+def test_made_in_a_way_that_does_not_work(
+    gazebo_pkg: Path, mesh: str, code: str, reason: str
+) -> None:
+    (gazebo_pkg / "meshes").mkdir()
+    shutil.copyfile(BAD / mesh, gazebo_pkg / "meshes" / "hokuyo.dae")
+    found = only_finding(gazebo_pkg)
     assert found.code == code
     assert f"hokuyo.dae' {reason}" in found.message

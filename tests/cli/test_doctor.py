@@ -14,7 +14,7 @@ else:
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ROOT
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
@@ -105,8 +105,8 @@ def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> N
     assert "unknown setting 'selct'" in doctor("r.urdf", code=2)
 
 
+@pytest.mark.usefixtures("gazebo_pkg")
 def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
     out = doctor(file)
     assert f"\n{file}: xacro\n" in out
@@ -130,10 +130,10 @@ def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
     assert "  package my_parts: parts (given)\n" in doctor("r.urdf")
 
 
+@pytest.mark.usefixtures("gazebo_pkg")
 def test_where_packages_come_from(
     doctor: Doctor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "package.xml").write_text("<package><name>other</name></package>")

@@ -1,21 +1,18 @@
 """``urdfkit fix`` and ``urdfkit check --fix``: what they write, print and exit with."""
 
-import shutil
 from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
 from urdfkit.cli import main
 
 AXIS = '    <axis xyz="0 1 0"/>\n'
 
 
 @pytest.fixture
-def robot(tmp_path: Path) -> Path:
+def robot(gazebo_pkg: Path) -> Path:
     """A copy of the mission's model."""
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
-    return tmp_path / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+    return gazebo_pkg / "urdf" / "waking_robot_new.xacro"
 
 
 def test_the_summary_says_what_was_fixed_what_is_left_and_why(

@@ -1,7 +1,6 @@
 """The inertia command: a table, proposals, files, JSON."""
 
 import json
-import shutil
 from pathlib import Path
 
 import pytest
@@ -29,9 +28,8 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert link["volume"] == pytest.approx(0.05**3)
 
 
-def test_write_and_diff(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
-    file = tmp_path / "gazebo_pkg" / "urdf" / MISSION.name
+def test_write_and_diff(gazebo_pkg: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = gazebo_pkg / "urdf" / MISSION.name
     before = file.read_bytes()
     assert main(["inertia", str(file), "--diff", "--link", "imu_link"]) == 0
     assert '+      <inertia ixx="4.16667e-06"' in capsys.readouterr().out

@@ -131,3 +131,30 @@ def test_the_devel_space_of_catkin(tmp_path: Path, tool: str, severity: str) -> 
     add_file(tmp_path / "launch" / "a.launch", launch("").encode())
     found = check(tmp_path / "launch" / "a.launch", select=["PKG002"]).diagnostics
     assert [one.severity.value for one in found] == [severity]
+
+
+def test_bags_are_no_views_of_rviz(tmp_path: Path) -> None:
+    """gmapping plays a bag with a delay of 5 s."""
+    text = '<node pkg="{}" type="play" name="n" args="-d 5 a"/>'
+    found = [
+        len(reported(tmp_path / name, "LAU003", "a.launch", text.format(name)))
+        for name in ("rosbag", "rviz")
+    ]
+    assert found == [0, 1]
+
+
+def test_another_robot_may_be_started_elsewhere(tmp_path: Path) -> None:
+    """A view of a TurtleBot, whose launch file is included, in a workspace with another robot."""
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/robot.launch.py": "from launch_ros.actions import Node\n"
+        'Node(package="robot_state_publisher", executable="robot_state_publisher",\n'
+        '     parameters=[{"robot_description": open("../r.urdf").read()}])\n',
+        "launch/view.rviz": VIEW.format("base_footprint"),
+    }
+    include = '<include file="$(find-pkg-share {})/launch/spawn.launch.py"/>'
+    found = [
+        len(reported(tmp_path / "arm", "LAU023", "a.launch.xml", RVIZ + more, files))
+        for more in ("", include.format("some_robot_gazebo"), include.format("gazebo_ros"))
+    ]
+    assert found == [1, 0, 1]

@@ -102,7 +102,7 @@ def test_data_of_a_package_that_is_not_there(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("package", "severity"),
-    [("far/other", "warning"), ("clearpath_platfrom", "error"), ("", "error")],
+    [("far/other", "warning"), ("clearpath_platfrom", "error"), ("", "warning")],
 )
 def test_a_robot_outside_of_packages(tmp_path: Path, package: str, severity: str) -> None:
     """A Husky's `robot.urdf.xacro`, which Clearpath's generator writes from a YAML file."""

@@ -119,3 +119,23 @@ def test_a_directory_of_meshes_that_mujoco_is_told(
     (tmp_path / "urdf/r.urdf").write_text(text + "\n</robot>\n")
     (found,) = check(tmp_path / "urdf/r.urdf", select=["MSH001"]).diagnostics
     assert found.severity.value == severity
+
+
+def test_files_without_a_package_are_one_finding(tmp_path: Path) -> None:
+    """onshape-to-robot writes package://part.stl: no part is a package."""
+    names = ("package://a.stl", "package://b.stl", "package:///c.stl")
+    links = "".join(
+        f'<visual><geometry><mesh filename="{name}"/></geometry></visual>' for name in names
+    )
+    robot = tmp_path / "r.urdf"
+    robot.write_text(f'<robot name="r"><link name="a">{links}</link></robot>')
+    found = check(robot, select=["MSH001", "XAC011"]).diagnostics
+    assert [one.code for one in found] == ["MSH001"] * 3
+    assert len(grouped(found)) == 1
+
+
+def test_a_directory_is_no_package_to_declare(tmp_path: Path) -> None:
+    package(tmp_path, "biped", "urdf/assets/part.stl")
+    path = tmp_path / "urdf/r.urdf"
+    path.write_text(URDF.format(file="package://assets/part.stl"))
+    assert check(path, select=["PKG001"]).diagnostics == ()

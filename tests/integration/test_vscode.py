@@ -23,7 +23,6 @@ from urllib.request import urlopen
 
 import pytest
 
-from tests.conftest import MODELS
 from tests.output.report.browsers import Page, browser, needs_browser
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -41,12 +40,6 @@ pytestmark = [
 PATIENCE = 120
 
 ROBOT = "urdf/waking_robot_new.xacro"
-
-
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    """The mission's package, where it may be edited."""
-    return Path(shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg"))
 
 
 @pytest.fixture
@@ -150,12 +143,12 @@ def press(page: Page, *keys: str) -> None:
     page.driver.switch_to.active_element.send_keys(*keys)
 
 
-def test_findings_hover_and_definition_in_vscode(package: Path, address: str) -> None:
+def test_findings_hover_and_definition_in_vscode(gazebo_pkg: Path, address: str) -> None:
     from selenium.webdriver.common.keys import Keys
 
-    text = (package / ROBOT).read_text(encoding="utf-8")
+    text = (gazebo_pkg / ROBOT).read_text(encoding="utf-8")
     with browser() as page:
-        look_at(page, address, package)
+        look_at(page, address, gazebo_pkg)
         go_to(page, text.count("\n", 0, text.index('<parent link="base_link"')) + 1, 22)
         press(page, Keys.CONTROL, "k", "i", Keys.NULL)
         assert "base_link" in until(lambda: shown(page, ".monaco-hover"))
@@ -164,16 +157,16 @@ def test_findings_hover_and_definition_in_vscode(package: Path, address: str) ->
         until(lambda: cursor(page).startswith(f"Ln {given},"))
 
 
-def test_a_joint_in_yaml_leads_to_the_robot_in_vscode(package: Path, address: str) -> None:
+def test_a_joint_in_yaml_leads_to_the_robot_in_vscode(gazebo_pkg: Path, address: str) -> None:
     from selenium.webdriver.common.keys import Keys
 
-    text = (package / ROBOT).read_text(encoding="utf-8")
+    text = (gazebo_pkg / ROBOT).read_text(encoding="utf-8")
     name = re.findall(r'<joint name="(\w+)" type="continuous"', text)[0]
-    (package / "config").mkdir()
-    (package / "config" / "wheels.yaml").write_text(f"drive:\n  joints: [{name}]\n")
+    (gazebo_pkg / "config").mkdir()
+    (gazebo_pkg / "config" / "wheels.yaml").write_text(f"drive:\n  joints: [{name}]\n")
     with browser() as page:
-        look_at(page, address, package)
-        open_file(page, package / "config" / "wheels.yaml")
+        look_at(page, address, gazebo_pkg)
+        open_file(page, gazebo_pkg / "config" / "wheels.yaml")
         until(lambda: mode(page) == "YAML")
         go_to(page, 2, 13)
         given = text.count("\n", 0, text.index(f'<joint name="{name}"')) + 1

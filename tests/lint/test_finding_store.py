@@ -32,6 +32,7 @@ def robots(tmp_path: Path) -> Path:
 
 def spilled(directory: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
     monkeypatch.setattr(finding_store, "IN_MEMORY", 2)
+    monkeypatch.setattr(finding_store, "MAX_REPORTED", 2)
     return check_with(Options(), [str(directory)], spills=True)
 
 

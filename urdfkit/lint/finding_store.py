@@ -9,8 +9,10 @@ from urdfkit.core.memo import Memo
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
 
-#: Files whose findings are kept in memory, where others may go to disk.
-IN_MEMORY = 500
+#: Files whose findings are kept in memory during the check, where others may go to disk.
+IN_MEMORY = 100
+#: Files whose findings a report holds in memory.
+MAX_REPORTED = 500
 
 #: Findings of a file by what distinguishes them, each with the robots that it is found in: path
 #: and variant.
@@ -76,7 +78,8 @@ class FindingStore:
 
     def diagnostics(self) -> Sequence[Diagnostic]:
         """All findings, by file, place, code and message; nothing is added afterwards."""
-        return StoredFindings(self) if self._disk else tuple(self.in_order())
+        is_long = self._spills and len(self._files) > MAX_REPORTED
+        return StoredFindings(self) if is_long else tuple(self.in_order())
 
     def in_order(self) -> Iterator[Diagnostic]:
         """As ``diagnostics``, one after another."""

@@ -57,8 +57,10 @@ class _Merger:
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
         self.findings = FindingStore(spills=spills)  # all of them
-        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
+        #: The real paths of the descriptions that were not skipped, if launch files start robots.
+        self.read: set[str] = set()
         self._plan = plan
+        self._notes_read = any(job.frame for job in plan.jobs)
         self._spills = spills
         self._skipped = list(plan.skipped)
         self._crashed = list(plan.crashed)
@@ -74,7 +76,7 @@ class _Merger:
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
-        if not _is_skipped(result):
+        if self._notes_read and not _is_skipped(result):
             self.read.add(disk.real(job.path))
         self._skipped += result.skipped
         self._crashed += result.crashed

@@ -50,7 +50,7 @@ class Packages:
         self._roots = SearchRoots(self._packages, environment)
         self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
-        self._scans: dict[ScannedDirectory, PackageScan] = {}
+        self._scans: Memo[ScannedDirectory, PackageScan] = Memo()
         self._searched: Memo[str, tuple[str, ...]] = Memo()
         self._directories_of: Memo[str, str] = Memo()
 

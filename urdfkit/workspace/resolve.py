@@ -221,9 +221,11 @@ class Resolver:
         text = reference.replace("\\", "/")
         scheme, rest = split_scheme(text)
         if scheme in ("package", "model"):
-            name, _, relative = rest.partition("/")
+            name, slash, relative = rest.partition("/")
             if scheme == "model":
                 return self._in_models(reference, name, rest, near)
+            if not slash and os.path.splitext(name)[1]:
+                name, relative = "", name  # a file without a package, as onshape-to-robot writes it
             return self._in_package(reference, scheme, name, relative, near)
         if scheme == "file" or text.startswith("file:/"):
             rest = rest if scheme else text[len("file:") :]

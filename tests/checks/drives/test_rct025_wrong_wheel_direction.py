@@ -76,7 +76,7 @@ def test_axes_against_each_other() -> None:
     [
         drive(),
         drive(wheels("1 0 0", "0 1 0")),  # no axle
-        drive(wheels("0 0 1", "0 0 1")),  # nothing to the left along z
+        drive(wheels("0 0 1", "0 0 1")),  # upright tyres: see JNT033
         drive(left="right", right="left", more="<legacyMode>true</legacyMode>"),
         WHEELS + plugin("libvendor.so", "<leftJoint>right_joint</leftJoint>"),
     ],

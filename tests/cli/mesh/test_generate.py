@@ -1,6 +1,5 @@
 """mesh generate: what is written and said, and the exit codes."""
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -14,9 +13,8 @@ REFERENCE = "package://gazebo_pkg/meshes/hokuyo.dae"
 
 
 @pytest.fixture
-def model(tmp_path: Path) -> Path:
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
-    return tmp_path / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+def model(gazebo_pkg: Path) -> Path:
+    return gazebo_pkg / "urdf" / "waking_robot_new.xacro"
 
 
 def test_one_mesh(model: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -317,3 +317,12 @@ def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:
     model, parts = loaded(arm(LIMIT, tip=tip), tmp_path / "o")
     assert model.ngeom == 0
     assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size that is over 0"
+
+
+@pytest.mark.parametrize(("kind", "bias"), [("revolute", True), ("continuous", False)])
+def test_wheels_are_driven_by_velocity(kind: str, bias: bool, tmp_path: Path) -> None:
+    offered = "".join(f'<command_interface name="{one}"/>' for one in ("position", "velocity"))
+    control = f'<ros2_control name="c" type="system"><joint name="turn">{offered}</joint>'
+    robot = arm(LIMIT, more=f"{control}</ros2_control>", kind=kind)
+    model, _ = loaded(robot, tmp_path / "o")
+    assert bool(model.actuator_biasprm[0, 1]) is bias  # one for positions pulls back

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -71,13 +70,11 @@ def bounds(one: GeneratedMesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_the_missing_lidar_of_the_mission_is_made_and_then_nothing_is_missing(
-    tmp_path: Path,
+    gazebo_pkg: Path,
 ) -> None:
-    package = tmp_path / "gazebo_pkg"
-    shutil.copytree(MODELS / "gazebo_pkg", package)
-    file = package / "urdf" / "waking_robot_new.xacro"
+    file = gazebo_pkg / "urdf" / "waking_robot_new.xacro"
     one = made(file)
-    assert one.path == str(package / "meshes" / "hokuyo.dae")
+    assert one.path == str(gazebo_pkg / "meshes" / "hokuyo.dae")
     assert one.defect == "does not exist"
     assert one.reason == (
         "Hokuyo URG-04LX, 0.05 x 0.05 x 0.05 m: 'hokuyo' in the name of the file means a 2D lidar;"

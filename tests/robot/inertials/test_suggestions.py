@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -189,9 +188,8 @@ def test_what_is_not_written_as_numbers_is_left_alone(
     assert reason in left["a"]
 
 
-def test_only_some_links_of_the_mission_can_be_written(tmp_path: Path) -> None:
-    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
-    file = tmp_path / "gazebo_pkg" / "urdf" / MISSION.name
+def test_only_some_links_of_the_mission_can_be_written(gazebo_pkg: Path) -> None:
+    file = gazebo_pkg / "urdf" / MISSION.name
     doubtful = [one for one in propose(read(file)) if one.is_doubtful]
     files, left = rewrites(doubtful)
     assert set(left) == {"base_footprint", "wheel_1", "wheel_2", "wheel_3", "wheel_4"}

@@ -127,7 +127,8 @@ def _real(measure: Measure, controller: Controller, context: Context) -> list[fl
     if measure.kind == "track":
         return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
     left, right = sides[0][0], sides[1][0]
-    return _distances(left, right, left.axis) if left.is_parallel(right) else []
+    are_apart = left.is_parallel(right) and not left.is_flat  # see RCT025
+    return _distances(left, right, left.axis) if are_apart else []
 
 
 def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[DrivenWheel]:

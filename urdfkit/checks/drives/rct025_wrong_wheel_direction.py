@@ -5,6 +5,8 @@ of the wheels says which way the robot rolls then, and so which side is left.
 
 - With left and right swapped the robot turns to the wrong side, and its odometry with it.
 - If the axes of a left and a right wheel are opposite, it spins instead of driving straight.
+- If the axes are vertical, the wheels lie flat: an rpy in the `<origin>` of a joint turns its
+  `<axis>`, too.
 - If one of four wheels has a reversed `<axis>`, the robot skids, turns or stands still, while its
   odometry shows nothing of it. Robots whose left wheels all turn against the right ones are not
   reported.

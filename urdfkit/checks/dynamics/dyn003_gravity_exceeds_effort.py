@@ -18,13 +18,13 @@ from functools import lru_cache
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from urdfkit.checks.dynamics.rotors import is_carried_by_rotors
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 

@@ -13,10 +13,10 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.dynamics.rotors import is_carried_by_rotors
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel, Shape
+from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
 from urdfkit.robot.tree import KinematicTree

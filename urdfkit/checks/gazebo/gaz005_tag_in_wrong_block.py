@@ -34,6 +34,8 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
 
+#: Without which a robot moves as it does with them: its colour, and which links it is made of.
+_HARMLESS = {"material", "visual", *KEEPING_TAGS}
 #: Tags of a block that a message names.
 _NAMED = 4
 
@@ -103,7 +105,7 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
         f"{what} in a <gazebo> without a reference (ignored): it is for a {owner}",
         f'write <gazebo reference="...">, with the name of the {owner}',
         group_key=child.tag,
-        severity=Severity.ERROR,
+        severity=None if {one.tag for one in misplaced} <= _HARMLESS else Severity.ERROR,
     )
 
 

@@ -2,9 +2,7 @@
 
 - Many beams of a planar lidar end at the robot, at the zero pose: it is mounted at the height of
   the deck, of an arm or of wheels. Navigation takes that for obstacles around the robot that move
-  with it. It is an info from a tenth of the beams on, a warning from three tenths on; of parts that
-  a joint with limits moves, as an arm, an info from a thirtieth on, since no filter of fixed angles
-  removes them. The `ray` of
+  with it. It is an info from a tenth of the beams on, a warning from three tenths on. The `ray` of
   Gazebo Classic meets collision shapes, from inside, too; a `gpu_lidar` sees visuals from outside.
   What is nearer than the minimum range is not seen.
 - The whole image of a camera is covered by parts of the robot nearer than half a metre: it looks
@@ -38,10 +36,6 @@ from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_sca
 
 #: The part of the beams of a lidar from which it is an info and a warning.
 SOME, MANY = 0.1, 0.3
-#: That from which it is an info if joints with limits move what the beams end at.
-_SOME_MOVED = 0.03
-#: The types of those joints.
-_LIMITED = ("revolute", "prismatic")
 #: In m: what a camera sees farther away is what it is for, such as the hand of its robot.
 NEAR = 0.5
 _CLIP = 0.1
@@ -107,20 +101,13 @@ def _of_lidar(
         if found:
             blocked.setdefault(one.link, set()).update(found)
     part = len(set().union(*blocked.values())) / scan.samples
-    moved = [found for name, found in blocked.items() if _is_moved(context, name, sensor)]
-    if part >= SOME or len(set().union(*moved)) / scan.samples >= _SOME_MOVED:
+    if part >= SOME:
         yield _finding(
             context,
             sensor,
             f"{sensor.who}: {100 * part:.0f} % of its beams end at the robot itself",
             blocked,
         )._replace(severity=None if part >= MANY else Severity.INFO)
-
-
-def _is_moved(context: Context, link: str, sensor: Sensor) -> bool:
-    """True if joints with limits move a link of an arm or the like past a sensor."""
-    joints = (one for way in context.tree.branches(link, sensor.reference) for one in way)
-    return any(joint.kind in _LIMITED for joint in joints)
 
 
 def _of_camera(

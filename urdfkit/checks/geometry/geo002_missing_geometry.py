@@ -18,6 +18,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
+from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
 
@@ -109,6 +110,8 @@ def _needed(context: Context) -> tuple[str, ...]:
     """
     wheeled = any(joint.kind == "continuous" for joint in context.model.joints)
     if not wheeled or context.is_part or not context.tree.is_sound:
+        return ()
+    if is_carried_by_rotors(context.model):
         return ()
     links = context.model.links_by_name
     try:

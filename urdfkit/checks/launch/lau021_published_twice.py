@@ -2,8 +2,9 @@
 
 - A static_transform_publisher publishes the transform of a link that has a joint above it, beside
   the robot_state_publisher: tf keeps what came last, and the robot flickers where the two differ.
-- joint_state_publisher and the joint_state_broadcaster of ros2_control publish on `/joint_states`:
-  the model jumps between the real positions and those of the sliders.
+- joint_state_publisher and the joint_state_broadcaster of ros2_control, joint_state_controller in
+  ROS 1, publish on `/joint_states`: the model jumps between the real positions and those of the
+  sliders.
 - Two controllers that are started claim the same command interface of a joint: the second does not
   become active. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot:
@@ -44,7 +45,7 @@ nodes = [
 GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
 
 _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
-_BROADCASTER = "joint_state_broadcaster"
+_BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
 #: Positions in m that count as equal.
 _NEAR = 1e-3
 
@@ -96,15 +97,15 @@ def _frame(word: Word) -> str:
 
 def _joint_states(started: list[StartedProgram]) -> Findings:
     spawned = [word for one in started if activates(one) for word in controllers(one)]
-    broadcaster = next((word for word in spawned if word.text == _BROADCASTER), None)
+    broadcaster = next((word for word in spawned if word.text in _BROADCASTERS), None)
     for one in started:
-        is_other = one.is_remapped or "source_list" in one.parameters.values
+        is_other = one.is_remapped or b"source_list" in one.span.source.data
         if broadcaster and one.package in _PUBLISHERS and not is_other:
             yield Finding(
                 Location(one.span, one.frame),
-                f"{one.package} and {_BROADCASTER} both publish the joint states",
+                f"{one.package} and {broadcaster.text} both publish the joint states",
                 f"remove {one.package}",
-                related=(Related(broadcaster.span, _BROADCASTER),),
+                related=(Related(broadcaster.span, f"{broadcaster.text}"),),
             )
 
 

@@ -8,6 +8,7 @@
   the joint states.
 - Nodes with `use_sim_time`, and no bridge that passes Gazebo's `/clock` on: their time stands still
   at zero.
+- A `ros2_control_node` without a parameter file, whose spawners know no type of their controllers.
 - Controllers in a gz sim that is started without `-r`: it waits for its button to be pressed, and
   the spawners for the controllers to become active. Without controllers it is an info.
 - A robot in Gazebo whose `<ros2_control>` is `mock_components/GenericSystem`: Gazebo's plugin does
@@ -15,7 +16,8 @@
 - `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
-  /controller_manager/list_controllers". A relative name is in the namespace of the spawner.
+  /controller_manager/list_controllers". A relative name is in the namespace of the spawner; in
+  ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
 - A filter, a costmap or all displays of RViz that read odometry, an IMU, images or a scan from a
   topic that nothing publishes, while such messages are published under another name. All that the
   workspace starts must be known. So must be the publishers of the robot that RViz shows.
@@ -31,7 +33,11 @@ Sources:
 """
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
+from urdfkit.checks.launch.meeting_points import (
+    other_manager,
+    unpublished_description,
+    without_types,
+)
 from urdfkit.checks.launch.simulated_hardware import mock_hardware
 from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
@@ -77,6 +83,7 @@ def check(context: Context) -> Findings:
         return
     if any(one.package == _PUBLISHER for one in started):
         yield from _without_joint_states(context, started)
+    yield from without_types(started)
     yield from by_wall_clock(context, started)
     yield from without_clock(context, started)
     yield from paused(context, started)

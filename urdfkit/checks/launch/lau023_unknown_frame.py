@@ -30,6 +30,7 @@ from urdfkit.core.words import few
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.frames import NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
@@ -116,19 +117,25 @@ def _of_drivers(launch: Launch) -> frozenset[str]:
 
 def _has_foreign_publishers(context: Context) -> bool:
     """True if nodes that are not at hand may publish frames: drivers, or what a bag plays back."""
-    launch, packages = context.launch, context.resolver.packages
-
-    def is_foreign(package: str) -> bool:
-        if comes_with_ros(package) and package not in _PUBLISHERS_OF_ROS:
-            return False
-        return not any(True for _ in packages.candidates(package, context.source.path))
-
-    started = _started(launch)
-    if any(is_foreign(one.package) for one in started if one.package):
+    started = _started(context.launch)
+    if any(_is_foreign(context, one.package) for one in started if one.package):
         return True
     if any("bag" in (word.text for word in one.words) for one in started if not one.package):
         return True
-    return any(all(map(is_foreign, path.split("/"))) for path in launch.unread if path)
+    return _includes_foreign(context)
+
+
+def _includes_foreign(context: Context) -> bool:
+    """True if it includes launch files of packages that are not at hand and not of ROS itself."""
+    packages = (path.removeprefix(UNKNOWN) for path in context.launch.unread)
+    return any(_is_foreign(context, path.strip("/").partition("/")[0]) for path in packages if path)
+
+
+def _is_foreign(context: Context, package: str) -> bool:
+    if comes_with_ros(package) and package not in _PUBLISHERS_OF_ROS:
+        return False
+    packages = context.resolver.packages
+    return not any(True for _ in packages.candidates(package, context.source.path))
 
 
 def _of_filters(launch: Launch, named: list[NamedFrame]) -> frozenset[str]:
@@ -153,6 +160,8 @@ def _published(context: Context) -> frozenset[str]:
     launch = context.launch
     links = _of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
+    if not launch.descriptions and _includes_foreign(context):
+        return frozenset()  # one of these may start another robot
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
         links = _of_robots(context, launches)

@@ -14,6 +14,8 @@ from urdfkit.text.source import Span
 _PUBLISHER = "robot_state_publisher"
 _DESCRIPTION = "robot_description"
 _MANAGER = "controller_manager"
+#: Parameters of ros2_control_node that define no controller.
+_OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 
 
 def unpublished_description(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
@@ -51,6 +53,8 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
         wanted: Word | None = manager(one)
         if one.namespace is None or (wanted is not None and not wanted.text):
             continue
+        if any((word.text or "").startswith("--namespace") for word in one.words):
+            continue  # of ROS 1
         if not any(True for _ in controllers(one)):
             continue
         name = _resolved(wanted.text or "" if wanted else _MANAGER, one.namespace)
@@ -60,8 +64,28 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
                 Location(wanted.span if wanted else one.span, one.frame),
                 f"the spawner waits for '{name}', which nothing starts; the controller manager is "
                 f"'{other}'",
-                f"write --controller-manager {other}",
+                f"write --controller-manager {other}"
+                if b"exec" in one.span.source.data
+                else f'write ns="{other.rpartition("/")[0] or "/"}"',
                 related=(Related(place, "it is started here"),),
+            )
+
+
+def without_types(started: tuple[StartedProgram, ...]) -> Findings:
+    """A controller manager without parameters, by which a spawner knows no type of a controller."""
+    spawners = [one for one in started if any(True for _ in controllers(one))]
+    words = {word.text for one in spawners for word in one.words}
+    if not spawners or not words.isdisjoint((None, "-p", "--param-file")):
+        return
+    for one in started:
+        every = one.parameters.every
+        is_manager = (one.package, one.executable) == (_MANAGER, "ros2_control_node")
+        if is_manager and every is not None and _OF_NODE.issuperset(every):
+            yield Finding(
+                Location(one.span, one.frame),
+                "ros2_control_node has no parameter file, so no controller has a type",
+                "pass the YAML file of the controllers to it",
+                related=(Related(spawners[0].span, "a spawner"),),
             )
 
 
@@ -84,9 +108,16 @@ def _managers(
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
         for plugin in control_plugins(robot.model) if robot.reading.document else ():
-            if "ros2_control" not in (plugin.at.get("filename") or ""):
-                continue  # of ROS 1
-            yield _of_plugin(plugin.at) if description.is_whole else None, plugin.at.span
+            is_ros1 = plugin.kind == "gazebo_ros_control"
+            if is_ros1 or "ros2_control" in plugin.filename:
+                named = _of_ros1(plugin.at) if is_ros1 else _of_plugin(plugin.at)
+                yield named if description.is_whole else None, plugin.at.span
+
+
+def _of_ros1(plugin: Element) -> str | None:
+    """The controller manager of gazebo_ros_control; without a namespace in that of the model."""
+    namespace = plugin.child("robotNamespace")
+    return None if namespace is None else _resolved(_MANAGER, namespace.text.strip().strip("/"))
 
 
 def _of_plugin(plugin: Element) -> str | None:

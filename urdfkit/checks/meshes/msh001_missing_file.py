@@ -8,7 +8,8 @@ was never committed. A package that is not found is XAC011. Also reported:
 - A name that differs from the file's in upper and lower case: it is found on Windows and on most
   Macs, and missing on Linux.
 - Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
-- A third slash, as in `package:///arm/arm.stl`: it names no package.
+- A third slash, as in `package:///arm/arm.stl`, and a file alone, as in `package://arm.stl`: they
+  name no package.
 - A file outside the workspace of the model and of the packages that are found: it is on this
   computer only, and urdfkit does not read it (a warning).
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: whether
@@ -88,10 +89,11 @@ def check(context: Context) -> Findings:
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
-    """``package:///name/...``, whose package is the empty text before the third slash."""
+    """``package:///name/...``, whose package is the empty text, and ``package://file.stl``."""
     reference = f"{scheme}://{rest.lstrip('/')}"
     is_found = context.resolver.locate(reference, context.files.top).path is not None
-    message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
+    where = f"between '{scheme}://' and " + ("the next '/'" if "/" in rest else "the file")
+    message = f"{mesh.who} names no package {where}"
     fix = _fix(mesh, reference, "remove the third slash") if is_found else None
     return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, group_key=scheme)
 

@@ -11,9 +11,11 @@ Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
 """
 
+import os
 from collections.abc import Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
+from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
@@ -157,13 +159,17 @@ def _launched(context: Context) -> Iterator[tuple[str, Span]]:
 
 
 def _referenced(context: Context) -> Iterator[tuple[str, Span]]:
-    """The packages that a description refers to and that are found; XAC011 has the others."""
+    """The packages that a description refers to and that are found; XAC011 has the others.
+
+    A directory without a manifest, such as ``assets`` in ``package://assets/arm.stl``, is none.
+    """
     for mention in of_package(context.document.sources, context.resolver.packages):
         try:
-            context.resolver.package(mention.package, mention.span.source.path)
+            directory = context.resolver.package(mention.package, mention.span.source.path)
         except PackageNotFound:
             continue
-        yield mention.package, mention.span
+        if disk.is_file(os.path.join(directory, "package.xml")):
+            yield mention.package, mention.span
 
 
 def _fix(source: Source, name: str, tag: str) -> Fix | None:

@@ -1,10 +1,10 @@
 """A ROS package that a robot or a launch file needs is not found.
 
-Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
-all meshes of a package. If `package.xml` declares the package, ROS has it, or a submodule that is
-not checked out may hold it, only this machine lacks it: a warning where the robot cannot be
-checked, an info where only its meshes are not. A xacro outside of all packages has no `package.xml`
-that could declare them, as one that Clearpath's generator writes: a warning, too.
+Without it a xacro cannot be expanded, and no program here can load its meshes: an error if the
+workspace has a package whose name is nearly the same, one for all meshes of a package. Another one
+may be installed where the robot runs, and be missing on this machine only: a warning. It is an info
+where only meshes cannot be checked and `package.xml` declares the package, ROS has it, or a
+submodule that is not checked out may hold it.
 `roslaunch` stops with "ResourceNotFound", `ros2 launch` with
 "package not found": an info where `package.xml` does not declare the package, and a warning where
 its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
@@ -49,16 +49,17 @@ def check(context: Context) -> Findings:
         known = context.resolver.packages.known(context.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         manifest = manifest_of(context.resolver, problem.span.source.path)
-        if manifest is None and not alike:
+        is_undeclared = severity is None and manifest is not None
+        if not alike:
             severity = Severity.WARNING
         help = finding.help + ("" if severity else did_you_mean(name, alike))
         message = finding.message
+        reason = "is not found"
+        if is_undeclared:
+            reason += " and not declared in package.xml"
         if severity and context.reading.document is None:
-            reason = "is not found, so the robot is not checked"
-            message = message.replace("is not found", reason, 1)
-        elif severity is None and manifest:
-            reason = "is not found and not declared in package.xml"
-            message = message.replace("is not found", reason, 1)
+            reason += ", so the robot is not checked"
+        message = message.replace("is not found", reason, 1)
         yield finding._replace(message=message, help=help, group_key=name, severity=severity)
     if is_launch(context.source.path):
         yield from _launched(context)
@@ -85,7 +86,11 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         group_key=f"meshes of {name}",
-        severity=_severity(context, name, first.at.span) and Severity.INFO,
+        severity=None
+        if suggested
+        else Severity.INFO
+        if _severity(context, name, first.at.span)
+        else Severity.WARNING,
     )
 
 

@@ -16,6 +16,8 @@ from urdfkit.text.document import Element
 #: Gains of actuators for positions, in N·m/rad or N/m, and for velocities, for each N·m or N of
 #: effort: a tenth of a radian, or a radian a second, asks for all of it.
 POSITION_GAIN, VELOCITY_GAIN = 10.0, 1.0
+#: Interfaces that an actuator has.
+_KINDS = ("position", "velocity", "effort")
 #: The effort of a joint without a limit, for the gains.
 _EFFORT = 100.0
 
@@ -86,7 +88,11 @@ def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:
 
 
 def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
-    """What commands each joint, and the element that says so; the last one counts."""
+    """What commands each joint, and the element that says so; the last one counts.
+
+    Of several interfaces the first counts, but velocity for wheels.
+    """
+    wheels = {joint.name for joint in robot.model.joints if joint.kind == "continuous"}
     for element, transmission in driven_joints(robot.model):
         name = element.get("name") or ""
         interface = element.child("hardwareInterface")
@@ -95,7 +101,8 @@ def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
         yield name, (kind, interface or transmission)
     for component in components(robot.model):
         for part in component.joints:
-            for interface_ in part.of("command"):
-                if interface_.name in ("position", "velocity", "effort"):
-                    yield part.name, (interface_.name, interface_.at)
-                    break
+            offered = [one for one in part.of("command") if one.name in _KINDS]
+            if part.name in wheels:
+                offered.sort(key=lambda one: one.name != "velocity")
+            for one in offered[:1]:
+                yield part.name, (one.name, one.at)

@@ -36,6 +36,11 @@ class DrivenWheel(Record):
         """Of the tyre if its shape is known, else of the joint."""
         return self.hub or self.origin
 
+    @property
+    def is_flat(self) -> bool:
+        """True if it turns about the vertical, tyre and all."""
+        return self.hub is not None and abs(self.axis[2]) >= _PARALLEL
+
     def is_parallel(self, other: DrivenWheel) -> bool:
         """True if two wheels turn about the same direction, in either sense."""
         return abs(dot(self.axis, other.axis)) >= _PARALLEL
@@ -102,6 +107,9 @@ def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | 
         left: what the drive takes for the left wheel.
     """
     to_left = dot(minus(left.center, right.center), left.axis)
+    if left.is_parallel(right) and left.is_flat:
+        message = f"the axis of '{left.joint.name}' is vertical, so the wheel lies flat"
+        return message, "write another <axis>, or another rpy in the <origin> of the joint"
     if not left.is_parallel(right) or abs(to_left) < _APART:
         return None
     first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"

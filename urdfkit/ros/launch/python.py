@@ -153,7 +153,7 @@ class _PythonReader:
             self.collector.package(name, self.source, self.values.span(package))
         words = argument(call, None, "arguments")
         listed = self.values.items(words) if words else []
-        for flag, value in pairwise(listed):
+        for flag, value in pairwise(listed) if name is None or "rviz" in name else ():
             if value and self.values.text(flag) in ("-d", "--display-config"):
                 self._file(value, "RViz configuration")
         parameters = argument(call, None, "parameters")

@@ -21,7 +21,8 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
     name = file.text(package)
     if package and name:
         file.collector.package(name, file.source, package.span)
-    if arguments and (found := _RVIZ.search(file.text(arguments) or "")):
+    is_rviz = name is None or "rviz" in name
+    if is_rviz and arguments and (found := _RVIZ.search(file.text(arguments) or "")):
         path = path_from(file.source, found.group(2))
         file.collector.file(path, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
