@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 pytest.importorskip("trimesh", reason="meshes need the extra meshes")
@@ -125,6 +125,7 @@ def test_an_open_mesh_becomes_its_hull() -> None:
     st.floats(0.005, 0.05),
     st.sampled_from([3, 20, 100]),
 )
+@example((0.5, 0.5, 0.01), 0.05, 3)
 def test_boxes_are_covered_as_stated(
     size: tuple[float, float, float], margin: float, most: int
 ) -> None:
