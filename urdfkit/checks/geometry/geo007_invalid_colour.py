@@ -31,6 +31,9 @@ FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 #: Components up to this are 1 with an error, not values up to 255.
 _SLIGHTLY = 2.0
 
+#: An alpha that is 1 in another unit, next to components from 0 to 1.
+_OPAQUE = (100.0, 255.0)
+
 #: Names of materials that are invisible on purpose.
 _INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 
@@ -77,10 +80,13 @@ def _fixed(values: tuple[float, ...]) -> str:
     """The colour from 0 to 1; empty if it is unknown."""
     if min(values) < 0 or max(values) > 255:
         return ""
-    if max(values) <= _SLIGHTLY:
-        return spaced(min(value, 1.0) for value in values)
-    *color, alpha = values if len(values) == 4 else (*values, 0)
+    color, alpha = values[:3], values[3:]
+    if max(color) <= _SLIGHTLY and max(alpha, default=0) > _SLIGHTLY:
+        if alpha[0] not in _OPAQUE:
+            return ""
+        alpha = (1.0,)
+    if max(color) <= _SLIGHTLY:
+        return spaced(min(value, 1.0) for value in (*color, *alpha))
     parts = [value / 255 for value in color]
-    if len(values) == 4:
-        parts.append(alpha / 255 if alpha > 1 else alpha)
+    parts += [value / 255 if value > 1 else value for value in alpha]
     return rounded(parts, 3)
