@@ -26,6 +26,8 @@ def test_a_cylinder_is_smooth_around_and_sharp_at_its_rims() -> None:
     radial = points[upright] * (1, 1, 0) / 0.1
     assert np.einsum("ij,ij->i", normals[upright], radial) == pytest.approx(1, abs=1e-3)
     assert np.abs(normals[~upright][:, 2]) == pytest.approx(1, abs=1e-4)
+    shared = shaded(MeshPart(shape.vertices.astype(float), shape.faces))
+    assert len(found.vertices) == len(shared.vertices) < len(loose)
 
 
 def test_corners_without_end_at_one_point_are_quick() -> None:

@@ -11,7 +11,9 @@ CREASE = 35.0
 
 
 def shaded(part: MeshPart, crease: float = CREASE) -> MeshPart:
-    """The part with normals, its vertices doubled where a sharp edge runs through them.
+    """The part with normals: one vertex at a place, and one for each side of a sharp edge there.
+
+    Vertices with colours or texture coordinates stay as many as they are.
 
     Args:
         part: normals that it has are kept.
@@ -19,20 +21,24 @@ def shaded(part: MeshPart, crease: float = CREASE) -> MeshPart:
     """
     if part.normals is not None or not len(part.faces):
         return part
-    _, faces = weld(part.vertices, part.faces)
-    groups = _corner_groups(faces, face_normals(part.vertices, part.faces), crease)
+    places, faces = weld(part.vertices, part.faces)
+    corners = part.faces.reshape(-1)
+    if part.uv is None and part.colors is None:  # then vertices at one place are one
+        first = np.zeros(len(places), dtype=np.int64)
+        first[faces.reshape(-1)[::-1]] = corners[::-1]
+        corners = first[faces.reshape(-1)]
+    edges = _edge_directions(part.vertices, part.faces)
+    normals = _normals(edges)
+    groups = _corner_groups(faces, normals, crease)
     # One new vertex for each pair of an old one and a smooth patch that it lies on.
-    pairs = np.column_stack([part.faces.reshape(-1), groups])
-    first, corners, _ = distinct(pairs)
-    vertices = pairs[first]
-    old, patch = vertices[:, 0], vertices[:, 1]
-    weighted = _corner_angles(part.vertices, part.faces)[:, :, None]
-    weighted = weighted * face_normals(part.vertices, part.faces)[:, None, :]
-    sums = np.zeros((int(groups.max()) + 1, 3))
-    np.add.at(sums, groups, weighted.reshape(-1, 3))
+    pairs = np.column_stack([corners, groups])
+    at, new, _ = distinct(pairs)
+    old, patch = pairs[at].T
+    weighted = (_corner_angles(edges)[:, :, None] * normals[:, None, :]).reshape(-1, 3)
+    sums: Floats = np.stack([np.bincount(groups, column) for column in weighted.T], axis=1)
     return part._replace(
         vertices=part.vertices[old],
-        faces=corners.reshape(-1, 3).astype(np.int64),
+        faces=new.reshape(-1, 3),
         normals=_directed(sums)[patch],
         uv=None if part.uv is None else part.uv[old],
         colors=None if part.colors is None else part.colors[old],
@@ -48,8 +54,18 @@ def _directed(sums: Floats) -> Floats:
 
 def face_normals(vertices: Floats, faces: Integers) -> Floats:
     """(m, 3), unit vectors; zero for a face without area."""
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return _unit(np.cross(_unit(b - a), _unit(c - a)))
+    return _normals(_edge_directions(vertices, faces))
+
+
+def _edge_directions(vertices: Floats, faces: Integers) -> list[Floats]:
+    """Three arrays (m, 3), unit vectors from each corner of a face to the next one."""
+    corners = [vertices[faces[:, corner]] for corner in range(3)]
+    return [_unit(corners[(corner + 1) % 3] - corners[corner]) for corner in range(3)]
+
+
+def _normals(edges: list[Floats]) -> Floats:
+    """(m, 3), unit vectors, of faces whose edges have these directions."""
+    return _unit(np.cross(edges[0], -edges[2]))
 
 
 def _unit(vectors: Floats) -> Floats:
@@ -60,14 +76,10 @@ def _unit(vectors: Floats) -> Floats:
     return vectors / np.where(lengths > 0, lengths, 1.0)
 
 
-def _corner_angles(vertices: Floats, faces: Integers) -> Floats:
-    """(m, 3), the angle in rad at each corner of each face."""
-    corners = vertices[faces]
-    angles = np.zeros(faces.shape)
-    for corner in range(3):
-        one = _unit(corners[:, (corner + 1) % 3] - corners[:, corner])
-        other = _unit(corners[:, (corner + 2) % 3] - corners[:, corner])
-        angles[:, corner] = np.arccos(np.clip((one * other).sum(axis=1), -1.0, 1.0))
+def _corner_angles(edges: list[Floats]) -> Floats:
+    """(m, 3), the angle in rad at each corner of faces whose edges have these directions."""
+    cosines = [-(edges[corner] * edges[corner - 1]).sum(axis=1) for corner in range(3)]
+    angles: Floats = np.arccos(np.clip(np.stack(cosines, axis=1), -1.0, 1.0))
     return angles
 
 
@@ -85,9 +97,10 @@ def _corner_groups(faces: Integers, normals: Floats, crease: float) -> Integers:
     low, high = np.where(flip, ends, starts), np.where(flip, starts, ends)
     at_low = np.where(flip, corner_at_end, corner_at_start)
     at_high = np.where(flip, corner_at_start, corner_at_end)
-    order = np.lexsort((high, low))
+    edge = low * (int(high.max()) + 1) + high
+    order = np.argsort(edge, kind="stable")
     one, other = order[:-1], order[1:]
-    same = (low[one] == low[other]) & (high[one] == high[other])
+    same = edge[one] == edge[other]
     flat = (normals[one // 3] * normals[other // 3]).sum(axis=1) >= np.cos(np.radians(crease))
     one, other = one[same & flat], other[same & flat]
     links = [np.concatenate([at_low[side], at_high[side]]) for side in (one, other)]

@@ -11,7 +11,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
-from urdfkit.mesh.geometry import MeshPart
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
@@ -115,6 +115,7 @@ def build(
     """
     frames = kinematics.frames(context.tree, positions or {})
     materials = ModelMaterials(context, see_through="visual" in roles)
+    meshes = _SmoothMeshes(context)
     items: list[SceneItem] = []
     absent: list[tuple[Link, str, Body, str]] = []
     for link in context.model.links_by_name.values():
@@ -122,7 +123,7 @@ def build(
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                every = map(_sound, _items(context, materials, link.name, role, body))
+                every = map(_sound, _items(meshes, materials, link.name, role, body))
                 found = [item for item in every if item]
                 items += found
                 if not found and body.shape and body.shape.kind == "mesh":
@@ -147,15 +148,33 @@ def _with_placeholders(
     return scene._replace(items=(*scene.items, *boxes), missing=tuple(missing))
 
 
+class _SmoothMeshes:
+    """The meshes of a robot with normals, each made once: many links collide with their visuals."""
+
+    def __init__(self, context: Context) -> None:
+        self._meshes = context.meshes
+        self._known: dict[int, Mesh] = {}
+
+    def mesh(self, shape: Shape) -> Mesh | None:
+        """The mesh of a shape; smooth where it has no normals and is not as fine as pixels."""
+        mesh = self._meshes.mesh(shape)
+        if mesh is None:
+            return None
+        if id(mesh) not in self._known:  # no other has its id: the context keeps all meshes
+            parts = (part if len(part.faces) > MAX_SMOOTH else shaded(part) for part in mesh.parts)
+            self._known[id(mesh)] = mesh._replace(parts=tuple(parts))
+        return self._known[id(mesh)]
+
+
 def _items(
-    context: Context, materials: ModelMaterials, link: str, role: str, body: Body
+    meshes: _SmoothMeshes, materials: ModelMaterials, link: str, role: str, body: Body
 ) -> Iterator[SceneItem]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
     if shape is None or not _is_near(body.origin):
         return
     if shape.kind == "mesh":
-        mesh = context.meshes.mesh(shape)
+        mesh = meshes.mesh(shape)
         if mesh is None:
             return
         label = os.path.basename(_filename(shape))
@@ -199,9 +218,7 @@ def _part(
     part: MeshPart,
     scale: geometry.Floats,
 ) -> SceneItem:
-    """A part of a mesh, scaled; smooth where it has no normals and is not as fine as pixels."""
-    if len(part.faces) <= MAX_SMOOTH:
-        part = shaded(part)
+    """A part of a mesh, scaled."""
     vertices, faces, _, normals, uv, colors = scaled_part(part, scale)
     return SceneItem(
         link,

@@ -85,7 +85,9 @@ def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
     shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
     (one, two) = forms(shell, sphere(0.1))
     assert not one.is_convex
-    assert DistanceQuery(one, two).distance(SAME, np.array([0.0, 0, 0.45]), inf) > 0
+    at = np.array([0.0, 0, 0.45])
+    assert DistanceQuery(one, two).distance(SAME, at, inf) > 0
+    assert DistanceQuery(one, two).distance(SAME, at, 0.0) == 0  # measures nothing in vain
 
 
 def test_the_volume_of_a_cube(tmp_path: Path) -> None:

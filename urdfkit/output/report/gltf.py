@@ -183,29 +183,32 @@ def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
     Positions are parts of 65535 of the surface's longest edge: a scale that is the same along
     all axes leaves normals as they are.
     """
-    used = np.asarray(np.isfinite(item.vertices).all(axis=1))
-    triangles = item.faces[used[item.faces].all(axis=1)]
+    finite = np.asarray(np.isfinite(item.vertices).all(axis=1))
+    triangles = item.faces[finite[item.faces].all(axis=1)]
     if not len(triangles):
         return None
-    points = item.vertices[triangles.reshape(-1)].astype(np.float64)
+    is_used = np.zeros(len(finite), dtype=bool)
+    is_used[triangles] = True
+    used = np.flatnonzero(is_used)
+    points = item.vertices[used].astype(np.float64)
     low = points.min(axis=0)
     size = max(float((points - low).max()), 1e-9)
     columns = [np.rint((points - low) * (65535 / size)).astype(np.uint16)]
-    index = triangles.reshape(-1)
     for values, factor, kind in (
         (item.normals, 127, np.int8),
         (item.uv if item.material.texture else None, 1, np.float32),
         (item.colors, 255, np.uint8),
     ):
-        columns.append(_column(values, index, factor, kind))
+        columns.append(_column(values, used, factor, kind))
     present = [column for column in columns if column is not None]
-    rows = np.concatenate([column.view(np.uint8).reshape(len(index), -1) for column in present], 1)
-    _, first, faces = np.unique(
+    rows = np.concatenate([column.view(np.uint8).reshape(len(used), -1) for column in present], 1)
+    _, first, number = np.unique(
         rows.view(f"V{rows.shape[1]}").reshape(-1), return_index=True, return_inverse=True
     )
     kept = [None if column is None else column[first] for column in columns]
     narrow = np.uint16 if len(first) < 65536 else np.uint32
-    return faces.reshape(-1).astype(narrow), kept[0], low, np.float64(size), *kept[1:]
+    faces = number.reshape(-1)[(np.cumsum(is_used) - 1)[triangles.reshape(-1)]]
+    return faces.astype(narrow), kept[0], low, np.float64(size), *kept[1:]
 
 
 def _column(

@@ -87,7 +87,7 @@ def nothing() -> PageScene:
 
 def packed(model: bytes) -> bytes:
     """A model as a page carries it."""
-    return gzip.compress(model, mtime=0)
+    return gzip.compress(model, 6, mtime=0)  # 9 takes twice as long for 0.1 % less
 
 
 def _link(link: Link) -> dict[str, Any]:

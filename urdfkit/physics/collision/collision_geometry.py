@@ -1,8 +1,10 @@
 """Collision bodies as coal wants them, each with bounds that numpy can test for many poses."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
 from math import inf
-from typing import Any, NamedTuple
+from typing import Any
 
 import coal
 import numpy as np
@@ -38,20 +40,24 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 }
 
 
-class CollisionGeometry(NamedTuple):
+@dataclass(frozen=True)
+class CollisionGeometry:
     """One body."""
 
     solid: CollisionArrays  # it was made from
-    exact: Any  # coal's geometry of it: a convex body, or the triangles of a mesh that is none
-    hull: Any  # a convex body around it; the same object if it is convex
+    hull: Any  # coal's convex body around it; the triangles of a flat mesh
+    is_convex: bool  # its hull is no larger than itself
     center: Floats  # (3,), of its bounding box, in its own frame, in m
     half: Floats  # (3,), half the sides of that box
     radius: float  # of a sphere about the center that holds it, in m
 
-    @property
-    def is_convex(self) -> bool:
-        """True if its hull is no larger than itself."""
-        return self.exact is self.hull
+    @cached_property
+    def exact(self) -> Any:
+        """Its hull, or the triangles of a mesh that is not convex.
+
+        coal's tree of these takes longer than all else, and most links never need it in a check.
+        """
+        return self.hull if self.is_convex else _surface(self.solid.vertices, self.solid.faces)
 
 
 def form(solid: CollisionArrays) -> CollisionGeometry:
@@ -60,7 +66,7 @@ def form(solid: CollisionArrays) -> CollisionGeometry:
     exact = _PRIMITIVES[solid.kind](*solid.size)
     half = half_edges(solid.kind, solid.size)
     radius = bounding_radius(solid.kind, half)
-    return CollisionGeometry(solid, exact, exact, np.zeros(3), np.array(half), radius)
+    return CollisionGeometry(solid, exact, True, np.zeros(3), np.array(half), radius)
 
 
 def _mesh(solid: CollisionArrays) -> CollisionGeometry:
@@ -68,31 +74,37 @@ def _mesh(solid: CollisionArrays) -> CollisionGeometry:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     center, half = (low + high) / 2, (high - low) / 2
     radius = float(np.linalg.norm(vertices - center, axis=1).max())
-    triangles = _surface(vertices, faces)
     if _is_flat(vertices):
-        return CollisionGeometry(solid, triangles, triangles, center, half, radius)
-    hull = _hull(triangles) or _hull(_surface(center + _CORNERS * half, _BOX))
+        return CollisionGeometry(solid, _surface(vertices, faces), True, center, half, radius)
+    hull = _hull(vertices, faces) or _hull(center + _CORNERS * half, _BOX)
     inside = abs(volume(vertices - center, faces))
-    exact = hull if abs(inside - hull.computeVolume()) <= _CONVEX * inside else triangles
-    return CollisionGeometry(solid, exact, hull, center, half, radius)
+    is_convex = abs(inside - hull.computeVolume()) <= _CONVEX * inside
+    return CollisionGeometry(solid, hull, is_convex, center, half, radius)
 
 
 def _surface(vertices: Floats, faces: Integers) -> Any:
+    model = _triangles(vertices, faces)
+    model.endModel()  # makes the tree of bounding volumes
+    return model
+
+
+def _hull(vertices: Floats, faces: Integers) -> Any:
+    """The convex hull of a surface; None where 256 edges meet, which coal cannot count."""
+    model = _triangles(vertices, faces)
+    try:
+        model.buildConvexHull(True, "Qt")
+    except RuntimeError:
+        return None
+    return model.convex
+
+
+def _triangles(vertices: Floats, faces: Integers) -> Any:
+    """A mesh without its tree of bounding volumes, of which a hull needs none."""
     model = coal.BVHModelOBBRSS()
     model.beginModel(len(faces), len(vertices))
     model.addVertices(vertices)
     model.addTriangles(faces.astype(np.uint32))
-    model.endModel()
     return model
-
-
-def _hull(surface: Any) -> Any:
-    """The convex hull of a surface; None where 256 edges meet, which coal cannot count."""
-    try:
-        surface.buildConvexHull(True, "Qt")
-    except RuntimeError:
-        return None
-    return surface.convex
 
 
 def _is_flat(vertices: Floats) -> bool:
@@ -150,7 +162,6 @@ class DistanceQuery:
     def __init__(self, first: CollisionGeometry, second: CollisionGeometry) -> None:
         self.first, self.second = first, second
         self.is_exact = first.is_convex and second.is_convex
-        self._reach = second.radius / 4
         self._place = coal.Transform3s()
         self._ask = coal.DistanceRequest()
         self._distance = coal.DistanceResult()
@@ -180,7 +191,8 @@ class DistanceQuery:
                 depth = self._depth(self._many)
             if depth > TOUCH:
                 return -depth
-            limit = max(limit, 0.0) + self._reach  # the hulls give no bound here
+            if limit <= 0:
+                return 0.0
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
 
     def is_deeper(self, rotation: Floats, translation: Floats, depth: float) -> bool:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.welding import weld
 from urdfkit.physics.collision.batch_kinematics import matrix
 from urdfkit.physics.collision.bodies import LARGEST, THINNEST, primitive_size, why_omitted
 from urdfkit.robot.assets.triangles import Meshes
@@ -97,11 +98,10 @@ def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> tuple[Floats, Integers
 
 
 def _sound(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
-    """The triangles with an area and finite corners, and the vertices that they use."""
+    """The triangles with an area and finite corners, and the vertices that they use, each once."""
     faces = faces[((faces >= 0) & (faces < len(vertices))).all(axis=1)]
     faces = faces[np.isfinite(vertices[faces]).all(axis=(1, 2))]
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     with np.errstate(over="ignore", invalid="ignore"):
         faces = faces[np.any(np.cross(b - a, c - a) != 0, axis=1)]
-    used, numbers = np.unique(faces, return_inverse=True)
-    return np.ascontiguousarray(vertices[used]), numbers.reshape(-1, 3)
+    return weld(vertices, faces)
