@@ -49,6 +49,14 @@ def test_parts_that_are_chosen_at_run_time(tmp_path: Path, choice: str, severity
     assert found.variants == (("the default of cell",) if severity == "warning" else ())
 
 
+def test_a_typo_does_not_depend_on_what_is_chosen(tmp_path: Path) -> None:
+    joint = '<joint name="k" type="fixed"><parent link="wolrd"/><child link="tip"/></joint>'
+    robot = ROBOT.replace("<xacro:if", f'<link name="tip"/>{joint}<xacro:if')
+    errors(tmp_path / "arm", "cell = input()", robot)
+    (found,) = check(tmp_path / "arm" / "arm.xacro", select=["REF001"]).diagnostics
+    assert (found.severity.value, found.fix is None) == ("error", False)
+
+
 def test_a_default_that_does_not_expand(tmp_path: Path) -> None:
     """ReseQ: the launch file makes the parameter file; the default lacks what it adds."""
     robot = ROBOT.replace('value="$(arg cell)"', "value=\"${dict(false=0)['$(arg cell)x']}\"")

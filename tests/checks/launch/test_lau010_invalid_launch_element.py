@@ -134,6 +134,10 @@ def described(first: str, entities: str) -> str:
             "launch calls generate_launch_description(), which is missing",
         ),
         (
+            "def  generate_launch_descripton():\n    return LaunchDescription([])\n",
+            "launch calls generate_launch_description(), which is missing",
+        ),
+        (
             "XMLLaunchDescriptionSource('/a/b.launch.py')",
             "XMLLaunchDescriptionSource does not read 'b.launch.py'",
         ),

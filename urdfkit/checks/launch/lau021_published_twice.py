@@ -105,7 +105,7 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
                 Location(one.span, one.frame),
                 f"{one.package} and {broadcaster.text} both publish the joint states",
                 f"remove {one.package}",
-                related=(Related(broadcaster.span, f"{broadcaster.text}"),),
+                related=(Related(broadcaster.span, "the controller is started here"),),
             )
 
 

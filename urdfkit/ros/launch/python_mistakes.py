@@ -93,17 +93,22 @@ def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
     """The function that launch calls, where it is missing or returns nothing."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     found = [one for one in functions if one.name == _ENTRY]
-    if found and found[-1].body and not any(map(_gives, found[-1].body)):
-        start = source.offset(found[-1].lineno, 1) + found[-1].col_offset + len("def ")
-        at = Span(source, start, start + len(_ENTRY))
+    if found and not any(map(_gives, found[-1].body)):
+        at = _name_of(found[-1], source)
         message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
         yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
-    names = [one.name for one in functions]
-    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, names, 0.9)):
-        start = source.data.index(f"def {name}".encode()) + len("def ")
-        at = Span(source, start, start + len(name))
+    by_name = {one.name: one for one in functions}
+    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, 0.9)):
+        at = _name_of(by_name[name], source)
         message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
         yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
+
+
+def _name_of(function: ast.FunctionDef, source: Source) -> Span:
+    """The name in the definition of a function."""
+    start = source.offset(function.lineno, 1) + function.col_offset
+    found = re.compile(rb"def\s+([^\s(]+)").match(source.data, start)
+    return Span(source, *found.span(1)) if found else Span(source, start, start)
 
 
 def _gives(statement: ast.AST) -> bool:
