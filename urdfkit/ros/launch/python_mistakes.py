@@ -122,10 +122,9 @@ def _gives(statement: ast.AST) -> bool:
 
 
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
-    if b"ROS_DISTRO" in values.source.data:
-        return  # it chooses by the version
     for keyword in call.keywords:
-        if now := _FORMER.get(keyword.arg or ""):
+        now = _FORMER.get(keyword.arg or "")
+        if now and b"ROS_DISTRO" not in values.source.data:  # else it chooses by the version
             at = values.span(keyword.value)
             message = f"Node has no argument '{keyword.arg}' (it had until Foxy)"
             yield Problem("LAU010", at, message, f"write {now}=", severity=Severity.INFO)
