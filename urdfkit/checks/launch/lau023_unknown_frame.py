@@ -136,7 +136,9 @@ def _includes_foreign(context: Context) -> bool:
 
 
 def _is_foreign(context: Context, package: str) -> bool:
-    if comes_with_ros(package) and package not in _PUBLISHERS_OF_ROS:
+    if package in _PUBLISHERS_OF_ROS:
+        return True  # a copy in the workspace, too: it computes the names of its frames
+    if comes_with_ros(package):
         return False
     packages = context.resolver.packages
     return not any(True for _ in packages.candidates(package, context.source.path))
