@@ -129,6 +129,26 @@ def test_frames_that_others_publish(tmp_path: Path, more: str, frame: str, count
     assert len(found) == count
 
 
+MODEL = """Visualization Manager:
+  Displays:
+    - {Class: rviz_default_plugins/RobotModel, Description Topic: {Value: robot_description}}
+"""
+REMAP = '><remap from="robot_description" to="/one/robot_description"/></node>'
+
+
+@pytest.mark.parametrize(
+    ("shown", "count"),
+    [(RVIZ, 1), (RVIZ.replace("<node", '<node namespace="one"'), 0), (RVIZ[:-2] + REMAP, 0)],
+)
+def test_the_topics_of_rviz_in_a_namespace(tmp_path: Path, shown: str, count: int) -> None:
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/view.rviz": MODEL,
+    }
+    robot = PUBLISHER.replace("<node", '<node namespace="one"')
+    assert len(reported(tmp_path / "arm", "LAU022", "a.launch.xml", robot + shown, files)) == count
+
+
 @pytest.mark.parametrize(("tool", "severity"), [("catkin", "info"), ("ament_cmake", "warning")])
 def test_the_devel_space_of_catkin(tmp_path: Path, tool: str, severity: str) -> None:
     """In ROS 1 packages are found in the source tree without being installed."""

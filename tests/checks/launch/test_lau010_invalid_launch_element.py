@@ -159,6 +159,7 @@ def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -
         described(LASTING, HANDLED.format("a, ").replace("[b]", "[Shutdown()]")) + "b.x\n",
         PROGRAM.format("raise ValueError"),
         PROGRAM.format("if x:\n        return LaunchDescription([])"),
+        PROGRAM.format("a = " + "b + " * 900 + "b\n    return LaunchDescription([])"),
         "from a import generate_launch_description\nLaunchDescription([])\n",
         "PythonLaunchDescriptionSource('/a/b.launch.py')",
         "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",
