@@ -49,6 +49,14 @@ def test_parts_that_are_chosen_at_run_time(tmp_path: Path, choice: str, severity
     assert found.variants == (("the default of cell",) if severity == "warning" else ())
 
 
+def test_a_typo_does_not_depend_on_what_is_chosen(tmp_path: Path) -> None:
+    joint = '<joint name="k" type="fixed"><parent link="wolrd"/><child link="tip"/></joint>'
+    robot = ROBOT.replace("<xacro:if", f'<link name="tip"/>{joint}<xacro:if')
+    errors(tmp_path / "arm", "cell = input()", robot)
+    (found,) = check(tmp_path / "arm" / "arm.xacro", select=["REF001"]).diagnostics
+    assert (found.severity.value, found.fix is None) == ("error", False)
+
+
 def test_a_default_that_does_not_expand(tmp_path: Path) -> None:
     """ReseQ: the launch file makes the parameter file; the default lacks what it adds."""
     robot = ROBOT.replace('value="$(arg cell)"', "value=\"${dict(false=0)['$(arg cell)x']}\"")
@@ -119,6 +127,26 @@ def test_frames_that_others_publish(tmp_path: Path, more: str, frame: str, count
     }
     found = reported(tmp_path / "arm", "LAU023", "a.launch.xml", PUBLISHER + more, files)
     assert len(found) == count
+
+
+MODEL = """Visualization Manager:
+  Displays:
+    - {Class: rviz_default_plugins/RobotModel, Description Topic: {Value: robot_description}}
+"""
+REMAP = '><remap from="robot_description" to="/one/robot_description"/></node>'
+
+
+@pytest.mark.parametrize(
+    ("shown", "count"),
+    [(RVIZ, 1), (RVIZ.replace("<node", '<node namespace="one"'), 0), (RVIZ[:-2] + REMAP, 0)],
+)
+def test_the_topics_of_rviz_in_a_namespace(tmp_path: Path, shown: str, count: int) -> None:
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/view.rviz": MODEL,
+    }
+    robot = PUBLISHER.replace("<node", '<node namespace="one"')
+    assert len(reported(tmp_path / "arm", "LAU022", "a.launch.xml", robot + shown, files)) == count
 
 
 @pytest.mark.parametrize(("tool", "severity"), [("catkin", "info"), ("ament_cmake", "warning")])

@@ -388,3 +388,43 @@ def test_quotes_around_the_configuration_of_rviz(
     words = f"-f map -d {quote}{path}/a.rviz{quote}"
     text = f'<node name="rviz" pkg="rviz" type="rviz" args="{words}"/>'
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text)) == count
+
+
+@pytest.mark.parametrize(("package", "count"), [("realsense2_camera", 0), ("arm", 1)])
+def test_a_camera_that_names_its_frames_itself(tmp_path: Path, package: str, count: int) -> None:
+    """realsense-ros in the workspace of a Go2: its driver makes camera1_link from camera_name."""
+    files = {
+        "robot.urdf": '<robot name="r"><link name="base"/></robot>',
+        "launch/robot.launch.py": (
+            "nodes = [Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+            "    parameters=[{'robot_description': open('../robot.urdf').read()}])]\n"
+        ),
+        "launch/camera.launch.py": f"nodes = [Node(package='{package}', executable='camera')]\n",
+    }
+    text = (
+        "nodes = [IncludeLaunchDescription(PythonLaunchDescriptionSource("
+        "[ThisLaunchFileDir(), '/camera.launch.py'])),\n"
+        "    Node(package='tf2_ros', executable='static_transform_publisher',\n"
+        "         arguments=['0', '0', '0', '0', '0', '0', 'camera1_link', 'camera2_link'])]\n"
+    )
+    add_package(tmp_path / "realsense2_camera", "realsense2_camera")
+    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
+_CALLING_ITSELF = (
+    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="ur_robot">'
+    '{}<xacro:ur_robot/></xacro:macro><link name="base"/><xacro:ur_robot/></robot>'
+)
+
+
+@pytest.mark.parametrize(
+    ("include", "count"),
+    [('<xacro:include filename="$(find ur_description)/ur.xacro"/>', 0), ("", 1)],
+)
+def test_a_macro_with_the_name_of_one_of_a_missing_package(
+    tmp_path: Path, include: str, count: int
+) -> None:
+    """OMRON SINIC X's ur_robot, around the one of ur_description, which it includes."""
+    files = {"robot.xacro": _CALLING_ITSELF.format(include)}
+    text = '<param name="robot_description" command="xacro $(dirname)/../robot.xacro"/>'
+    assert len(reported(tmp_path / "arm", "LAU004", "a.launch", text, files)) == count

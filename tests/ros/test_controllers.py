@@ -148,7 +148,7 @@ def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
 
 
 def test_paths_that_say_nothing_here(tmp_path: Path) -> None:
-    model = context(tmp_path, "c.yaml", "$(find p)/c.yaml", "/${x}.yaml", "", "package://p/c.yaml")
+    model = context(tmp_path, "c.yaml", "$(find p)/c.yaml", "/${x}.yaml", "")
     assert parameter_files(model) == []
 
 

@@ -91,7 +91,7 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     """A result, less severe where it depends on arguments whose values are known at run time only.
 
     Launch files that ask for a gripper start the robot with one; with its defaults it has none, and
-    is in pieces.
+    is in pieces. What has a fix is a typo of a name that the robot has anyway.
     """
     if all(one.code not in _OF_PARTS for one in result.diagnostics):
         return result
@@ -108,12 +108,10 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     with_defaults = (f"the default of {', '.join(names)}",)
 
     def lowered(one: Diagnostic) -> Diagnostic:
-        if one.code not in _OF_PARTS or one.severity is Severity.INFO:
+        if one.code not in _OF_PARTS or one.severity is Severity.INFO or one.fix:
             return one
         less = Severity.WARNING if one.severity is Severity.ERROR else Severity.INFO
-        return one._replace(
-            severity=less, confidence=Confidence.GUESSED, variants=with_defaults, fix=None
-        )
+        return one._replace(severity=less, confidence=Confidence.GUESSED, variants=with_defaults)
 
     return result._replace(diagnostics=tuple(map(lowered, result.diagnostics)))
 

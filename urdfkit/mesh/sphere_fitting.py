@@ -64,7 +64,7 @@ class Covering:
 
     def __init__(self, triangles: Floats, coverage: float) -> None:
         surface, owner = sample_surface(triangles, _SURFACE)
-        self._coverage = coverage
+        self._triangles, self._coverage = triangles, coverage
         self._tree = cKDTree(surface)
         # The centers fit their own points better than others, so the radii have points of theirs.
         points = self._sample(triangles, _COLUMNS, surface)
@@ -72,10 +72,9 @@ class Covering:
         self._others = self._sample(triangles, 2 * _COLUMNS, surface[_MEDIAL:])
         normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), _TINY)
-        self._normals = normals[owner]
         size = float(np.ptp(surface, axis=0).max())
         self._step = size / 20
-        medial = self._medial(surface[:_MEDIAL], self._normals[:_MEDIAL], size)
+        medial = self._medial(surface[:_MEDIAL], normals[owner[:_MEDIAL]], size)
         medial = medial[are_inside(triangles, medial)]
         self._centers = np.concatenate(
             [medial, self._points[:: max(1, len(self._points) // _ELSEWHERE)]]
@@ -129,22 +128,22 @@ class Covering:
             margin = float(np.quantile(needed, self._coverage))
             if margin < least:
                 least, best = margin, (centers, depths)
-            centers, depths = centers.copy(), depths.copy()
+            moved, moved_depths = centers.copy(), depths.copy()
             directions = random.normal(size=(_DIRECTIONS, 3))
             directions /= np.linalg.norm(directions, axis=1, keepdims=True)
             for number in range(len(centers)):
                 own = self._points[(owner == number) & (needed <= margin)]
                 if not len(own):
                     continue
-                # Within its depth a center stays inside.
                 reach = min(step, _INSIDE * depths[number])
                 tried = np.vstack([centers[number], centers[number] + reach * directions])
-                below, at = self._tree.query(tried)
-                outside = np.einsum("ij,ij->i", tried - self._tree.data[at], self._normals[at]) > 0
-                sticks_out = cdist(tried, own).max(axis=1) - below
-                sticks_out[outside] = np.inf
-                nearest = int(sticks_out.argmin())
-                centers[number], depths[number] = tried[nearest], below[nearest]
+                below, _ = self._tree.query(tried)
+                nearest = int((cdist(tried, own).max(axis=1) - below).argmin())
+                moved[number], moved_depths[number] = tried[nearest], below[nearest]
+            # Of a thin part the samples of the surface are farther than the surface.
+            is_inside = are_inside(self._triangles, moved)
+            centers = np.where(is_inside[:, None], moved, centers)
+            depths = np.where(is_inside, moved_depths, depths)
             step *= _SHORTER
         return self._spheres(*best)
 

@@ -74,7 +74,8 @@ def test_limits_of_real_robots_in_radians(lower: str, upper: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("ends", "count"), [("177.6", 1), ("94.25", 0), ("174.53", 0), ("31.42", 0), ("177.605", 0)]
+    ("ends", "count"),
+    [("177.6", 1), *((ends, 0) for ends in "94.25 174.53 31.42 12.6 18.8 25.1 177.605".split())],
 )
 def test_angles_with_decimals(ends: str, count: int) -> None:
     """Not multiples of pi, of 10,000 degrees, or what a computer has converted."""

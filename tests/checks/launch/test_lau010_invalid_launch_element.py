@@ -134,6 +134,10 @@ def described(first: str, entities: str) -> str:
             "launch calls generate_launch_description(), which is missing",
         ),
         (
+            "def  generate_launch_descripton():\n    return LaunchDescription([])\n",
+            "launch calls generate_launch_description(), which is missing",
+        ),
+        (
             "XMLLaunchDescriptionSource('/a/b.launch.py')",
             "XMLLaunchDescriptionSource does not read 'b.launch.py'",
         ),
@@ -155,6 +159,7 @@ def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -
         described(LASTING, HANDLED.format("a, ").replace("[b]", "[Shutdown()]")) + "b.x\n",
         PROGRAM.format("raise ValueError"),
         PROGRAM.format("if x:\n        return LaunchDescription([])"),
+        PROGRAM.format("a = " + "b + " * 900 + "b\n    return LaunchDescription([])"),
         "from a import generate_launch_description\nLaunchDescription([])\n",
         "PythonLaunchDescriptionSource('/a/b.launch.py')",
         "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",

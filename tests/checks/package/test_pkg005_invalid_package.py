@@ -184,6 +184,20 @@ def test_registered_or_unclear_is_calm(
 
 
 @pytest.mark.parametrize(
+    ("kind", "needed"),
+    [
+        (TYPE, ["build type ament_python needs a setup.py, and the package has a CMakeLists.txt"]),
+        (TYPE.replace("ament_python", "ament_cmake"), []),
+        (f"<!-- {TYPE} -->", []),
+    ],
+)
+def test_the_build_file_of_the_build_type(tmp_path: Path, kind: str, needed: list[str]) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("project(arm)\n")
+    found = reported(tmp_path, PYTHON.replace(TYPE, kind))
+    assert [one.message for one in found] == needed
+
+
+@pytest.mark.parametrize(
     ("last", "count"),
     [
         ("ament_package()", 0),

@@ -210,3 +210,20 @@ def test_an_include_by_package_url() -> None:
     (found,) = reported("XAC001", '<xacro:include filename="package://arm/urdf/arm.xacro"/>')
     assert found.message == "xacro does not resolve package://arm/urdf/arm.xacro"
     assert found.help == "write $(find arm)/urdf/arm.xacro"
+
+
+def test_properties_without_prefix_are_one_finding_for_programs_too() -> None:
+    """One robot of 2016 had 204 of them in 13 files."""
+    names = ("radius", "width", "gap")
+    body = "".join(f'<property name="{name}" value="1"/>\n' for name in names)
+    body += '<link name="${gap}${radius}${width}"/>'
+    (found,) = reported("XAC001", body)
+    assert found.message == (
+        "name 'radius' is not defined: xacro ignores a <property> without the prefix "
+        "(and 2 more like this)"
+    )
+    assert [note.span.text for note in found.related] == [
+        "${radius}",
+        '<property name="width" value="1"/>',
+        '<property name="gap" value="1"/>',
+    ]

@@ -9,6 +9,8 @@ from hypothesis import HealthCheck, given, settings
 
 from tests.output.conversion.test_mjcf import INERTIAL, LIMIT
 from urdfkit import convert, read
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 
 np = pytest.importorskip("numpy")
@@ -35,14 +37,28 @@ def test_random_trees(text: str) -> None:
     assert own.gravity(pose) == pytest.approx(pinocchio.gravity(pose)[columns], rel=1e-9, abs=1e-9)
 
 
-def test_a_robot_with_more_joints_than_pinocchio_takes(tmp_path: Path) -> None:
-    links = "".join(f'<link name="l{number}">{INERTIAL}</link>' for number in range(MAX_JOINTS + 2))
+def chain(count: int) -> Context:
+    """A robot with so many joints in a row."""
+    links = "".join(f'<link name="l{number}">{INERTIAL}</link>' for number in range(count + 1))
     joints = "".join(
         f'<joint name="j{number}" type="revolute"><parent link="l{number}"/>'
         f'<child link="l{number + 1}"/><origin xyz="0 0.01 0.02"/>{LIMIT}</joint>'
-        for number in range(MAX_JOINTS + 1)
+        for number in range(count)
     )
-    robot = read(Source("r.urdf", f'<robot name="r">{links}{joints}</robot>'.encode()))
-    found = convert(robot, tmp_path / "o")
+    return read(Source("r.urdf", f'<robot name="r">{links}{joints}</robot>'.encode()))
+
+
+def test_a_robot_with_more_joints_than_pinocchio_takes(tmp_path: Path) -> None:
+    found = convert(chain(MAX_JOINTS + 1), tmp_path / "o")
     assert found.proof.holds
     assert found.proof.agreed.startswith("MuJoCo and urdfkit agree")
+
+
+def test_a_robot_with_more_joints_than_are_compared(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("urdfkit.output.conversion.proof.MAX_OWN", MAX_JOINTS)
+    error = f"^{MAX_JOINTS + 1} joints move; MJCF is proved for up to {MAX_JOINTS}$"
+    with pytest.raises(UrdfkitError, match=error):
+        convert(chain(MAX_JOINTS + 1), tmp_path / "o")
+    assert not (tmp_path / "o").exists()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -156,3 +158,13 @@ def test_the_name_of_the_robot_leads_nowhere(tmp_path: Path) -> None:
 def test_options_of_mjcf_are_an_error(tmp_path: Path) -> None:
     with pytest.raises(UrdfkitError, match="are not of the format 'usd'"):
         convert(read(arm(LIMIT)), tmp_path / "o", to="usd", base="free")
+
+
+def test_a_conversion_comes_back_from_another_process(tmp_path: Path) -> None:
+    """As docs/security.md shows, for those who want to survive a crash."""
+    robot = tmp_path / "arm.urdf"
+    robot.write_bytes(arm(LIMIT).data)
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        found = pool.submit(convert, robot, tmp_path / "o", to="usd").result()
+    assert found.proof.holds
+    assert (tmp_path / "o" / found.file).is_file()

@@ -262,9 +262,11 @@ def test_numbers_of_no_robot_are_refused(xyz: str) -> None:
 
 
 def test_graphs_that_are_no_tree_are_refused() -> None:
-    for text in ("<gazebo/>", link("a") + link("b"), link("a") + link("a")):
+    for text in (link("a") + link("b"), link("a") + link("a")):
         with pytest.raises(Unsuitable, match="do not form one tree"):
             dynamics(text)
+    with pytest.raises(Unsuitable, match="it has no link"):
+        dynamics("<gazebo/>")
 
 
 def test_too_many_joints_are_refused_before_pinocchio_has_them(

@@ -4,6 +4,7 @@ Sources: ``validate_jtc_parameters.hpp`` and ``joint_trajectory_controller.cpp``
 ros2_controllers, Humble to Rolling.
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from urdfkit.ros.controllers import Controller, Section
@@ -24,11 +25,9 @@ def invalid_interfaces(controller: Controller) -> Iterator[_Problem]:
         return
     for name in _LISTS:
         values = controller.section.values(name)
-        texts = [value.text for value in values]
-        for value in values:
-            if texts.count(value.text) > 1:
-                yield value.span, f"{name} has '{value.text}' twice", "remove one of the two"
-                break
+        counts = Counter(value.text for value in values)
+        if twice := next((value for value in values if counts[value.text] > 1), None):
+            yield twice.span, f"{name} has '{twice.text}' twice", "remove one of the two"
     states = [value.text for value in controller.section.values("state_interfaces")]
     for state in states:
         if (other := _NEEDS.get(state)) and other not in states:

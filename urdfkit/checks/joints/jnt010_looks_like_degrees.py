@@ -141,7 +141,8 @@ def _is_converted(ends: tuple[float, float]) -> bool:
 
 
 def _is_near_multiple(size: float, unit: float) -> bool:
-    return abs(size / unit - round(size / unit)) < 0.01
+    """True for a multiple that may be rounded to one decimal, such as 12.6 for four times pi."""
+    return abs(size / unit - round(size / unit)) < 0.02
 
 
 def _is_chosen(size: float) -> bool:

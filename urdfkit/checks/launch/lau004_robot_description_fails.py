@@ -62,10 +62,11 @@ def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
     """True if it is given arguments whose values are not known here.
 
     Or if it lacks packages only that this machine does not have: that is reported where they are
-    needed, as are the errors that it has with its defaults.
+    needed, as are the errors that it has with its defaults. Macros that call each other for ever
+    may get others of their names from these packages.
     """
     codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
-    return codes == {"XAC011"} or not description.is_whole
+    return codes in ({"XAC011"}, {"XAC011", "XAC013"}) or not description.is_whole
 
 
 def _errors(robot: Context) -> list[Problem]:

@@ -99,13 +99,14 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
     spawned = [word for one in started if activates(one) for word in controllers(one)]
     broadcaster = next((word for word in spawned if word.text in _BROADCASTERS), None)
     for one in started:
-        is_other = one.is_remapped or b"source_list" in one.span.source.data
-        if broadcaster and one.package in _PUBLISHERS and not is_other:
+        if broadcaster is None or one.package not in _PUBLISHERS:
+            continue
+        if not one.is_remapped and b"source_list" not in one.span.source.data:
             yield Finding(
                 Location(one.span, one.frame),
                 f"{one.package} and {broadcaster.text} both publish the joint states",
                 f"remove {one.package}",
-                related=(Related(broadcaster.span, f"{broadcaster.text}"),),
+                related=(Related(broadcaster.span, "the controller is started here"),),
             )
 
 

@@ -89,11 +89,9 @@ def check(context: Context) -> Findings:
         unknown = [
             one
             for one in named
-            # In a namespace: of a robot that is started with a prefix, or MODEL/FRAME of Gazebo.
             if one.name not in known
-            and ("/" not in one.name or one.name.rpartition("/")[2] not in last_words)
             and one.key not in given
-            and (one.key or one.name not in of_others)
+            and (one.key or not _is_shown(one.name, of_others, last_words))
         ]
         parents = {}
         if not _has_foreign_publishers(context):
@@ -103,6 +101,12 @@ def check(context: Context) -> Findings:
         yield from (_unknown(one, known) for one in unknown if one.name not in elsewhere)
         yield from (found for name, found in parents.items() if name not in elsewhere)
     yield from _other_world(context)
+
+
+def _is_shown(name: str, of_others: frozenset[str], last_words: set[str]) -> bool:
+    """True for a frame of RViz that a driver or a robot in a namespace publishes."""
+    _, namespace, last = name.rpartition("/")
+    return name in of_others or bool(namespace and last in last_words)
 
 
 def _of_drivers(launch: Launch) -> frozenset[str]:
@@ -132,7 +136,9 @@ def _includes_foreign(context: Context) -> bool:
 
 
 def _is_foreign(context: Context, package: str) -> bool:
-    if comes_with_ros(package) and package not in _PUBLISHERS_OF_ROS:
+    if package in _PUBLISHERS_OF_ROS:
+        return True  # a copy in the workspace, too: it computes the names of its frames
+    if comes_with_ros(package):
         return False
     packages = context.resolver.packages
     return not any(True for _ in packages.candidates(package, context.source.path))

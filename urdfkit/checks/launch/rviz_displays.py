@@ -37,6 +37,14 @@ def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], s
                 yield file, display, written.text
 
 
+def has_other_topics(context: Context) -> bool:
+    """True if RViz has a namespace or remappings, so that it reads other topics than it names."""
+    return any(
+        one.package == "rviz2" and (one.is_remapped or one.namespace != "")
+        for one in context.launch.started
+    )
+
+
 def unknown_classes(context: Context) -> Findings:
     """The classes of RViz in ROS 1, and misspelt ones."""
     reported: set[str] = set()
@@ -62,6 +70,8 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
     Args:
         published: the topics of the robots, and what publishes them.
     """
+    if has_other_topics(context):
+        return
     for file, display, name in read_by_rviz(context):
         topic = topic_of(display, "Description Topic")
         source = display.get("Description Source")

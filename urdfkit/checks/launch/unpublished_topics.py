@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.rviz_displays import read_by_rviz
+from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
@@ -99,7 +99,7 @@ def _is_known(started: StartedProgram, message: str) -> bool:
 def _shown(context: Context) -> Iterator[_Read]:
     """What RViz shows; of several displays for one message, some may be for other robots."""
     found: dict[str, list[Value]] = {}
-    for _, display, name in read_by_rviz(context):
+    for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
         message = _SHOWN.get(name.rpartition("/")[2])
         if message and (topic := topic_of(display)):
             found.setdefault(message, []).append(topic)

@@ -5,6 +5,7 @@ import re
 
 from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 
@@ -59,8 +60,9 @@ def not_finished(directory: str) -> Findings:
 def other_build_type(directory: str) -> Findings:
     """A build type whose build file is not there, while that of another type is."""
     manifest = _read(directory, "package.xml")
-    found = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", manifest.data) if manifest else None
-    if manifest is None or found is None or len(re.findall(rb"<build_type\b", manifest.data)) > 1:
+    data = bytes(blank_comments(manifest.data)) if manifest else b""
+    found = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", data)
+    if manifest is None or found is None or len(re.findall(rb"<build_type\b", data)) > 1:
         return
     kind = found.group(1).decode()
     needed, other = _BUILT_BY.get(kind, ("", ""))

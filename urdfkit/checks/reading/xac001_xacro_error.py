@@ -3,7 +3,8 @@
 A property is not defined, a macro does not exist or is called with other parameters than it has, an
 included file does not exist, Python cannot evaluate an expression. xacro stops at the first error
 and names no line; urdfkit lists all, each at its expression. Where the expression is in a property,
-the place is the property's definition, with its use as a note.
+the place is the property's definition, with its use as a note. All `<property>` elements of a file
+that lack the prefix are one finding, at the first.
 
 A file that another one includes and that uses macros, properties or arguments of that file is no
 robot by itself: an info. Check the file at the top; findings in its parts are reported at their
@@ -17,14 +18,15 @@ Sources:
 
 import re
 
-from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, rule
+from urdfkit.core.words import more_like_this
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.xacro.errors import UNBUILT
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
 
-#: All uses of a name lack one definition, and all definitions without prefix the prefix.
+#: All uses of a name lack one definition, and all properties without prefix the prefix.
 _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 
 
@@ -34,6 +36,7 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
     help="correct the expression or the call; the notes show what it refers to",
 )
 def check(context: Context) -> Findings:
+    unprefixed: dict[str, list[Finding]] = {}
     for finding in reported(context, "XAC001"):
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
@@ -44,7 +47,20 @@ def check(context: Context) -> Findings:
             yield finding._replace(message=message, help=help, group_key="<macro>")
             continue
         lacking = re.match(_UNDEFINED, finding.message)
-        yield finding._replace(group_key=lacking[1] or lacking[0]) if lacking else finding
+        if lacking and lacking[1]:
+            unprefixed.setdefault(finding.at.span.source.path, []).append(finding)
+        else:
+            yield finding._replace(group_key=lacking[0]) if lacking else finding
+    yield from map(_as_one, unprefixed.values())
+
+
+def _as_one(findings: list[Finding]) -> Finding:
+    """The ``<property>`` elements of a file that lack the prefix, at the first of them."""
+    first, *others = sorted(findings, key=lambda finding: finding.at.span.start)
+    notes = tuple(Related(other.at.span, "without the prefix, too") for other in others)
+    return first._replace(
+        message=first.message + more_like_this(len(others)), related=first.related + notes
+    )
 
 
 def _is_in_plain_macro(finding: Finding) -> bool:

@@ -31,6 +31,9 @@ def convert(
 ) -> Conversion:
     """Write a robot in another format with its meshes, and compare what was written with it.
 
+    Native libraries (USD, MuJoCo, Pinocchio) run in the process of the caller, which a crash of one
+    ends; the command line runs them in a process of its own.
+
     Args:
         robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
         out: a directory; whole or not at all.

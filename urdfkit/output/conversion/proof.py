@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 
 from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.own_dynamics import OwnDynamics
@@ -24,7 +25,7 @@ LENGTH, PART = 1e-9, 1e-6
 LEAST = 1e-9
 #: Nor does a torque say more than the weight of the robot on a lever of so many metres.
 LEVER = 1e-6
-#: Moving joints that our own dynamics are computed for, where Pinocchio has no memory for them.
+#: Moving joints of the largest robot that is compared; beyond `MAX_JOINTS` with our own dynamics.
 MAX_OWN = 1000
 #: Positions are drawn between these where no limit is nearer, in rad or m.
 _REACH = 3.0
@@ -70,7 +71,9 @@ def prove(model: Any, robot: Context) -> MjcfProof:
         UrdfkitError: the robot has too many joints, or numbers that no robot has.
     """
     moving = sum(joint.kind != "fixed" for joint in robot.model.joints)
-    is_large = MAX_JOINTS < moving <= MAX_OWN
+    if moving > MAX_OWN:
+        raise UrdfkitError(f"{moving} joints move; MJCF is proved for up to {MAX_OWN}")
+    is_large = moving > MAX_JOINTS
     dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
     data = mujoco.MjData(model)
     random = np.random.default_rng(0)

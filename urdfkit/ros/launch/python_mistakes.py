@@ -93,34 +93,43 @@ def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
     """The function that launch calls, where it is missing or returns nothing."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     found = [one for one in functions if one.name == _ENTRY]
-    if found and found[-1].body and not any(map(_gives, found[-1].body)):
-        start = source.offset(found[-1].lineno, 1) + found[-1].col_offset + len("def ")
-        at = Span(source, start, start + len(_ENTRY))
+    if found and not _gives(found[-1]):
+        at = _name_of(found[-1], source)
         message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
         yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
-    names = [one.name for one in functions]
-    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, names, 0.9)):
-        start = source.data.index(f"def {name}".encode()) + len("def ")
-        at = Span(source, start, start + len(name))
+    by_name = {one.name: one for one in functions}
+    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, 0.9)):
+        at = _name_of(by_name[name], source)
         message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
         yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
 
 
-def _gives(statement: ast.AST) -> bool:
-    """True if a statement of a function returns a value, or does not return."""
-    if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-        return False  # a function of its own
-    if isinstance(statement, ast.Return):
-        return statement.value is not None
-    is_other = isinstance(statement, (ast.Raise, ast.Yield, ast.YieldFrom))
-    return is_other or any(map(_gives, ast.iter_child_nodes(statement)))
+def _name_of(function: ast.FunctionDef, source: Source) -> Span:
+    """The name in the definition of a function."""
+    start = source.offset(function.lineno, 1) + function.col_offset
+    found = re.compile(rb"def\s+([^\s(]+)").match(source.data, start)
+    return Span(source, *found.span(1)) if found else Span(source, start, start)
+
+
+def _gives(function: ast.FunctionDef) -> bool:
+    """True if a function returns a value, or does not return."""
+    stack: list[ast.AST] = [*function.body]
+    while stack:  # an expression may be deeper than Python recurses
+        node = stack.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
+            continue  # a function of its own
+        if isinstance(node, (ast.Raise, ast.Yield, ast.YieldFrom)):
+            return True
+        if isinstance(node, ast.Return) and node.value is not None:
+            return True
+        stack += ast.iter_child_nodes(node)
+    return False
 
 
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
-    if b"ROS_DISTRO" in values.source.data:
-        return  # it chooses by the version
     for keyword in call.keywords:
-        if now := _FORMER.get(keyword.arg or ""):
+        now = _FORMER.get(keyword.arg or "")
+        if now and b"ROS_DISTRO" not in values.source.data:  # else it chooses by the version
             at = values.span(keyword.value)
             message = f"Node has no argument '{keyword.arg}' (it had until Foxy)"
             yield Problem("LAU010", at, message, f"write {now}=", severity=Severity.INFO)

@@ -115,6 +115,8 @@ class Values:
             return _path(self.text(part, depth + 1) for part in parts)
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
+        if name == "ThisLaunchFileDir":
+            return os.path.dirname(os.path.abspath(self.source.path))
         if name == "FindExecutable":
             return self.text(argument(call, 0, "name"), depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
