@@ -26,7 +26,7 @@ def test_a_cylinder_is_smooth_around_and_sharp_at_its_rims() -> None:
     radial = points[upright] * (1, 1, 0) / 0.1
     assert np.einsum("ij,ij->i", normals[upright], radial) == pytest.approx(1, abs=1e-3)
     assert np.abs(normals[~upright][:, 2]) == pytest.approx(1, abs=1e-4)
-    shared = shaded(MeshPart(shape.vertices.astype(float), shape.faces))
+    shared = shaded(MeshPart(shape.vertices.astype(float), shape.faces.astype(np.int64)))
     assert len(found.vertices) == len(shared.vertices) < len(loose)
 
 
