@@ -24,6 +24,12 @@ def test_nearest(word: str, suggested: str | None) -> None:
     assert nearest(word, CODES) == suggested
 
 
+def test_a_name_without_what_kind_of_thing_it_is() -> None:
+    """Meshes of an Elfin arm, of which a sibling has more letters in common."""
+    meshes = ["elfin_end_link", "elfin_base", "elfin_link1"]
+    assert nearest("elfin_base_link", meshes) == "elfin_base"
+
+
 @pytest.mark.parametrize(
     ("word", "other", "expected"),
     [

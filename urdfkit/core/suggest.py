@@ -38,7 +38,8 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
         return None
     from difflib import get_close_matches  # 1 ms, and most unknown words are like no other
 
-    for found in get_close_matches(text, spellings, _COMPARED, cutoff):
+    close = get_close_matches(text, spellings, _COMPARED, cutoff)
+    for found in sorted(close, key=lambda found: not _differs_in_kind(text, found)):
         one, other = _without_common_end(text, found)
         if one == text or get_close_matches(one, [other], 1, min(cutoff, SIMILAR)):
             return spellings[found]
@@ -52,6 +53,12 @@ def _may_be_like(word: str, other: str, cutoff: float) -> bool:
         return False
     common = sum(min(word.count(one), other.count(one)) for one in set(word))
     return 2 * common >= cutoff * letters
+
+
+def _differs_in_kind(word: str, other: str) -> bool:
+    """True for ``arm`` and ``arm_link``."""
+    short, long = sorted((word, other), key=len)
+    return long.removeprefix(short + "_") in _KINDS
 
 
 def _without_common_end(word: str, other: str) -> tuple[str, str]:
