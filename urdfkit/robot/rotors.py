@@ -9,5 +9,5 @@ _ROTOR, _ROTORS = r"rotor_?\d|propeller|thrust", 2
 
 
 def is_carried_by_rotors(model: RobotModel) -> bool:
-    """True if the names of joints tell of rotors or thrusters that carry the robot."""
+    """True if rotors or thrusters carry the robot, by the names of their joints."""
     return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS

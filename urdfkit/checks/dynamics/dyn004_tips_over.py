@@ -2,7 +2,7 @@
 
 All joints at zero, the lowest collisions touch the ground: their hull is what the robot stands on.
 In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
-or correct a mass or the place of one. Four kinds are not judged: a robot that stands on its base
+or correct a mass or the place of one. Four kinds are not checked: a robot that stands on its base
 alone, since bases are bolted down, one on two wheels, which balances, one on legs, which does not
 stand with all joints at zero, and one that several rotors or thrusters carry. The stability in any
 pose is computed by `urdfkit statics --pose`.

@@ -110,7 +110,7 @@ def _is_shown(name: str, of_others: frozenset[str], last_words: set[str]) -> boo
 
 
 def _of_drivers(launch: Launch) -> frozenset[str]:
-    """The frames that nodes are told to stamp their messages with, in which RViz shows them."""
+    """The frames with which nodes stamp their messages, by their parameters; RViz shows these."""
     return frozenset(
         value.lstrip("/")
         for one in _started(launch)

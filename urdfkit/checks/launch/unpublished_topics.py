@@ -1,6 +1,7 @@
 """Topics that a filter, a costmap or RViz reads and nothing publishes.
 
-Told only where all that runs is known, and some of it publishes such messages under another name.
+Reported only where all that runs is known, and some of it publishes such messages under another
+name.
 
 Sources: ``ros_filter.cpp`` of robot_localization, ``obstacle_layer.cpp`` of nav2_costmap_2d, the
 publishers of ros2_controllers (all of humble to rolling).

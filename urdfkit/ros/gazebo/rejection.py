@@ -93,7 +93,7 @@ def _of_nothing(conversion: SdfConversion) -> Rejection:
 
 
 def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Frames that hang in the air, or have the name of something else."""
+    """Frames that are attached to nothing, or have the name of something else."""
     taken = {link.name for link in conversion.links} | conversion.joint_names | conversion.added
     leaves_frames = conversion.converter.has_frames and conversion.tree.is_sound
     for joint in filter(conversion.merges, conversion.model.joints) if leaves_frames else ():
