@@ -22,11 +22,6 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
-#: Rules about what arguments choose: which parts a robot has, and from which files.
-_OF_PARTS = frozenset(
-    ("GAZ001", "RCT001", "RCT010", "REF001", "TRE001", "TRE002", "XAC001", "XAC003")
-)
-
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
     """Reads the description of a job."""
@@ -93,7 +88,9 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     Launch files that ask for a gripper start the robot with one; with its defaults it has none, and
     is in pieces. What has a fix is a typo of a name that the robot has anyway.
     """
-    if all(one.code not in _OF_PARTS for one in result.diagnostics):
+    codes = {one.code for one in result.diagnostics}
+    codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
+    if not codes:
         return result
     xacro = context.reading.xacro
     open_names = {argument.name for argument in xacro.arguments} if xacro else set()
@@ -108,7 +105,7 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     with_defaults = (f"the default of {', '.join(names)}",)
 
     def lowered(one: Diagnostic) -> Diagnostic:
-        if one.code not in _OF_PARTS or one.severity is Severity.INFO or one.fix:
+        if one.code not in codes or one.severity is Severity.INFO or one.fix:
             return one
         less = Severity.WARNING if one.severity is Severity.ERROR else Severity.INFO
         return one._replace(severity=less, confidence=Confidence.GUESSED, variants=with_defaults)

@@ -132,6 +132,8 @@ class Rule(Record):
             empty name for all findings.
         reports_missing: True for a rule that reports what is missing. Where a rule that hides
             parts has found the cause, its findings are consequences.
+        depends_on_arguments: True for a rule about the parts and files that xacro arguments choose.
+            It is less severe where their values are known at run time only.
         computes_fix: True for fixes that compute from other values of the robot; they wait until
             those are fixed.
         migrates: True for a rule that reports what another generation of Gazebo does not have.
@@ -152,6 +154,7 @@ class Rule(Record):
     options: Mapping[str, float] = {}
     hides_parts: tuple[str, ...] = ()
     reports_missing: bool = False
+    depends_on_arguments: bool = False
     computes_fix: bool = False
     migrates: bool = False
     about_files: bool = False
@@ -247,6 +250,7 @@ def rule(
     options: Mapping[str, float] | None = None,
     hides_parts: tuple[str, ...] = (),
     reports_missing: bool = False,
+    depends_on_arguments: bool = False,
     computes_fix: bool = False,
     migrates: bool = False,
     about_files: bool = False,
@@ -281,6 +285,7 @@ def rule(
             options or {},
             hides_parts,
             reports_missing,
+            depends_on_arguments,
             computes_fix,
             migrates,
             about_files,

@@ -27,7 +27,12 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 _THINGS = frozenset(("sensor", "plugin"))
 
 
-@rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)
+@rule(
+    Severity.ERROR,
+    help="name a link or a joint of this robot",
+    reports_missing=True,
+    depends_on_arguments=True,
+)
 def check(context: Context) -> Findings:
     model = context.model
     known = {**model.links_by_name, **model.joints_by_name}

@@ -34,7 +34,7 @@ FIXED = GOOD = BAD.replace("base_lnk", "base_link")
 _INCLUDE = "add the link, or include the file in the robot that has it"
 
 
-@rule(Severity.ERROR, reports_missing=True)
+@rule(Severity.ERROR, reports_missing=True, depends_on_arguments=True)
 def check(context: Context) -> Findings:
     yield from _links(context)
     yield from _leaders(context.model)

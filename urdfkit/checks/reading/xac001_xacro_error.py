@@ -34,6 +34,7 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
     Severity.ERROR,
     needs=(),
     help="correct the expression or the call; the notes show what it refers to",
+    depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
     unprefixed: dict[str, list[Finding]] = {}

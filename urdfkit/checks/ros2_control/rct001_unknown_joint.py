@@ -47,7 +47,12 @@ BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xm
 FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 
-@rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)
+@rule(
+    Severity.ERROR,
+    help="fix the name, or add the joint",
+    reports_missing=True,
+    depends_on_arguments=True,
+)
 def check(context: Context) -> Findings:
     known = context.model.joints_by_name
     # Without joints it is a description of the hardware alone: Webots has them in its world.

@@ -27,6 +27,7 @@ FILES = {
 @rule(
     Severity.WARNING,
     help="have the control plugin of the simulator once, in a <gazebo> block without reference",
+    depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
     plugins = control_plugins(context.model)

@@ -15,7 +15,12 @@ BAD = '<robot name="cart">\n</robot>\n'
 GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
-@rule(Severity.ERROR, help='add a link, as <link name="base_link"/>', reports_missing=True)
+@rule(
+    Severity.ERROR,
+    help='add a link, as <link name="base_link"/>',
+    reports_missing=True,
+    depends_on_arguments=True,
+)
 def check(context: Context) -> Findings:
     root = context.document.root
     if root.tag != "robot" or root.child("link") or context.is_part:

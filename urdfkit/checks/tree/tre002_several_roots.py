@@ -26,6 +26,7 @@ SHOWN = 8
     Severity.ERROR,
     help="connect each of the others to the robot with a joint, or remove it",
     reports_missing=True,
+    depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
     # The child of a link that is missing is no root: the reference is REF001's.

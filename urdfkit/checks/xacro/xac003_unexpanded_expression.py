@@ -27,6 +27,7 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
     help="expand the file with xacro first; a xacro declares "
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
     hides_parts=NAMES,
+    depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
     for finding in reported(context, "XAC003"):
