@@ -88,14 +88,14 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     Launch files that ask for a gripper start the robot with one; with its defaults it has none, and
     is in pieces. What has a fix is a typo of a name that the robot has anyway.
     """
-    codes = {one.code for one in result.diagnostics}
-    codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
-    if not codes:
-        return result
     xacro = context.reading.xacro
     open_names = {argument.name for argument in xacro.arguments} if xacro else set()
     open_names -= job.arguments.keys()
     if not open_names:
+        return result
+    codes = {one.code for one in result.diagnostics}
+    codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
+    if not codes:
         return result
     from urdfkit.ros.launch.robot_arguments import known_at_run_time
 
