@@ -151,11 +151,11 @@ def _missing(
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
     absent = [name for name in required if name not in own.places]
-    spelt = parameters(controller.type) if controller.type in controller_types() else ()
+    declared = parameters(controller.type) if controller.type in controller_types() else ()
     missing = [
         name
         for name in absent
-        if name not in spelt or not nearest(name, own.places, _PARAMETER_TYPO)
+        if name not in declared or not nearest(name, own.places, _PARAMETER_TYPO)
     ]
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:

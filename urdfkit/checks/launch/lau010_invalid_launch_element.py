@@ -15,7 +15,7 @@
   of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
   among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, the
   source of another format than the file has.
-- `generate_launch_description` is missing or returns nothing (error).
+- `generate_launch_description` is misspelt or returns nothing (error).
 - One action is in the launch description and in an event handler of it (error): launch starts it
   once and stops at the second time. An action waits for the exit of a node that runs until the end,
   such as robot_state_publisher, and is never started.

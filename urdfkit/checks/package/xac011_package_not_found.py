@@ -27,7 +27,6 @@ from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
 BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
@@ -45,22 +44,22 @@ def check(context: Context) -> Findings:
     problems = context.problems("XAC011")
     for problem, finding in zip(problems, reported(context, "XAC011"), strict=True):
         (name,) = re.findall(_NAME, problem.message)
-        severity = _severity(context, name, problem.span)
+        path = problem.span.source.path
         known = context.resolver.packages.known(context.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
-        manifest = manifest_of(context.resolver, problem.span.source.path)
-        is_undeclared = severity is None and manifest is not None
-        if not alike:
-            severity = Severity.WARNING
-        help = finding.help + ("" if severity else did_you_mean(name, alike))
-        message = finding.message
+        is_declared = is_known_dependency(name, path, context.resolver)
+        severity = None if alike and not is_declared else Severity.WARNING
         reason = "is not found"
-        if is_undeclared:
+        if not is_declared and manifest_of(context.resolver, path) is not None:
             reason += " and not declared in package.xml"
         if severity and context.reading.document is None:
             reason += ", so the robot is not checked"
-        message = message.replace("is not found", reason, 1)
-        yield finding._replace(message=message, help=help, group_key=name, severity=severity)
+        yield finding._replace(
+            message=finding.message.replace("is not found", reason, 1),
+            help=finding.help + ("" if severity else did_you_mean(name, alike)),
+            group_key=name,
+            severity=severity,
+        )
     if is_launch(context.source.path):
         yield from _launched(context)
         return
@@ -76,6 +75,7 @@ def check(context: Context) -> Findings:
 def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Finding:
     """One finding for all meshes of a package."""
     first = meshes[0]
+    is_declared = is_known_dependency(name, first.at.span.source.path, context.resolver)
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     known = context.resolver.packages.known(context.source.path)
     suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
@@ -86,17 +86,8 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         group_key=f"meshes of {name}",
-        severity=None
-        if suggested
-        else Severity.INFO
-        if _severity(context, name, first.at.span)
-        else Severity.WARNING,
+        severity=None if suggested else Severity.INFO if is_declared else Severity.WARNING,
     )
-
-
-def _severity(context: Context, name: str, at: Span) -> Severity | None:
-    is_known = is_known_dependency(name, at.source.path, context.resolver)
-    return Severity.WARNING if is_known else None
 
 
 def _launched(context: Context) -> Findings:
