@@ -38,8 +38,8 @@ _PUBLISHERS = (_CONTROLLERS, "robot_localization", "ros_gz_bridge")
 _FILTERED = "/odometry/filtered"
 _INPUT = re.compile(r"(odom|imu)\d+")
 _READ = {"odom": "Odometry", "imu": "Imu"}
-#: The messages of displays of RViz.
-_SHOWN = {name: name for name in ("Image", "LaserScan", "Odometry", "PointCloud2")}
+#: The displays of RViz that have the name of their message.
+_SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
 #: Of controllers, by the end of their type, the messages that they publish and the topic.
 _PUBLISHED = {
     "DiffDriveController": ("Odometry", "odom"),
@@ -101,8 +101,8 @@ def _shown(context: Context) -> Iterator[_Read]:
     """What RViz shows; of several displays for one message, some may be for other robots."""
     found: dict[str, list[Value]] = {}
     for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
-        message = _SHOWN.get(name.rpartition("/")[2])
-        if message and (topic := topic_of(display)):
+        message = name.rpartition("/")[2]
+        if message in _SHOWN and (topic := topic_of(display)):
             found.setdefault(message, []).append(topic)
     for message, topics in found.items():
         yield _Read(topics[0], message, "RViz", tuple(topic.text for topic in topics))
