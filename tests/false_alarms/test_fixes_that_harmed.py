@@ -70,3 +70,56 @@ def test_two_elements_do_not_become_the_same_one(tmp_path: Path) -> None:
     )
     found = check(robot, select=["GAZ003"]).diagnostics
     assert [one.fix for one in found] == [None, None]
+
+
+def test_no_fix_of_a_warning_reveals_an_error(tmp_path: Path) -> None:
+    """BlueROV2's thrusters: <limits> is ignored; a <limit> below zero Pinocchio rejects."""
+    robot = tmp_path / "rov.urdf"
+    robot.write_text(
+        '<robot name="rov"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+        '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/>'
+        '<limits effort="-1" velocity="-1"/></joint></robot>'
+    )
+    fixes = fix(robot, unsafe=True, select=["URD001"])
+    assert fixes.files == ()
+    assert [one.reason for one in fixes.left] == ["skipped: it would add JNT008"]
+
+
+def test_a_robot_with_a_wheel_in_millimetres_is_not_raised_by_its_radius(tmp_path: Path) -> None:
+    robot = tmp_path / "rover.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="base_footprint"/><link name="base_link"><collision>'
+        '<geometry><sphere radius="35"/></geometry></collision></link>'
+        '<joint name="j" type="fixed"><parent link="base_footprint"/><child link="base_link"/>'
+        "</joint></robot>"
+    )
+    (found,) = check(robot, select=["TRE008"]).diagnostics
+    assert found.fix is None
+
+
+def test_a_collision_does_not_follow_a_visual_in_millimetres(tmp_path: Path) -> None:
+    body = "<{0}>{1}<geometry><box size='0.6 0.4 0.2'/></geometry></{0}>"
+    origin = '<origin xyz="{} 0 0"/>'
+    robot = tmp_path / "box.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a">'
+        + body.format("visual", origin.format("300"))
+        + body.format("collision", origin.format("0.3"))
+        + "</link></robot>"
+    )
+    (found,) = check(robot, select=["GEO004"]).diagnostics
+    assert found.fix is None
+
+
+def test_no_tensor_comes_from_a_shape_in_another_unit(tmp_path: Path) -> None:
+    """A tensor that is right, beside a collision in millimetres and a visual in metres."""
+    shape = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "box.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="20"/>'
+        '<inertia ixx="0.3267" ixy="0" ixz="0" iyy="0.6667" iyz="0" izz="0.86"/></inertial>'
+        + shape.format("visual", "0.6 0.4 0.2")
+        + shape.format("collision", "600 400 200")
+        + "</link></robot>"
+    )
+    assert fix(robot, unsafe=True, select=["INE006", "INE008"]).files == ()
