@@ -1,7 +1,5 @@
 """Fixes that were offered for robots that are right, or edited more than was wrong."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Texts that are no XML: what is said of them, and what mends them."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import fixed, reported
