@@ -121,3 +121,32 @@ def test_no_tensor_comes_from_a_shape_in_another_unit(tmp_path: Path) -> None:
         + "</link></robot>"
     )
     assert fix(robot, unsafe=True, select=["INE006", "INE008"]).files == ()
+
+
+def test_no_tensor_comes_from_a_shape_that_is_lighter_than_air(tmp_path: Path) -> None:
+    """TurtleBot3's caster of 5 g, with its only shape in millimetres."""
+    robot = tmp_path / "caster.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="base"><inertial><mass value="0.8"/>'
+        '<inertia ixx="1e-3" ixy="0" ixz="0" iyy="1e-3" iyz="0" izz="1e-3"/></inertial>'
+        '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>'
+        '<joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint>'
+        '<link name="a"><inertial><mass value="0.005"/>'
+        '<inertia ixx="2e-07" ixy="0" ixz="0" iyy="5.4e-07" iyz="0" izz="4.1e-07"/></inertial>'
+        '<collision><geometry><box size="30 9 20"/></geometry></collision></link></robot>'
+    )
+    fixes = fix(robot, unsafe=True, select=["INE006", "INE008"])
+    assert [one.diagnostic.code for one in fixes.left] == ["INE006"]
+    assert fixes.files == ()
+
+
+@pytest.mark.parametrize(("name", "is_safe"), [("robot.urdf", True), ("robot.xacro", False)])
+def test_an_empty_element_of_a_xacro_may_be_a_macro_without_its_prefix(
+    tmp_path: Path, name: str, is_safe: bool
+) -> None:
+    """A copy of a robot whose base came by <create/>; the package of that macro is gone."""
+    robot = tmp_path / name
+    robot.write_text('<robot name="r"><create/><link name="a"/></robot>')
+    (found,) = check(robot, select=["URD001"]).diagnostics
+    assert found.fix is not None
+    assert found.fix.safe == is_safe
