@@ -3,8 +3,6 @@
 Usage: smoke.py MODELS, with the Python of that environment, outside the checkout.
 """
 
-from __future__ import annotations
-
 import importlib.metadata
 import importlib.util
 import json

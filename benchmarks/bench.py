@@ -8,8 +8,6 @@ a busy machine slows all of them alike; the least of all rounds is compared. The
 made in `build/benchmarks` if none are named.
 """
 
-from __future__ import annotations
-
 import argparse
 import compileall
 import json

@@ -8,8 +8,6 @@ urdfkit is measured with everything: the processes that it starts, meshes, hulls
 seconds of all processes together; the rounds take turns, and the least of each counts.
 """
 
-from __future__ import annotations
-
 import argparse
 import resource
 import sys

@@ -4,8 +4,6 @@ Usage: python benchmarks/defects.py [--peers PYTHON]; PYTHON has drake and mujoc
 not installed is left out. The table of docs/comparison.md was made by this.
 """
 
-from __future__ import annotations
-
 import argparse
 import shutil
 import subprocess

@@ -8,8 +8,6 @@ server's processor time. The wait before a check, which spares one for each lett
 listed apart. Then keys come faster than checks: the last findings must be those of the last text.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import statistics

@@ -5,8 +5,6 @@ processor time of its process and of those that it starts, and the greatest memo
 takes. The exponent is that of the two largest sizes, the cost of the smallest one taken off.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import resource

@@ -7,8 +7,6 @@ that it takes. After every kill, each file must be whole: as before or as after.
 runs to its end: the files must be those of a run that nobody killed, and no others may be there.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import random

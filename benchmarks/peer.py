@@ -3,8 +3,6 @@
 Usage: peer.py TOOL FILE
 """
 
-from __future__ import annotations
-
 import sys
 
 

@@ -7,8 +7,6 @@ idle cores.
 Usage: python benchmarks/pictures.py [--peers PYTHON] [--rounds N]
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import math

@@ -12,8 +12,6 @@ names the part if it has the name of a link, joint or file on the edited lines o
 around.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

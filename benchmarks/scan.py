@@ -6,8 +6,6 @@ CORPUS is a directory of robots; SCRATCH gets N variants of the small ones, and 
 Linux, in a Python that has urdfkit[scan].
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

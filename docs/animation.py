@@ -3,8 +3,6 @@
 Usage: python docs/animation.py
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

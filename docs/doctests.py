@@ -1,7 +1,5 @@
 """An extension of griffe, which reads docstrings for the site: doctests become blocks of code."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -3,8 +3,6 @@
 Usage: python docs/generate.py
 """
 
-from __future__ import annotations
-
 import re
 import sys
 import tempfile

@@ -4,8 +4,6 @@
 which comes with import-linter, reads them.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

@@ -3,8 +3,6 @@
 Usage: PYTHONPATH=. python docs/pictures.py --shared DIRECTORY (as ``benchmarks/bench.py`` has it)
 """
 
-from __future__ import annotations
-
 import argparse
 import shutil
 import sys

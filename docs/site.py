@@ -7,8 +7,6 @@ Commands that the navigation of ``mkdocs.yml`` does not name follow those that i
 new command needs no edit there; public names that ``api.md`` does not sort in end its page.
 """
 
-from __future__ import annotations
-
 import re
 import shutil
 from pathlib import Path

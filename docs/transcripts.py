@@ -7,8 +7,6 @@ tells one story: its commands run one after the other in a directory with that c
 Usage: python docs/transcripts.py
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shlex

@@ -1,7 +1,5 @@
 """``python -m fuzz HARNESS [--executions N] [--seed S] [--found DIR]``."""
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import os

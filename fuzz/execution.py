@@ -1,7 +1,5 @@
 """Running a harness on damaged inputs, in processes that may die."""
 
-from __future__ import annotations
-
 import gc
 import hashlib
 import mmap

@@ -1,7 +1,5 @@
 """Damage to an input that knows a little of its syntax: tags, quoted values, numbers, lines."""
 
-from __future__ import annotations
-
 import re
 import struct
 from collections.abc import Callable, Sequence

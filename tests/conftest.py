@@ -1,7 +1,5 @@
 """What the tests share: the project's models, and the real robots beside the checkout."""
 
-from __future__ import annotations
-
 import gc
 import importlib
 import json

@@ -1,7 +1,5 @@
 """Pieces of robots under control, for the tests of the rules RCT."""
 
-from __future__ import annotations
-
 from tests.jointed import joint, limit, mimic, robot
 
 #: Joints: 'swing' without end, 'slide' of 0 to 0.5 m, 'weld' fixed, 'follow' after 'swing'.

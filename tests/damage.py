@@ -1,7 +1,5 @@
 """Everything that a file may lack, have twice, have empty or have garbled, one at a time."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

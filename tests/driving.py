@@ -1,7 +1,5 @@
 """A robot on two wheels and its file of controllers, for the tests of the rules RCT."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.controls import plugin

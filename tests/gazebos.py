@@ -1,7 +1,5 @@
 """Pieces of robots with Gazebo tags, for tests."""
 
-from __future__ import annotations
-
 BODY = (
     '<inertial><mass value="1"/>'
     '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>'

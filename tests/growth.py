@@ -1,7 +1,5 @@
 """That work grows like its input: never by seconds, which are the machine's affair."""
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Callable

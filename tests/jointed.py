@@ -1,7 +1,5 @@
 """Robots for the tests of the rules about joints."""
 
-from __future__ import annotations
-
 
 def joint(name: str, kind: str, content: str = "", parent: str = "base") -> str:
     """A joint that holds the link of its name, with that link; on two lines."""

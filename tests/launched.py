@@ -1,7 +1,5 @@
 """Launch files of ROS 1 and ROS 2 in a package of their own, for the tests of the rules LAU."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What libsdformat itself makes of a robot."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import tempfile

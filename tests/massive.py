@@ -1,7 +1,5 @@
 """Pieces of robots with masses, for the tests of what is made of them."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.inertials.link_comparison import LinkInertia

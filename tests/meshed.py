@@ -1,7 +1,5 @@
 """Robots with meshes, in a directory of their own, for tests of the rules about meshes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Running one rule on a robot in a test, through the engine as a user runs it."""
 
-from __future__ import annotations
-
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Diagnostic

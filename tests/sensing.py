@@ -1,7 +1,5 @@
 """A robot with one sensor, for the tests of the rules about sensors."""
 
-from __future__ import annotations
-
 from urdfkit import Diagnostic, check
 from urdfkit.text.source import Source
 

@@ -1,7 +1,5 @@
 """A robot with an SRDF beside it, for the tests of the SRD rules."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from urdfkit import Diagnostic, check

@@ -4,8 +4,6 @@ Every case is given to ``check_urdf``, so the verdicts are urdfdom's and not our
 differs on purpose, the reason stands beside the case.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

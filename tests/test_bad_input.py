@@ -4,8 +4,6 @@ The damage is random but the same in every run. What a strict parser or stock xa
 not pass as a sound robot.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

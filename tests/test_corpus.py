@@ -1,7 +1,5 @@
 """Real robots: what independent tools measured, what the rules find, and that nothing crashes."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from functools import cache

@@ -5,8 +5,6 @@ at hand. Here the repositories lie side by side, which changes nothing: none sup
 another.
 """
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path

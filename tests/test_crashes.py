@@ -1,7 +1,5 @@
 """A bug of urdfkit costs the rules that need what is broken, and no other finding of any robot."""
 
-from __future__ import annotations
-
 import os
 import re
 import sys

@@ -1,7 +1,5 @@
 """The generated documents are those of the rules as they are."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """The examples in the docstrings of what users import are what happens."""
 
-from __future__ import annotations
-
 import doctest
 from importlib import import_module
 

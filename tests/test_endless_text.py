@@ -3,8 +3,6 @@
 A pattern that looks for an end anew from each beginning takes quadratic time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """fix() on real robots and on damaged ones: nothing gets worse, and twice is once."""
 
-from __future__ import annotations
-
 import shutil
 import tempfile
 from collections import Counter

@@ -1,7 +1,5 @@
 """A short run of every fuzzing harness, and the inputs that once brought a defect to light."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

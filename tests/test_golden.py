@@ -1,7 +1,5 @@
 """What a check of the mission's model finds: every finding by code and place, and nothing else."""
 
-from __future__ import annotations
-
 import os
 from importlib.util import find_spec
 

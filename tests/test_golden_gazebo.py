@@ -1,7 +1,5 @@
 """What the rules about Gazebo's tags and plugins say about the mission's own robot, exactly."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 import pytest

@@ -1,7 +1,5 @@
 """The mesh of the mission's own model: missing at first, then made in ways that do not work."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What a check loads: the start of the program is most of the time that a small robot costs."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -4,8 +4,6 @@ A new output belongs into SINKS or, if it is for a terminal or a log, into TEXTS
 in a real browser as well.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """A few kills at random instants; ``benchmarks/kills.py`` does as many as one likes."""
 
-from __future__ import annotations
-
 import os
 
 import pytest

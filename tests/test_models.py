@@ -1,7 +1,5 @@
 """The models under ``models/`` are what the tests and the documents take them for."""
 
-from __future__ import annotations
-
 import math
 import re
 import shutil

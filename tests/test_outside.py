@@ -4,8 +4,6 @@ A new reader belongs into READERS. That reads pass `urdfkit.core.disk` is checke
 is checked that they keep to the workspace.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

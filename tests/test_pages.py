@@ -1,7 +1,5 @@
 """The pages that people read: what they show happens, and what they promise is all there is."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

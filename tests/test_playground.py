@@ -1,7 +1,5 @@
 """The playground in a browser: the same findings as the command line, fixes, links and zips."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

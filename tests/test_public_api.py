@@ -1,7 +1,5 @@
 """What ``import urdfkit`` promises."""
 
-from __future__ import annotations
-
 import inspect
 import re
 import subprocess

@@ -1,7 +1,5 @@
 """What docs/security.md says in numbers and names is what the code does."""
 
-from __future__ import annotations
-
 import re
 
 import click

@@ -1,7 +1,5 @@
 """A file has one name in everything that a run prints, wherever it was read from."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """The site of the documentation, built as CI builds it."""
 
-from __future__ import annotations
-
 import json
 import re
 import subprocess

@@ -1,7 +1,5 @@
 """Assertions about robots: what passes, and what a failure says."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 from pathlib import Path

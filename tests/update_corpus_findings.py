@@ -5,8 +5,6 @@ shows there as a diff to be read. Run ``python -m tests.update_corpus_findings``
 that is meant, look at the diff, and commit it with the change.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections import Counter

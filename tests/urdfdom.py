@@ -1,7 +1,5 @@
 """What urdfdom says of a robot, by its program check_urdf."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

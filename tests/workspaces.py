@@ -1,7 +1,5 @@
 """Packages and files on disk, for tests of what is found where."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 from typing import Any

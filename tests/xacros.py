@@ -1,7 +1,5 @@
 """Writing xacro files in tests."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from urdfkit.lint import engine

@@ -1,7 +1,5 @@
 """What the worker of the playground asks Python: a package in the memory of the browser."""
 
-from __future__ import annotations
-
 import io
 import json
 import os

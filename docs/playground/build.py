@@ -1,7 +1,5 @@
 """Builds the playground into the site: Pyodide and the editor from npm, urdfkit from here."""
 
-from __future__ import annotations
-
 import importlib.util
 import logging
 import shutil

@@ -1,7 +1,5 @@
 """A robot as the page draws it: its visuals in the zero configuration, and their findings."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import islice
 from typing import Any

@@ -1,7 +1,5 @@
 """The bundle command: what it prints, and its exit codes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

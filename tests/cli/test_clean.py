@@ -1,7 +1,5 @@
 """``urdfkit clean``, and what ``urdfkit doctor`` says of the cache."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """``urdfkit importers``."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

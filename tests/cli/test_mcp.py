@@ -1,7 +1,5 @@
 """The tools for agents, called by the client of the official SDK over standard input and output."""
 
-from __future__ import annotations
-
 import asyncio
 import base64
 import os

@@ -1,7 +1,5 @@
 """Commands that compute: a library may crash them, a limit may end them, and they leave nothing."""
 
-from __future__ import annotations
-
 import os
 import re
 import signal

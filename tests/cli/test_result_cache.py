@@ -1,7 +1,5 @@
 """An unchanged check repeats its result; whatever it depends on makes it check again."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """The simulate command: what it prints, and its exit codes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from xml.etree import ElementTree

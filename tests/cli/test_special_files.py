@@ -1,7 +1,5 @@
 """What is no regular file, or an endless one, is one error line: commands x what is named."""
 
-from __future__ import annotations
-
 import json
 import os
 import resource

@@ -4,8 +4,6 @@ A robot is given to a program expanded, with the absolute paths of its meshes: w
 looks for meshes is a question of its own.
 """
 
-from __future__ import annotations
-
 import re
 from itertools import chain
 from math import dist, isclose

@@ -3,8 +3,6 @@
 Each robot has a process of its own, since programs end theirs now and then.
 """
 
-from __future__ import annotations
-
 import json
 import multiprocessing
 import os

@@ -1,7 +1,5 @@
 """Real robots: what a program rejects has an error about the cause, what it takes has none."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.consumers import update

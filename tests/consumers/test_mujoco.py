@@ -1,7 +1,5 @@
 """What MuJoCo rejects has an error with ``--target mujoco``, and what it takes has none."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

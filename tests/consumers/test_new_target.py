@@ -1,7 +1,5 @@
 """A target is added by its file alone."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

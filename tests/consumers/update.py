@@ -5,8 +5,6 @@ look at the difference, and commit it with the change. A program that is not ins
 was written of it.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from importlib.metadata import version

@@ -1,7 +1,5 @@
 """The gate to the files that are read on behalf of a robot."""
 
-from __future__ import annotations
-
 import ast
 import os
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """A disk that is full at the n-th write: one error, the old files, and nothing left over."""
 
-from __future__ import annotations
-
 import errno
 import os
 import shutil

@@ -1,7 +1,5 @@
 """The hint of a missing extra names what works in the environment that prints it."""
 
-from __future__ import annotations
-
 import json
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Frames and rotations, compared with scipy and with what defines them."""
 
-from __future__ import annotations
-
 from itertools import product
 from math import hypot, isclose, pi
 

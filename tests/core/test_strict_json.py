@@ -1,7 +1,5 @@
 """JSON that any reader takes."""
 
-from __future__ import annotations
-
 import json
 from math import inf, nan
 

@@ -1,7 +1,5 @@
 """Directories for a while, and what a kill leaves of them."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """Links and joints that `<gazebo>` adds as SDF, as PR2's grippers have them."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block, child

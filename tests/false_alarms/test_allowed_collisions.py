@@ -1,7 +1,5 @@
 """SRD009: MoveIt never is in a pose in which another pair, that it checks, collides."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Arguments of a xacro that have no value unless they are passed."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

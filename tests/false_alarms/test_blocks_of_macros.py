@@ -1,7 +1,5 @@
 """A block of a macro is inserted as it is called: its name is wrong, not that it is there."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from urdfkit import check, fix

@@ -1,7 +1,5 @@
 """Robots with a bring-up: what is known at run time, is elsewhere, or comes from others."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Numbers that a xacro takes out of YAML files: findings say where they stand (Franka's robots)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

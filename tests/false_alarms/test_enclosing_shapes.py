@@ -1,7 +1,5 @@
 """COL004 is about bodies that are hidden by accident, not about shapes made to enclose others."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("coal")

@@ -1,7 +1,5 @@
 """Limits that are written for form's sake."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import WHEELS, plugin

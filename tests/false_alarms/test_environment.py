@@ -1,7 +1,5 @@
 """What every shell of ROS sets need not be set where urdfkit runs."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Links that Gazebo merges, and what that changes nothing of."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block, child

@@ -1,7 +1,5 @@
 """``urdfkit gazebo`` says first that libsdformat rejects a robot, and knows what SDF adds to it."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What URDF does not have, and what does no harm."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import reported

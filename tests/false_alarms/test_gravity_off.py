@@ -1,7 +1,5 @@
 """Gravity asks nothing of a joint that moves links without gravity, as the PR2's arms."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import link

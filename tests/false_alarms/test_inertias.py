@@ -1,7 +1,5 @@
 """What is said of tensors that are wrong in one way, or on purpose."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape

@@ -1,7 +1,5 @@
 """Launch files that are right: what the computer of the robot has is not in the repository."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

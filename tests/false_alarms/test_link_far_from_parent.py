@@ -1,7 +1,5 @@
 """JNT037: a camera on top of a robot may have the base for its parent, as those of wpr robots."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import joint, link, shape

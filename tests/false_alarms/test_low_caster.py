@@ -1,7 +1,5 @@
 """TRE008: to lift the robot onto a caster that reaches too low takes the wheels off the ground."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import joint, link, shape

@@ -1,7 +1,5 @@
 """A macro that is called without its prefix makes no link: that is told once, where it stands."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Meshes that are right."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

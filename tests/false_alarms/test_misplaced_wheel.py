@@ -1,7 +1,5 @@
 """JNT025 points at the wheel that is misplaced: the others tell which of the two it is."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import messages

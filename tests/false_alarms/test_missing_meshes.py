@@ -1,7 +1,5 @@
 """Files that are there: under another directory, in another one of the repository, or elsewhere."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """What MuJoCo and Drake read well is no error where they are the only targets."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

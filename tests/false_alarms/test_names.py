@@ -1,7 +1,5 @@
 """Names that look wrong and do no harm."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block, child, plugin, sensor

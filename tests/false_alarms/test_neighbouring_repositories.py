@@ -1,7 +1,5 @@
 """What lies next to a repository decides nothing: no finding, no fix, no package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

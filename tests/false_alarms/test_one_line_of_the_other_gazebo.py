@@ -1,7 +1,5 @@
 """One line of another Gazebo is the mistake: it does not make mistakes of all that is right."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

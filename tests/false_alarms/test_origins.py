@@ -1,7 +1,5 @@
 """Collisions that are not where the visual is."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import link, shape

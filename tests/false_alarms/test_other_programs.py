@@ -1,7 +1,5 @@
 """Files and tags that belong to other programs than ROS's."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """A part whose include is commented out is no robot of its own."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Names of links that are not there, and the link that was meant."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import messages

@@ -1,7 +1,5 @@
 """What the hardware has and the simulator has not, in a description for both."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Surroundings that are written as a robot."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import messages

@@ -1,7 +1,5 @@
 """A robot stands on what collides; a visual holds nothing, and all commands say the same."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

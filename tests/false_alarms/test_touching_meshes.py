@@ -1,7 +1,5 @@
 """COL001 is about parts that run into each other, not about parts that slide along each other."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

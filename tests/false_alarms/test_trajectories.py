@@ -1,7 +1,5 @@
 """The joints that MoveIt sends to the controllers of ros2_control."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """GAZ067: that nobody's forces are not measured harms nobody."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.sensing import findings

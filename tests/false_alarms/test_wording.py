@@ -1,7 +1,5 @@
 """Messages that hid the defect: "has no <noise>" reads as if it were missing."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The GitHub action and the GitLab template: their shell steps are run as the runners do it."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

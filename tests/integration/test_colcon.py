@@ -3,8 +3,6 @@
 In place of ``ament_cmake`` stands what the package uses of it: CTest, and a macro that ends it.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

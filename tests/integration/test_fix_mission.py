@@ -1,7 +1,5 @@
 """The mission's package, mended end to end."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

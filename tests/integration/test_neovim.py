@@ -1,7 +1,5 @@
 """The language server under a real editor, without a screen."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -4,8 +4,6 @@ It runs where `code-server` is on the PATH (``npm install --global code-server``
 names the packaged extension; ``.ci/run`` packages it.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """The JSON Schema of urdfkit.toml takes what the configuration takes, and no other setting."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

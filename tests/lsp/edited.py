@@ -1,7 +1,5 @@
 """Texts as an editor has them: ``|`` is the cursor."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

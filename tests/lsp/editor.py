@@ -1,7 +1,5 @@
 """A real client of the server, and a whole session with it."""
 
-from __future__ import annotations
-
 import asyncio
 import sys
 from collections.abc import Awaitable, Callable

@@ -1,7 +1,5 @@
 """Fixes and ignore comments: what they are worth is that the finding is gone."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """What is offered at the cursor, in texts that are not finished."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

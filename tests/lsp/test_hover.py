@@ -1,7 +1,5 @@
 """What is told about a place."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Texts that are no XML yet."""
 
-from __future__ import annotations
-
 import random
 
 import pytest

@@ -1,7 +1,5 @@
 """Definitions, references and renaming, in texts that expand and in texts that do not."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

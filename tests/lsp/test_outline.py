@@ -1,7 +1,5 @@
 """The outline of a file is the kinematic tree of what it makes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.lsp.edited import MISSION, XACRO, Edited

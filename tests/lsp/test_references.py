@@ -1,7 +1,5 @@
 """Links and joints in the other files of a package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

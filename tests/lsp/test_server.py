@@ -1,7 +1,5 @@
 """The server as a program, talked to by a real client over standard input and output."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import random

@@ -1,7 +1,5 @@
 """URIs of files as editors write them, and texts as their files would be."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import pytest

@@ -1,7 +1,5 @@
 """Which robots are checked when a text changes, and what is told of them."""
 
-from __future__ import annotations
-
 import os
 import shutil
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Meshes spoilt in known ways, for tests of the repair."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A tetrahedron in glTF, for the tests of its reader."""
 
-from __future__ import annotations
-
 import json
 from base64 import b64encode
 from typing import Any

@@ -1,7 +1,5 @@
 """Small meshes of every format, made here."""
 
-from __future__ import annotations
-
 import json
 import struct
 

@@ -1,7 +1,5 @@
 """Meshes of known shape, for tests."""
 
-from __future__ import annotations
-
 import numpy as np
 import trimesh
 

@@ -1,7 +1,5 @@
 """Broken mesh files: a reason, never a crash, and no more memory than the file deserves."""
 
-from __future__ import annotations
-
 import resource
 from pathlib import Path
 from typing import Any

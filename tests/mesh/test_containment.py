@@ -1,7 +1,5 @@
 """Convex pieces contain the mesh: its surface, sampled, against their half-spaces."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

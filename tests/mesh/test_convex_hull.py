@@ -1,7 +1,5 @@
 """Hulls and convex pieces, against trimesh."""
 
-from __future__ import annotations
-
 import re
 import sys
 

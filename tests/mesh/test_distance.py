@@ -1,7 +1,5 @@
 """Distances between surfaces: closed forms, and trimesh's proximity queries."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

@@ -1,7 +1,5 @@
 """Simple shapes around meshes: primitives are found again, errors are what they say."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

@@ -1,7 +1,5 @@
 """What is counted in a mesh, against trimesh and by hand."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

@@ -1,7 +1,5 @@
 """What mesh commands write follows no link out of the workspace, and no path of a model does."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The meshes of real robots as trimesh reads them, where it is right."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 from collections.abc import Iterator

@@ -3,8 +3,6 @@
 A version of a library that takes its killer is skipped; urdfkit must do without its crash anyway.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Normals of triangles that have none."""
 
-from __future__ import annotations
-
 from math import pi
 
 import pytest

@@ -1,7 +1,5 @@
 """Meshes and files that nobody makes on purpose: a result or one clear error, never a crash."""
 
-from __future__ import annotations
-
 import os
 import random
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Fewer triangles: budgets kept, errors kept by a measure of our own, solids and materials kept."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import pytest

@@ -1,7 +1,5 @@
 """Spheres that cover solids: closed forms, and what holds for all."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Meshes moved and stretched, against trimesh."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

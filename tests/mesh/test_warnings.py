@@ -1,7 +1,5 @@
 """Warnings of numpy and other libraries are findings or silence, whatever the vertices are."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from math import inf, nan

@@ -1,7 +1,5 @@
 """yourdfpy is a second opinion on frames, numbers of joints and meshes."""
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Mass properties beside those of the shapes, by closed forms and on real robots."""
 
-from __future__ import annotations
-
 from math import pi
 
 import pytest

@@ -1,7 +1,5 @@
 """A robot on one page: the facts of the mission's model, of real robots, and of odd ones."""
 
-from __future__ import annotations
-
 import builtins
 import json
 import math

@@ -1,7 +1,5 @@
 """Gravity torques and their largest values against Pinocchio, on random trees."""
 
-from __future__ import annotations
-
 from math import isclose
 
 import pytest

@@ -1,7 +1,5 @@
 """Poses as people give them: on the command line, in files, as states of an SRDF."""
 
-from __future__ import annotations
-
 import json
 from math import pi
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A project to run pytest in."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import pytest

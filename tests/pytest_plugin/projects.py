@@ -1,7 +1,5 @@
 """Projects with robots and tests, in which pytest runs."""
 
-from __future__ import annotations
-
 from importlib.metadata import entry_points
 
 import pytest

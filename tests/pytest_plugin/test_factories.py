@@ -1,7 +1,5 @@
 """The fixtures that take a path: urdf and check_urdf."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.pytest_plugin.projects import Project, outcome

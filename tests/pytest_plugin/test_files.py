@@ -1,7 +1,5 @@
 """Robots that are tests themselves, by settings of pytest."""
 
-from __future__ import annotations
-
 from xml.etree import ElementTree
 
 import pytest

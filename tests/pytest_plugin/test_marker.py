@@ -1,7 +1,5 @@
 """The marker, and the fixtures that give what it names."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.mesh.made import binary_stl

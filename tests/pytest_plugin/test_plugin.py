@@ -1,7 +1,5 @@
 """The plugin among others: what it lists, loads and costs; and the example of the project."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

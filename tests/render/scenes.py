@@ -1,7 +1,5 @@
 """Robots for pictures, and what can be measured in one."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.lint.context import Context

@@ -1,7 +1,5 @@
 """Moving pictures: what moves, what stays, and how they are saved."""
 
-from __future__ import annotations
-
 from math import pi
 from pathlib import Path
 

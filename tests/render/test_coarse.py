@@ -1,7 +1,5 @@
 """Coarse surfaces for the 3D view: few triangles, in the place of the many."""
 
-from __future__ import annotations
-
 import pytest
 
 np = pytest.importorskip("numpy")

@@ -1,7 +1,5 @@
 """The difference of two states in a picture."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("PIL")

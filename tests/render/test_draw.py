@@ -1,7 +1,5 @@
 """Truths of geometry that a picture must show."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import pytest

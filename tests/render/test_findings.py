@@ -1,7 +1,5 @@
 """Findings in a picture: the links that they concern stand out."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("PIL")

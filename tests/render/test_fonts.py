@@ -1,7 +1,5 @@
 """Names of any script in pictures: in a font that has their letters, or escaped."""
 
-from __future__ import annotations
-
 import pytest
 from PIL import Image, ImageFont
 

@@ -4,8 +4,6 @@ Other versions of numpy, and other processors, may round otherwise. Renew them a
 what is new: ``python -m tests.render.test_golden``.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

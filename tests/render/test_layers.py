@@ -1,7 +1,5 @@
 """Layers over a robot: where overlays stand, and that they tell the truth."""
 
-from __future__ import annotations
-
 from math import pi
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The triangles of shapes against closed forms; normals that are found for meshes without."""
 
-from __future__ import annotations
-
 from math import pi
 
 import pytest

@@ -1,7 +1,5 @@
 """The scale of an image: the grid on the ground, the bar, sheets of one scale."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("PIL")

@@ -1,7 +1,5 @@
 """From a description to triangles: looks, textures, placeholders, places."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Neighbours as MoveIt has them, and links that move as one."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 from tests.physics.collision.robots import box, joint, link, revolute, robot

@@ -1,7 +1,5 @@
 """The upper bound of what gravity asks: never under the truth, and cheap."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus

@@ -1,7 +1,5 @@
 """What the rules about joints share."""
 
-from __future__ import annotations
-
 from math import pi
 
 import pytest

@@ -1,7 +1,5 @@
 """Where links are at a configuration; what follows what."""
 
-from __future__ import annotations
-
 from math import cos, pi, sin, sqrt
 
 import pytest

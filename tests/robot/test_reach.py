@@ -1,7 +1,5 @@
 """How far robots reach: closed forms, a search by brute force, and data sheets."""
 
-from __future__ import annotations
-
 from math import hypot, pi, sqrt
 from random import Random
 

@@ -1,7 +1,5 @@
 """Standing and tipping over: closed forms of boxes, wheels and casters."""
 
-from __future__ import annotations
-
 from math import atan2, pi, sqrt
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Finding the left and the right of a robot by name and by place."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

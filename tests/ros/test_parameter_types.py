@@ -1,7 +1,5 @@
 """What ROS 2 takes the values of a file of parameters for."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.ros.parameter_types import is_not_positive, type_of

@@ -1,7 +1,5 @@
 """The programs that a check is for: as they are named, and as a model gives them away."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

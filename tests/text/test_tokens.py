@@ -1,7 +1,5 @@
 """The tokens of texts, well-formed or not."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.text.tokens import TokenKind, tokens

@@ -1,7 +1,5 @@
 """What is known of ``<mujoco>`` is what MuJoCo reads."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

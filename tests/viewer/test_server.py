@@ -1,7 +1,5 @@
 """The viewer as a process: who gets an answer, and what a saved file does."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import re

@@ -1,7 +1,5 @@
 """The viewer looks at every file that a robot is made from."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

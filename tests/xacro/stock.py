@@ -1,7 +1,5 @@
 """The stock xacro package as the yardstick, and the packages of the corpus as both see them."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import json

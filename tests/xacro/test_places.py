@@ -5,8 +5,6 @@ expands them, what each element shall tell about itself: an attribute with its o
 the value of a variable that every include and every macro call extends by its place.
 """
 
-from __future__ import annotations
-
 import re
 import shutil
 from collections.abc import Iterator

@@ -4,8 +4,6 @@ They turn with 3.14 rad/s at most. A planner that reads a higher limit plans mot
 follows late, and the controller then stops it for its position error. Write the true limit.
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute

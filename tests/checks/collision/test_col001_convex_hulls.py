@@ -1,7 +1,5 @@
 """COL001 for programs that collide convex hulls, beside MuJoCo itself."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

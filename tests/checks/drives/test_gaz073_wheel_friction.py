@@ -1,7 +1,5 @@
 """GAZ073: a driven wheel has next to no friction, or a fixed caster has much."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

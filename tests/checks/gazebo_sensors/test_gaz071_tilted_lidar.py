@@ -1,7 +1,5 @@
 """GAZ071: a planar lidar on a robot with wheels does not scan level."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import messages, reported

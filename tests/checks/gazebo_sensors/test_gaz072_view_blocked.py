@@ -1,7 +1,5 @@
 """GAZ072: a planar lidar or a camera sees little but the robot itself."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

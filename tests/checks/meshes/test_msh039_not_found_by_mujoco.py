@@ -1,7 +1,5 @@
 """MSH039: see the rule; what MuJoCo finds is asked of MuJoCo."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

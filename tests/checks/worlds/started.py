@@ -1,7 +1,5 @@
 """A robot, a world and a launch file that starts both, for the tests of the rules WLD."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """WLD001: a world of gz sim does not load a system that the robot needs."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """WLD002: Gazebo does not load the world that a launch file starts, or not all of it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """WLD003: the robot is spawned with its wheels below the ground of the world."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """WLD004: the controllers or a sensor are to run more often than the physics steps."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Drake: its parser, with the scene graph that collides."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.consumers.reading import Reading

@@ -1,7 +1,5 @@
 """MuJoCo: the loader of ``mujoco.MjModel``."""
 
-from __future__ import annotations
-
 from tests.consumers.reading import Reading
 
 PACKAGE = "mujoco"

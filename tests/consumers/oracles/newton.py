@@ -1,7 +1,5 @@
 """Newton: the importer of its builder, and the model that is made of it."""
 
-from __future__ import annotations
-
 from tests.consumers.reading import Reading
 
 PACKAGE = "newton"

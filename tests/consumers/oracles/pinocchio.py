@@ -1,7 +1,5 @@
 """Pinocchio: its model, and the geometry of visuals and collisions."""
 
-from __future__ import annotations
-
 from tests.consumers.reading import Reading
 
 PACKAGE = "pin"

@@ -1,7 +1,5 @@
 """PyBullet: ``loadURDF``."""
 
-from __future__ import annotations
-
 from tests.consumers.reading import Reading
 
 PACKAGE = "pybullet"

@@ -1,7 +1,5 @@
 """yourdfpy, with the meshes of visuals and collisions."""
 
-from __future__ import annotations
-
 from tests.consumers.reading import Reading
 
 PACKAGE = "yourdfpy"

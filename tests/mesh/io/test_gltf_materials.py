@@ -1,7 +1,5 @@
 """glTF: colours, textures, and the normals and coordinates that go with them."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """glTF: every way to write triangles, and every way to get them wrong."""
 
-from __future__ import annotations
-
 import json
 import re
 import struct

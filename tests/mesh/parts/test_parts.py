@@ -1,7 +1,5 @@
 """The parts: closed solids of the size asked for, and the words that choose them."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import pytest

@@ -1,7 +1,5 @@
 """The repair against planted defects, real meshes, and meshes that need none."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 from unittest.mock import patch

@@ -1,7 +1,5 @@
 """Sheets with two sides, and shells that overlap or are nested: told, and repaired when asked."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("numpy")

@@ -1,7 +1,5 @@
 """COLLADA: valid by the schema, and alike in every library that reads it."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Every format: what is written is read back by other libraries, and is always the same."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Bundles load where nothing of this machine is, in the programs that they are for."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

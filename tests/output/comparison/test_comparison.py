@@ -1,7 +1,5 @@
 """compare(): two states of a robot, from files and from git."""
 
-from __future__ import annotations
-
 import base64
 import io
 import json

@@ -1,7 +1,5 @@
 """What counts as a difference between two states of a robot."""
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Links and joints that are called otherwise, and those that are others."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What MuJoCo loads is the robot: masses, frames and dynamics equal those of Pinocchio."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What MJCF gets of meshes, materials, sensors, SRDFs, and fixed links."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

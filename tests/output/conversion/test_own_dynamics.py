@@ -1,7 +1,5 @@
 """Our own dynamics equal Pinocchio's, and prove what Pinocchio cannot take."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

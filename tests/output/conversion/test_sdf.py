@@ -1,7 +1,5 @@
 """SDF: what was written is the robot, and what libsdformat itself makes of the URDF."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """URDF: what was written is the robot, and all files are with it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """USD: what the stage holds is the robot, and warnings stand at the lines of the robot."""
 
-from __future__ import annotations
-
 import json
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context

@@ -1,7 +1,5 @@
 """The kinematic tree in every format: real programs read it, and hostile names do no harm."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

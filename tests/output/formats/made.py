@@ -1,7 +1,5 @@
 """Reports made by hand, for the tests of the formats."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.lint.report import Report

@@ -1,7 +1,5 @@
 """Checkstyle's XML, as a reader of XML understands it."""
 
-from __future__ import annotations
-
 from typing import Any
 from xml.etree import ElementTree
 

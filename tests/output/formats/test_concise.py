@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.output.formats.made import diagnostic, report, span
 from urdfkit.lint.report import Crashed
 from urdfkit.output.formats.concise import render

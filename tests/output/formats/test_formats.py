@@ -1,7 +1,5 @@
 """What all formats have in common."""
 
-from __future__ import annotations
-
 import inspect
 import sys
 

@@ -1,7 +1,5 @@
 """Annotations of GitHub workflows, read back as the runner reads commands."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

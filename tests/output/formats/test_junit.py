@@ -1,7 +1,5 @@
 """JUnit XML, as an independent reader understands it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

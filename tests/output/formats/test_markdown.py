@@ -1,7 +1,5 @@
 """Markdown, as an independent reader renders it."""
 
-from __future__ import annotations
-
 from html.parser import HTMLParser
 from pathlib import Path
 

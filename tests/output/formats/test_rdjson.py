@@ -1,7 +1,5 @@
 """reviewdog's JSON, whole and by lines."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """SARIF: the schema of OASIS agrees, and regions are what SARIF means by them."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.output.formats.made import diagnostic, report, span
 from urdfkit.lint.report import Skipped
 from urdfkit.output.formats.statistics import render

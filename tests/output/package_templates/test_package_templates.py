@@ -1,7 +1,5 @@
 """New packages: without a finding, and as they are promised."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

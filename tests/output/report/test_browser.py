@@ -1,7 +1,5 @@
 """The report in a real browser: it draws, moves and selects, and a hostile robot does nothing."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """The document of a report, and its forms but the HTML."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """The model in a page: what the file holds is what the robot is made of."""
 
-from __future__ import annotations
-
 import json
 from io import BytesIO
 from pathlib import Path

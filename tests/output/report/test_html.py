@@ -1,7 +1,5 @@
 """The HTML as text: it is whole, loads nothing, and holds nothing of a robot as markup."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import json

@@ -1,7 +1,5 @@
 """The JSON report keeps to its schema: a field that comes or goes is a new version."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

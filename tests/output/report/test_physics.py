@@ -1,7 +1,5 @@
 """How much a report computes."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.massive import BALL, context, link, shape

@@ -1,7 +1,5 @@
 """Robots that behave and robots that do not, in MuJoCo."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

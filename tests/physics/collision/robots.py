@@ -1,7 +1,5 @@
 """Small robots for the tests of collisions: links with shapes, joints between them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from urdfkit.lint.context import Context

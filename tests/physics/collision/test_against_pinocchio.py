@@ -1,7 +1,5 @@
 """The collisions that Pinocchio's own loop finds, with its own reading of robot and meshes."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from pathlib import Path
 from typing import Any

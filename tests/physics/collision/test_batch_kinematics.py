@@ -1,7 +1,5 @@
 """Frames of many configurations, against the ones of `kinematics` and against Pinocchio."""
 
-from __future__ import annotations
-
 from math import pi
 from typing import Any
 

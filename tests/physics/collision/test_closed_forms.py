@@ -1,7 +1,5 @@
 """Closed forms against coal, and boxes around bodies as bounds."""
 
-from __future__ import annotations
-
 from math import pi, sqrt
 
 import pytest

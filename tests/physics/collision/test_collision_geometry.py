@@ -1,7 +1,5 @@
 """Distances: closed forms, touching bodies, surfaces, and the traps of coal."""
 
-from __future__ import annotations
-
 from math import inf
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Contacts where a robot begins: which pairs are open, and what needs coal."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Whatever a model holds, nothing crashes: coal is native code, and ends the process."""
 
-from __future__ import annotations
-
 import random
 from pathlib import Path
 

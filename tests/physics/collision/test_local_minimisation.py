@@ -1,7 +1,5 @@
 """What descents find, against closed forms, and against many samples."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from math import asin, cos, hypot, pi
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What the shortcuts leave out is what measuring everything would not have found."""
 
-from __future__ import annotations
-
 from itertools import combinations, pairwise
 from math import inf
 from pathlib import Path

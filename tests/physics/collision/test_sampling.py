@@ -1,7 +1,5 @@
 """The matrix: what it must be where that is known, and that nothing but the seed matters."""
 
-from __future__ import annotations
-
 import os
 from math import acos, asin, pi, sqrt
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The matrix in SRDF: written, updated, compared."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from xml.etree import ElementTree
 

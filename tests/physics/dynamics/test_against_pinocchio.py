@@ -4,8 +4,6 @@ Pinocchio reads each follower as a joint of its own; the laws of ``<mimic>`` are
 the XML alone. Velocities of our coordinates stand in another order than Pinocchio's, by name.
 """
 
-from __future__ import annotations
-
 import re
 from typing import Any
 from xml.etree import ElementTree

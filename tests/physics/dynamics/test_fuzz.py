@@ -1,7 +1,5 @@
 """Whatever a robot says, the process lives: numbers come out, or one sentence."""
 
-from __future__ import annotations
-
 import pytest
 
 np = pytest.importorskip("numpy")

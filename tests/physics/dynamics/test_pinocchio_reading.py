@@ -1,7 +1,5 @@
 """Pinocchio's own reading in a process of its own: reasons are captured, crashes contained."""
 
-from __future__ import annotations
-
 import pytest
 
 pytest.importorskip("pinocchio")

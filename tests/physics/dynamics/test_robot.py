@@ -1,7 +1,5 @@
 """Dynamics against closed forms, and the traps of Pinocchio."""
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 from typing import Any
 

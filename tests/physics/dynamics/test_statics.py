@@ -1,7 +1,5 @@
 """Gravity torques over a pose set: closed forms of the worst pose, and no sample is worse."""
 
-from __future__ import annotations
-
 from math import pi, sin
 
 import pytest

@@ -1,7 +1,5 @@
 """Collisions for links with visual meshes: which links, which edits, which files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.massive import context
 from urdfkit.robot.assets.colours import Colours
 

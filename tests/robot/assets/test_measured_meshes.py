@@ -1,7 +1,5 @@
 """Meshes as solids of links, and the inertia rules that look at them."""
 
-from __future__ import annotations
-
 from math import pi
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Meshes for missing files: what they are, where they lie, and what is left alone."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Macros that compute a tensor in the place of one that is the same for all."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Inertia of links from their shapes: against trimesh, closed forms, and what is written."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The facts about controllers hang together."""
 
-from __future__ import annotations
-
 from urdfkit.ros.catalog import ros_control
 from urdfkit.ros.catalog.controllers import classes, of_manager, parameters_of, successor
 

@@ -1,7 +1,5 @@
 """The facts about the children of ``<gazebo>`` hang together."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.ros.catalog import data, extensions, plugins

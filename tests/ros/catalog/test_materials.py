@@ -1,7 +1,5 @@
 """The facts about Gazebo's materials hang together."""
 
-from __future__ import annotations
-
 from urdfkit.ros.catalog import data, materials
 
 

@@ -1,7 +1,5 @@
 """The facts about plugins hang together, and are found by every name that Gazebo accepts."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The facts about ros_control hang together."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.ros.catalog import data, plugins, ros_control

@@ -1,7 +1,5 @@
 """What Gazebo makes of a robot, against libsdformat itself."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The plugins of a model, and what Gazebo makes of the names in them."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block, child, plugin, sensor

@@ -1,7 +1,5 @@
 """Robots that Gazebo rejects, as libsdformat 12.3 says where it is installed."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What gz-sim has instead of plugins of Gazebo Classic, with the values that these have."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.conftest import MODELS

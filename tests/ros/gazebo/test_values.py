@@ -1,7 +1,5 @@
 """Values of tags as Gazebo reads them."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

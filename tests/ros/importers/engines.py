@@ -1,7 +1,5 @@
 """What programs themselves make of a URDF: each in a process of its own, as some end theirs."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import subprocess

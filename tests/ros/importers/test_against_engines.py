@@ -1,7 +1,5 @@
 """Orders, masses and tensors are those of the programs themselves."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Bodies, masses, orders and index maps of small robots, as each program has them."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.lint.context import Context

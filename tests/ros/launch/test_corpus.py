@@ -1,7 +1,5 @@
 """The launch files of real robots: what is told of each, all read by hand."""
 
-from __future__ import annotations
-
 from collections import Counter
 from pathlib import Path
 

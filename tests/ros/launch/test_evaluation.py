@@ -1,7 +1,5 @@
 """``$(eval ...)``: what is known without running it."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.ros.launch.evaluation import evaluate

@@ -1,7 +1,5 @@
 """Robots that lack arguments have those of the launch files of their package."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path

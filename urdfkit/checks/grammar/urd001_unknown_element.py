@@ -27,6 +27,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severit
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.grammar import calling_macro, owner, places_of
 from urdfkit.text.source import shown
 from urdfkit.workspace.xml_programs import readers_of
@@ -118,8 +119,10 @@ def _fix(element: Element, suggested: str) -> Fix | None:
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
     if element.children or element.text.strip() or not _is_zero(element):
         return None  # its values may belong elsewhere
-    is_empty = not element.attributes
-    return Fix(f"remove the <{element.tag}>", remove_element(element), safe=is_empty)
+    # In a xacro it may be the call of a macro that lacks its prefix, and its include.
+    is_call = is_xacro(element.tag_at.source)
+    safe = not element.attributes and not is_call
+    return Fix(f"remove the <{element.tag}>", remove_element(element), safe=safe)
 
 
 def _misplaced(elements: list[Element]) -> Findings:

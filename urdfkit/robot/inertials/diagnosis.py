@@ -37,6 +37,9 @@ UNITS = (
 #: Corrected, the moments must be this near to those of the shape, as a factor.
 NEAR = 1.5
 
+#: In kg/m³: of a body that is lighter, the shape is too large, as of millimetres taken for metres.
+_AIR = 1.2
+
 #: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
 CLEAR = 2e-3
 
@@ -100,8 +103,9 @@ def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
 
 
 def _of_shape(link: LinkInertia) -> Tensor | None:
-    """The tensor of the shape; None where that marks a place, or is too small for the mass."""
-    is_other = link.is_marker or (link.densities and link.densities[0] > HEAVIEST)
+    """The tensor of the shape; None where that marks a place, or cannot be that of the mass."""
+    low, high = link.densities or (HEAVIEST, HEAVIEST)
+    is_other = link.is_marker or low > HEAVIEST or high < _AIR
     return None if is_other else link.expected
 
 
