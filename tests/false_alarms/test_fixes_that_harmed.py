@@ -150,3 +150,30 @@ def test_an_empty_element_of_a_xacro_may_be_a_macro_without_its_prefix(
     (found,) = check(robot, select=["URD001"]).diagnostics
     assert found.fix is not None
     assert found.fix.safe == is_safe
+
+
+def test_a_tensor_that_fits_the_visual_does_not_follow_a_turned_collision(tmp_path: Path) -> None:
+    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "finger.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="0.5"/>'
+        '<inertia ixx="0.000483" ixy="0" ixz="0" iyy="0.000133" iyz="0" izz="0.000483"/></inertial>'
+        + body.format("visual", "0.04 0.1 0.04")
+        + body.format("collision", "0.1 0.04 0.04")
+        + "</link></robot>"
+    )
+    assert check(robot, select=["INE006"]).diagnostics == ()
+
+
+def test_no_tensor_comes_from_one_of_two_shapes_of_different_size(tmp_path: Path) -> None:
+    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "arm.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="2"/>'
+        '<inertia ixx="0.0156" ixy="0" ixz="0" iyy="0.0156" iyz="0" izz="0.0012"/></inertial>'
+        + body.format("visual", "0.06 0.06 0.3")
+        + body.format("collision", "1.5 1.5 7.6")
+        + "</link></robot>"
+    )
+    (found,) = check(robot, select=["INE006", "INE008"]).diagnostics
+    assert found.fix is None

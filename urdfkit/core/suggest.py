@@ -120,7 +120,9 @@ class Suggester:
 
     def __init__(self, known: Collection[str], cutoff: float = TYPO) -> None:
         self._cutoff = cutoff
-        self._known = known if len(known) <= self.MAX_KNOWN else ()
+        known = known if len(known) <= self.MAX_KNOWN else ()
+        # A name with a space is itself the mistake (NAM004).
+        self._known = [one for one in known if not any(map(str.isspace, one))]
         self._found: dict[str, str] = {}
 
     def hint(self, word: str) -> str:
