@@ -86,7 +86,7 @@ class _Bodies:
         self._columns = self._chain.between(*pair)
         self._branches = self._chain.branches(*pair)
         self._links = {*pair, *(step.child for branch in self._branches for step in branch)}
-        self._frames = [examiner.form(body).solid.frame for body in (first, second)]
+        self._frames = [examiner.geometry(body).arrays.frame for body in (first, second)]
         self._drawn = examiner.drawn_frames
 
     def bounds(self) -> Floats:
