@@ -297,7 +297,7 @@ def _with_baseline(
 
 
 def _progress(files: Sequence[str]) -> ProgressBar | None:
-    """Of the robots; of a single one, of its mesh files, for nothing else takes that long."""
+    """A bar over robots; for a single robot over its mesh files, which take longest."""
     if sys.stderr is None or not sys.stderr.isatty():
         return None  # which spares the import
     from urdfkit.cli.progress import on_terminal

@@ -94,7 +94,7 @@ def _apart(mesh: Mesh) -> tuple[Floats, Integers]:
 
 
 def examine(vertices: Floats, faces: Integers) -> Health:
-    """The state of a mesh.
+    """Examine whether a mesh is closed, consistently oriented and free of defects.
 
     Args:
         vertices: (n, 3).

@@ -79,7 +79,7 @@ class Store:
 
 
 def _digest(data: bytes, form: str, directory: str) -> str:
-    """Of all that the measures are made from: a file and those that it names."""
+    """Hash of a file and of the files that it names: all that the measures are computed from."""
     from urdfkit.core.digest import blake2b
     from urdfkit.mesh.io import referenced_files
 

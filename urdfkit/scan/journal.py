@@ -54,7 +54,7 @@ class Journal:
         self._file.close()
 
     def write(self, row: ModelRow) -> None:
-        """Add a model.
+        """Append the result of a model.
 
         Raises:
             UnwritableFile: the disk is full.

@@ -110,7 +110,7 @@ class Viewer:
                     self._notify()
 
     def _notify(self) -> None:
-        """Wake the pages up."""
+        """Tell the pages that there is something new."""
         self.revision += 1
         self._changed.set()
         self._changed = asyncio.Event()

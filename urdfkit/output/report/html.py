@@ -49,7 +49,7 @@ def render(
     *,
     shape: int = 0,
 ) -> str:
-    """A whole page.
+    """The page as HTML.
 
     Args:
         drawings: addresses of images, by name.

@@ -67,7 +67,7 @@ class PairResult(NamedTuple):
 
 
 class Matrix(NamedTuple):
-    """All pairs of a robot."""
+    """The collision results of all pairs of links of a robot."""
 
     robot: str  # its name
     pairs: tuple[PairResult, ...]  # in the order of the document
