@@ -42,7 +42,7 @@ def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
 
 
 def in_cells(mesh: Mesh) -> Iterator[Mesh]:
-    """A mesh whose near vertices become one, in ever larger cells: ugly, and few in the end."""
+    """Ever simpler meshes: vertices in one cell of a growing grid are merged. Rough, but small."""
     soup = soup_of(mesh)
     makers = list(map(_coarser_cells, _by_part(soup)))
     return _coarser(mesh, makers, _FIRST_CELL * soup.size, _LAST_CELL * soup.size)

@@ -24,7 +24,7 @@ class Health(Record):
     open_edges: int  # edges with one triangle: the rims of holes
     #: Edges with more than two triangles that do not pair up; where bodies touch, they do.
     non_manifold_edges: int
-    inconsistent_edges: int  # edges whose two triangles face opposite ways
+    inconsistent_edges: int  # edges whose two triangles have opposite orientation
     bodies: int  # connected pieces
     inverted: int  # closed pieces whose inside is out, though no other piece is around them
     #: Triangles of closed pieces that enclose nothing: a sheet with two sides has each triangle

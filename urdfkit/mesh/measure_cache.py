@@ -129,7 +129,7 @@ def _read(entry: str) -> Measures | str | None:
 
 
 def _write(entry: str, known: Measures | str) -> None:
-    """Keep measures; that this fails is no concern of a check."""
+    """Keep measures; a check goes on if this fails."""
     import json
 
     content = known if isinstance(known, str) else to_json(known)

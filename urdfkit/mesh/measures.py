@@ -40,7 +40,7 @@ class Measures(Record):
     points: tuple[Vector, ...]
     inside_out: bool  # True if the surface is closed and its triangles look inwards
     open_edges: int  # edges with an odd number of triangles
-    flipped_edges: int  # edges whose triangles do not look the same way
+    flipped_edges: int  # edges whose two triangles have opposite orientation
     degenerate: int  # triangles without area
     bodies: int  # connected components
     #: Of a closed surface, the volume that lies in several of them at once and is counted as often

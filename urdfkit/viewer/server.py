@@ -78,7 +78,7 @@ class Viewer:
         self._completing: asyncio.Task[None] | None = None
 
     async def watch(self) -> None:
-        """Read again whenever a file has changed, for ever."""
+        """Read the robot again whenever a file changes, until the process ends."""
         self._completing = asyncio.create_task(self._complete(self.state))
         while True:
             await asyncio.sleep(PAUSE)

@@ -1,4 +1,4 @@
-"""What a conversion wrote, and what became of the robot."""
+"""The result of a conversion: the files, and what happened to each part of the robot."""
 
 from __future__ import annotations
 
