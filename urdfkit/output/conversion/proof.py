@@ -123,7 +123,7 @@ class _Coordinates:
                 data.qpos[self._q[name]] = position
 
     def mass_matrix(self, data: Any) -> Floats:
-        """Of the coordinates, (nv, nv)."""
+        """MuJoCo's mass matrix in Pinocchio's coordinates, (n, n)."""
         whole = np.zeros((self._model.nv, self._model.nv))
         mujoco.mj_fullM(self._model, data, whole)
         found: Floats = self._columns.T @ whole @ self._columns

@@ -17,7 +17,7 @@ from urdfkit.text.xml_reader import read_xml
 
 
 class Sdf:
-    """The model in a file.
+    """The model in an SDF file.
 
     Raises:
         UrdfkitError: it holds none.

@@ -42,7 +42,7 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class CollisionGeometry:
-    """One body."""
+    """One collision body in coal."""
 
     arrays: CollisionArrays  # that it was built from
     hull: Any  # coal's convex body around it; the triangles of a flat mesh
@@ -53,7 +53,7 @@ class CollisionGeometry:
 
     @cached_property
     def exact(self) -> Any:
-        """Its hull, or the triangles of a mesh that is not convex.
+        """The hull, or the triangles of a mesh that is not convex.
 
         coal's tree of these takes longer than all else, and most links never need it in a check.
         """
@@ -143,7 +143,7 @@ def _drawn_in(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, 
 
 
 def volume(vertices: Floats, faces: Integers) -> float:
-    """Of a closed surface, in m^3; negative if it is inside out (divergence theorem)."""
+    """Volume of a closed surface in m^3; negative if it is inside out (divergence theorem)."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
 

@@ -89,7 +89,7 @@ class ExactDistances:
         return all(query.distance(np.eye(3), point, inf) < -2 * THINNEST for point in points)
 
     def vertices(self, body: CollisionBody) -> tuple[Vector, ...]:
-        """Of a mesh, or the corners of the box around a primitive, in the frame of the body."""
+        """Vertices of a mesh, or corners of the box around a primitive, in the body's frame."""
         found = self._geometry(body)
         if body.kind != "mesh" or found is None:
             return body.points

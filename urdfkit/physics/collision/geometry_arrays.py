@@ -18,7 +18,7 @@ from urdfkit.robot.model import Link, RobotModel, Shape
 
 
 class CollisionArrays(NamedTuple):
-    """One ``<collision>``."""
+    """One ``<collision>`` as arrays."""
 
     link: str  # name of its link
     number: int  # of the element among the collisions of the link, from 0

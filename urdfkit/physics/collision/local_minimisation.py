@@ -94,7 +94,7 @@ class _Bodies:
         return self._query.bounds(*relative(*self._placed(self._drawn)), inf)
 
     def measured(self, positions: Floats, inside: Flags) -> _Measured:
-        """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
+        """Distances at positions (n, k): of the hulls, or of the bodies where the hulls overlap.
 
         Args:
             inside: (n,), where the hulls are known to overlap.

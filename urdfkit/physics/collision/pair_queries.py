@@ -123,7 +123,7 @@ class _Search:
 
     @property
     def _sure(self) -> float:
-        """From this distance on, in m, nothing is new."""
+        """Distances from here on, in m, need not be measured."""
         return (1 - SLACK) * max(self._best, 0.0)
 
     def at(self, frames: dict[int, Floats], *, count: bool) -> PairSample:

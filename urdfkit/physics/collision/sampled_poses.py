@@ -46,7 +46,7 @@ class SampledPoses:
         samples: int,
         is_checked: Callable[[frozenset[str]], bool],
     ) -> list[Collision | None]:
-        """For each pair of links that move, a collision that no other one keeps the robot from.
+        """Find for each pair of moving links a collision that no other collision prevents.
 
         Args:
             is_checked: of two links, whether their collisions are avoided; where two of these

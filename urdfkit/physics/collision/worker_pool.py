@@ -139,7 +139,7 @@ class WorkerPool:
 
 
 class _Worker(ChildProcess):
-    """One process."""
+    """One worker process."""
 
     def __init__(self, chain: Chain, bodies: Sequence[CollisionArrays]) -> None:
         try:
@@ -163,7 +163,7 @@ class _Worker(ChildProcess):
         return None
 
     def ask(self, task: Task) -> Any:
-        """The answer to a task.
+        """Send a task and return its result.
 
         Raises:
             ProcessDied: the process crashed.

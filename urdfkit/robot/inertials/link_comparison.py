@@ -117,7 +117,7 @@ class LinkInertia:
 
     @cached_property
     def solid(self) -> LinkSolid | None:
-        """Its collisions, else its visuals; None unless all of them are measured."""
+        """The solid of its collisions, else of its visuals; None unless all are measured."""
         if self.link.collisions and self.link.visuals:
             return solid(self.link.collisions, self._mesh_solid)
         return self.solids[0] if self.solids else None
@@ -152,7 +152,7 @@ class LinkInertia:
 
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
-        """Its collisions and its visuals, as far as all of them are measured."""
+        """The solids of its collisions and of its visuals; one that is not measured is left out."""
         shapes = (self.link.collisions, self.link.visuals)
         return tuple(one for each in shapes if (one := solid(each, self._mesh_solid)))
 
