@@ -202,7 +202,8 @@ SAMPLED = {
     "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm": 0,
     "tests/lint/test_formatting.py::test_real_robots": 0,
     "tests/lint/test_rule_packages.py::test_the_tests_of_the_example": 0,
-    "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 24,
+    "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 40,
+    "tests/output/conversion/test_sdf.py::test_pieces_of_robots": 3,
     "tests/cli/test_special_files.py": 3,
     "tests/mesh/parts/test_parts.py::test_every_part_can": 4,
     "tests/mesh/test_warnings.py": 8,
@@ -213,6 +214,7 @@ SAMPLED = {
     "tests/test_injection.py::test_a_text": 4,
     "tests/test_fixing_corpus.py": 12,
     "tests/test_golden_gazebo.py::test_errors_on_real_robots": 0,
+    "tests/test_kills.py": 3,
     "tests/test_planted.py::test_it_is_found": 12,
     "tests/test_bad_input.py::test_huge": 4,
     "tests/test_playground.py": 0,
@@ -230,10 +232,11 @@ SAMPLED = {
     "tests/scan/test_scan.py::test_dask": 0,
     "tests/viewer/test_server.py::test_what_fails": 0,
     "tests/xacro/test_bombs.py": 16,
-    "tests/xacro/test_budget.py": 4,
+    "tests/xacro/test_budget.py": 8,
     "tests/xacro/test_identity.py": 6,
     "tests/xacro/test_places.py::test_every_element": 0,
     "tests/physics/collision/test_sampling.py::test_two_seeds": 2,
+    "tests/ros/gazebo/test_rejection.py::test_libsdformat_agrees": 3,
 }
 #: The same of tests with a parameter for each robot of the corpus.
 SAMPLED_ROBOTS = 10

@@ -117,7 +117,7 @@ def test_an_open_mesh_becomes_its_hull() -> None:
     assert len(closed(open_box).faces) == 12
 
 
-@settings(max_examples=6)
+@settings(max_examples=settings().max_examples // 25)  # seconds each
 @given(
     st.tuples(*[st.floats(0.01, 0.5)] * 3),
     st.floats(0.005, 0.05),
