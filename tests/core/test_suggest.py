@@ -130,3 +130,7 @@ def test_a_namespace_makes_no_names_alike(word: str, suggested: str) -> None:
     """Interbotix' locobots: `imu_joint` has no namespace, and is not the joint of the mouse."""
     known = ["robot_1/mouse_joint", "plate_joint"]
     assert Suggester(known).suggested(word) == suggested
+
+
+def test_a_name_with_a_space_is_not_suggested() -> None:
+    assert Suggester(["tool0 ", "tool 0"]).suggested("tool0") == ""

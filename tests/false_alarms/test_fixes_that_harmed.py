@@ -68,3 +68,112 @@ def test_two_elements_do_not_become_the_same_one(tmp_path: Path) -> None:
     )
     found = check(robot, select=["GAZ003"]).diagnostics
     assert [one.fix for one in found] == [None, None]
+
+
+def test_no_fix_of_a_warning_reveals_an_error(tmp_path: Path) -> None:
+    """BlueROV2's thrusters: <limits> is ignored; a <limit> below zero Pinocchio rejects."""
+    robot = tmp_path / "rov.urdf"
+    robot.write_text(
+        '<robot name="rov"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+        '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/>'
+        '<limits effort="-1" velocity="-1"/></joint></robot>'
+    )
+    fixes = fix(robot, unsafe=True, select=["URD001"])
+    assert fixes.files == ()
+    assert [one.reason for one in fixes.left] == ["skipped: it would add JNT008"]
+
+
+def test_a_robot_with_a_wheel_in_millimetres_is_not_raised_by_its_radius(tmp_path: Path) -> None:
+    robot = tmp_path / "rover.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="base_footprint"/><link name="base_link"><collision>'
+        '<geometry><sphere radius="35"/></geometry></collision></link>'
+        '<joint name="j" type="fixed"><parent link="base_footprint"/><child link="base_link"/>'
+        "</joint></robot>"
+    )
+    (found,) = check(robot, select=["TRE008"]).diagnostics
+    assert found.fix is None
+
+
+def test_a_collision_does_not_follow_a_visual_in_millimetres(tmp_path: Path) -> None:
+    body = "<{0}>{1}<geometry><box size='0.6 0.4 0.2'/></geometry></{0}>"
+    origin = '<origin xyz="{} 0 0"/>'
+    robot = tmp_path / "box.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a">'
+        + body.format("visual", origin.format("300"))
+        + body.format("collision", origin.format("0.3"))
+        + "</link></robot>"
+    )
+    (found,) = check(robot, select=["GEO004"]).diagnostics
+    assert found.fix is None
+
+
+def test_no_tensor_comes_from_a_shape_in_another_unit(tmp_path: Path) -> None:
+    """A tensor that is right, beside a collision in millimetres and a visual in metres."""
+    shape = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "box.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="20"/>'
+        '<inertia ixx="0.3267" ixy="0" ixz="0" iyy="0.6667" iyz="0" izz="0.86"/></inertial>'
+        + shape.format("visual", "0.6 0.4 0.2")
+        + shape.format("collision", "600 400 200")
+        + "</link></robot>"
+    )
+    assert fix(robot, unsafe=True, select=["INE006", "INE008"]).files == ()
+
+
+def test_no_tensor_comes_from_a_shape_that_is_lighter_than_air(tmp_path: Path) -> None:
+    """TurtleBot3's caster of 5 g, with its only shape in millimetres."""
+    robot = tmp_path / "caster.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="base"><inertial><mass value="0.8"/>'
+        '<inertia ixx="1e-3" ixy="0" ixz="0" iyy="1e-3" iyz="0" izz="1e-3"/></inertial>'
+        '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>'
+        '<joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint>'
+        '<link name="a"><inertial><mass value="0.005"/>'
+        '<inertia ixx="2e-07" ixy="0" ixz="0" iyy="5.4e-07" iyz="0" izz="4.1e-07"/></inertial>'
+        '<collision><geometry><box size="30 9 20"/></geometry></collision></link></robot>'
+    )
+    fixes = fix(robot, unsafe=True, select=["INE006", "INE008"])
+    assert [one.diagnostic.code for one in fixes.left] == ["INE006"]
+    assert fixes.files == ()
+
+
+@pytest.mark.parametrize(("name", "is_safe"), [("robot.urdf", True), ("robot.xacro", False)])
+def test_an_empty_element_of_a_xacro_may_be_a_macro_without_its_prefix(
+    tmp_path: Path, name: str, is_safe: bool
+) -> None:
+    """A copy of a robot whose base came by <create/>; the package of that macro is gone."""
+    robot = tmp_path / name
+    robot.write_text('<robot name="r"><create/><link name="a"/></robot>')
+    (found,) = check(robot, select=["URD001"]).diagnostics
+    assert found.fix is not None
+    assert found.fix.safe == is_safe
+
+
+def test_a_tensor_that_fits_the_visual_does_not_follow_a_turned_collision(tmp_path: Path) -> None:
+    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "finger.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="0.5"/>'
+        '<inertia ixx="0.000483" ixy="0" ixz="0" iyy="0.000133" iyz="0" izz="0.000483"/></inertial>'
+        + body.format("visual", "0.04 0.1 0.04")
+        + body.format("collision", "0.1 0.04 0.04")
+        + "</link></robot>"
+    )
+    assert check(robot, select=["INE006"]).diagnostics == ()
+
+
+def test_no_tensor_comes_from_one_of_two_shapes_of_different_size(tmp_path: Path) -> None:
+    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
+    robot = tmp_path / "arm.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="2"/>'
+        '<inertia ixx="0.0156" ixy="0" ixz="0" iyy="0.0156" iyz="0" izz="0.0012"/></inertial>'
+        + body.format("visual", "0.06 0.06 0.3")
+        + body.format("collision", "1.5 1.5 7.6")
+        + "</link></robot>"
+    )
+    (found,) = check(robot, select=["INE006", "INE008"]).diagnostics
+    assert found.fix is None

@@ -27,6 +27,23 @@ def test_hyphens_in_a_comment_are_named_and_mended(comment: str, mended: str) ->
     assert check(Source("r.urdf", ROBOT.format(mended).encode()), select=["XML"]).ok
 
 
+@pytest.mark.parametrize(
+    "comments",
+    [
+        '<!-- the base -> <link name="b"/> <!-- its end -->',
+        '<!-- the base -- > <link name="b"/> <!-- its end -->',
+        '<!-- off: <link name="b"/> <!-- its end --> <link name="c"/> -->',
+    ],
+)
+def test_a_comment_in_a_comment_has_no_fix(comments: str) -> None:
+    """Whether the elements in it are commented out, only its author knows."""
+    robot = ROBOT.format(comments).encode()
+    (found,) = reported("XML001", robot)
+    assert (found.span.start, found.span.text) == (robot.rindex(b"<!--"), "<!--")
+    assert found.related[0].span.start == robot.index(b"<!--")
+    assert found.fix is None
+
+
 @pytest.mark.parametrize(("count", "what"), [(1, "a NUL byte is"), (7, "7 NUL bytes are")])
 def test_nul_bytes_are_one_finding(count: int, what: str) -> None:
     (found,) = reported("XML001", ROBOT.format("").encode() + count * b"\0")

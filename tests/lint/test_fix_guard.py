@@ -40,7 +40,12 @@ def report(
 
 
 def judged(
-    before: Report, after: Report, old: str | None = ONE_LINK, new: str | None = TWO_LINKS
+    before: Report,
+    after: Report,
+    old: str | None = ONE_LINK,
+    new: str | None = TWO_LINKS,
+    *,
+    may_reveal: bool = True,
 ) -> str:
     def robots(body: str | None) -> list[Context | None]:
         if body is None:
@@ -48,7 +53,9 @@ def judged(
         source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
         return [Context(source, Resolver(environment={}))]
 
-    return regression(before, after, lambda: robots(old), lambda: robots(new))
+    return regression(
+        before, after, lambda: robots(old), lambda: robots(new), may_reveal=may_reveal
+    )
 
 
 def test_a_rule_that_cannot_look_any_more_forbids_a_fix() -> None:
@@ -79,7 +86,7 @@ def test_so_does_each_of_these_in_a_robot_that_nobody_asked_for(
     )
     guard = RegressionGuard(checker)
     monkeypatch.setattr(guard, "_others", lambda changed, known: ["other.urdf"])
-    assert guard.regression({}, {"part.xacro": b""}, []) != ""
+    assert guard.regression({}, {"part.xacro": b""}, [], may_reveal=True) != ""
 
 
 def test_an_error_of_a_rule_that_could_not_look_before_was_there() -> None:
@@ -104,6 +111,11 @@ def test_an_error_of_elements_that_were_hidden_was_there(
 ) -> None:
     after = report(found("ABC001", *elements))
     assert judged(report(), after) == ("" if is_revealed else "skipped: it would add ABC001")
+
+
+def test_in_a_robot_that_worked_nothing_may_come_to_light() -> None:
+    after = report(found("ABC001", "link/b"))
+    assert judged(report(), after, may_reveal=False) == "skipped: it would add ABC001"
 
 
 def test_an_element_with_another_name_was_not_hidden() -> None:

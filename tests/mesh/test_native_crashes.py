@@ -113,12 +113,12 @@ def test_coacd_and_a_vertex_that_is_no_number() -> None:
 
 def test_coal_and_the_hull_of_a_plane() -> None:
     pytest.importorskip("coal")
-    from urdfkit.physics.collision.collision_geometry import form
+    from urdfkit.physics.collision.collision_geometry import build_geometry
     from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
     plane = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0))
     faces = ((0, 1, 2), (1, 3, 2))
-    found = form(
+    found = build_geometry(
         CollisionArrays("a", 0, np.eye(4), "mesh", (), np.array(plane, float), np.array(faces))
     )
     assert found.is_convex

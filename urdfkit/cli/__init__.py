@@ -47,9 +47,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
-    # Nor do processes that multiprocessing starts import from the current directory.
+    # Processes that multiprocessing starts must not import from the current directory.
     os.environ["PYTHONSAFEPATH"] = "1"
-    # With threads, OpenBLAS asks for memory in vain for ever where it is limited.
+    # Where memory is limited, OpenBLAS with threads never stops asking for more.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _leave(code: int) -> NoReturn:
-    """End the process here and now."""
+    """End the process at once, without cleaning up."""
     for stream in (sys.stdout, sys.stderr):
         try:
             if stream is not None:

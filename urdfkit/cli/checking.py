@@ -82,35 +82,41 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
 def _write(
     report: Report, outputs: Iterable[tuple[str, str]], values: Mapping[str, Any]
 ) -> list[tuple[str, bytes]]:
-    """Write the report in each format to its file; what was written, unless it is huge."""
-    written: list[tuple[str, bytes]] = []
+    """Write the report in each format to its file, or print it; return what was written."""
     # Files first: if one cannot be written, standard output stays empty.
-    for name, file in sorted(outputs, key=lambda one: not one[1]):
-        if file:
-            from urdfkit.core import atomic
+    ordered = sorted(outputs, key=lambda one: not one[1])
+    return [
+        (file, (_write_file if file else _print)(report, name, file, values))
+        for name, file in ordered
+    ]
 
-            parts = map(output.encode, formats.stream(name, report, quiet=values["quiet"]))
-            if _is_huge(report):
-                atomic.write(file, parts)
-                continue
-            data = b"".join(parts)
-            atomic.write(file, data)
-        else:
-            color = output.has_color(values["color"])
-            texts = formats.stream(
-                name, report, color=color, width=output.width(), quiet=values["quiet"]
-            )
-            if _is_huge(report):
-                for text in texts:
-                    output.write(text)
-                continue
-            data = output.write("".join(texts))
-        written.append((file, data))
-    return written
+
+def _write_file(report: Report, name: str, file: str, values: Mapping[str, Any]) -> bytes:
+    """Write a report to a file; return what was written, nothing of a huge report."""
+    from urdfkit.core import atomic
+
+    parts = map(output.encode, formats.stream(name, report, quiet=values["quiet"]))
+    if _is_huge(report):
+        atomic.write(file, parts)
+        return b""
+    data = b"".join(parts)
+    atomic.write(file, data)
+    return data
+
+
+def _print(report: Report, name: str, _: str, values: Mapping[str, Any]) -> bytes:
+    """Print a report; return what was printed, nothing of a huge report."""
+    color = output.has_color(values["color"])
+    texts = formats.stream(name, report, color=color, width=output.width(), quiet=values["quiet"])
+    if _is_huge(report):
+        for text in texts:
+            output.write(text)
+        return b""
+    return output.write("".join(texts))
 
 
 def _is_huge(report: Report) -> bool:
-    """True of a report whose findings are not in memory."""
+    """True if the findings of a report are kept on disk."""
     return isinstance(report.diagnostics, StoredFindings)
 
 
@@ -297,7 +303,7 @@ def _with_baseline(
 
 
 def _progress(files: Sequence[str]) -> ProgressBar | None:
-    """Of the robots; of a single one, of its mesh files, for nothing else takes that long."""
+    """A bar over robots; for a single robot over its mesh files, which take longest."""
     if sys.stderr is None or not sys.stderr.isatty():
         return None  # which spares the import
     from urdfkit.cli.progress import on_terminal

@@ -51,7 +51,7 @@ def command(shell: str) -> int:
 
 
 def register() -> None:
-    """From now on click completes the values of options, and file names where it knows nothing."""
+    """Let click complete the values of options, and file names where it knows nothing else."""
     for shell in SHELLS:
         kind = get_completion_class(shell)
         assert kind is not None

@@ -77,7 +77,7 @@ def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
 
 
 def _print_result(result: Formatted, done: str, *, quiet: bool) -> None:
-    """Say on standard error what became of the files."""
+    """Print on standard error which files were changed."""
     errors = [f"error: {reason}" for _, reason in result.failed]
     lines = [f"{done}: {shown(file.path)}" for file in result.files]
     lines += [f"skipped: {shown(path)}: {reason}" for path, reason in result.skipped]

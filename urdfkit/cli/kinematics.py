@@ -120,7 +120,7 @@ def _frames(
 
 
 def _placed(frame: Transform) -> str:
-    """To a tenth of a millimetre and a hundredth of a degree, point below point."""
+    """A frame, rounded to 0.1 mm and 0.01 degrees, with the decimal points aligned."""
     position = " ".join(_fixed(value, 8, 4) for value in frame.position)
     return f"{position} {' '.join(_fixed(angle, 7, 2) for angle in _turn(frame))}"
 

@@ -118,7 +118,7 @@ def _three(values: Iterable[float], width: int = 9) -> str:
 
 
 def as_json(found: MassTable) -> str:
-    """For programs; in kg, m, kg·m² and kg/m³, axes as columns."""
+    """The table for JSON; in kg, m, kg·m² and kg/m³, axes as columns."""
     document = {
         "version": VERSION,
         "root": found.whole.root,

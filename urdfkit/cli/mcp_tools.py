@@ -38,7 +38,7 @@ the safe fixes as a diff. Paths are relative to the workspace. Answers are cut t
 
 
 class Tools:
-    """What a client can call.
+    """The tools that an MCP client can call.
 
     Args:
         directory: the only one whose files are taken.
@@ -182,7 +182,7 @@ class Tools:
         return file
 
     def _run(self, *words: str) -> str:
-        """What a command prints.
+        """Run a command and return what it prints.
 
         Raises:
             ToolError: it says that it cannot be done.
@@ -237,7 +237,7 @@ def _codes(select: list[str] | None) -> list[str]:
 
 
 def _page(text: str, start: int) -> str:
-    """As many lines as an answer may have, and how to get the next ones."""
+    """The part of a text that fits in an answer, and how to get the rest."""
     lines = text.splitlines()
     if not 1 <= start <= max(len(lines), 1):
         raise ToolError(f"there are {counted(len(lines), 'line')}, and no line {start}")

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Option(Record):
-    """One option."""
+    """One command-line option."""
 
     flag: str  # as it is typed
     help: str  # one sentence

@@ -29,7 +29,7 @@ _FRAME = re.compile(r'File "([^"]*)", line \d+ in (\S+)')
 
 
 class _Stopped(Exception):
-    """SIGTERM."""
+    """The process received SIGTERM."""
 
 
 def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:

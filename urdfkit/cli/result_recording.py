@@ -18,7 +18,7 @@ _begun: tuple[bytes, int] | None = None
 
 
 def begin(question: bytes) -> None:
-    """Note from now on what this process depends on."""
+    """Start recording the files that this process depends on."""
     global _begun  # noqa: PLW0603 - one process answers one command line
     _begun = (question, time.time_ns())
     disk.log_to(FileLog())
@@ -42,7 +42,7 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
 
 
 def store(entry: ResultEntry) -> None:
-    """Write an entry; that this fails is no concern of a check."""
+    """Write an entry; a check goes on if this fails."""
     path = result_entry.path_of(entry.question)
     directory = os.path.dirname(path)
     try:

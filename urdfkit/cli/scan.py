@@ -9,7 +9,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import choice, examples
 from urdfkit.cli.progress import progress_bar
-from urdfkit.core import atomic
+from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal, page
@@ -114,7 +114,7 @@ def command(
             Settings(chosen, timeout, int(memory * 2**30)),
             engine=engine,
             address=address,
-            jobs=jobs or os.cpu_count() or 1,
+            jobs=jobs or limits.processors(),
             progress=bar,
         )
     files = [journal.RESULTS]

@@ -1,4 +1,4 @@
-"""Limits of a process that computes: its memory, and its time until it begins to write.
+"""Limits of a process that computes: processors, memory, and time until it begins to write.
 
 A process that another one waits for (`urdfkit.cli.own_process`) tells it where it is when it ends.
 """
@@ -122,13 +122,21 @@ def noting(progress: Progress | None) -> Progress | None:
     return noted
 
 
+def processors() -> int:
+    """How many processors this process may use; a container or ``taskset`` leaves it fewer."""
+    import os
+
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 def _limit_processor_time(seconds: float) -> None:
     """Processes that this one starts inherit it, and end if this one leaves them behind."""
-    import os
     import resource
 
     most = resource.getrlimit(resource.RLIMIT_CPU)[1]
-    allowed = int(seconds + 2) * (os.cpu_count() or 1)
+    allowed = int(seconds + 2) * processors()
     if most == resource.RLIM_INFINITY or allowed < most:
         resource.setrlimit(resource.RLIMIT_CPU, (allowed, most))
 

@@ -10,6 +10,9 @@ from urdfkit.core import disk
 #: file, and of a word that is taken for the same, misspelt.
 SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
 
+#: The same of two names without their common end: ``caster_link`` is no typo of ``base_link``.
+_WITHOUT_END = 0.65
+
 #: Least ratio of a word in a name and the one in its place: ``cam_link``, ``camera_link``.
 _RELATED = 0.4
 
@@ -41,7 +44,7 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
     close = get_close_matches(text, spellings, _COMPARED, cutoff)
     for found in sorted(close, key=lambda found: not _differs_in_kind(text, found)):
         one, other = _without_common_end(text, found)
-        if one == text or get_close_matches(one, [other], 1, min(cutoff, SIMILAR)):
+        if one == text or get_close_matches(one, [other], 1, min(cutoff, _WITHOUT_END)):
             return spellings[found]
     return None
 
@@ -117,7 +120,9 @@ class Suggester:
 
     def __init__(self, known: Collection[str], cutoff: float = TYPO) -> None:
         self._cutoff = cutoff
-        self._known = known if len(known) <= self.MAX_KNOWN else ()
+        known = known if len(known) <= self.MAX_KNOWN else ()
+        # A name with a space is itself the mistake (NAM004).
+        self._known = [one for one in known if not any(map(str.isspace, one))]
         self._found: dict[str, str] = {}
 
     def hint(self, word: str) -> str:

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable, Iterator, Mapping
 
-from urdfkit.core import disk
+from urdfkit.core import disk, limits
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import (
@@ -188,7 +188,7 @@ def process_count(asked: int, robots: int) -> int:
     """
     if asked:
         return min(asked, robots)
-    return min(os.cpu_count() or 1, robots // ROBOTS_PER_PROCESS)
+    return min(limits.processors(), robots // ROBOTS_PER_PROCESS)
 
 
 def _unchecked(plan: Plan, options: Options) -> Iterator[Diagnostic]:

@@ -33,7 +33,9 @@ Robots = Callable[[], Iterable[Context | None]]
 SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
-def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
+def regression(
+    before: Report, after: Report, old: Robots, new: Robots, *, may_reveal: bool = True
+) -> str:
     """Why the fixes between two checks of the same robots are dropped; empty if they are kept.
 
     Only what both versions can see is compared. Errors of rules that could not look before were
@@ -42,10 +44,11 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
     Args:
         before: the check without the fixes.
         old: the contexts of the first, which are read only where an error is new.
+        may_reveal: the robot was broken anyway, so that hidden errors may come to light.
     """
     if lost := _rules(after.skipped) - _rules(before.skipped):
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
-    if added := _added_error(before, after, old, new):
+    if added := _added_error(before, after, old, new, may_reveal=may_reveal):
         return f"skipped: it would add {added}"
     if failed := _rules(after.crashed) - _rules(before.crashed):
         return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
@@ -56,7 +59,9 @@ def _rules(without_result: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
     return {(one.path, one.code) for one in without_result}
 
 
-def _added_error(before: Report, after: Report, old: Robots, new: Robots) -> str:
+def _added_error(
+    before: Report, after: Report, old: Robots, new: Robots, *, may_reveal: bool
+) -> str:
     """The code of an error that is new, and could have been seen before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
     added = [
@@ -65,6 +70,8 @@ def _added_error(before: Report, after: Report, old: Robots, new: Robots) -> str
     ]
     if not any(added):
         return ""
+    if not may_reveal:
+        return min(min(codes) for codes in added if codes)
     for codes, errors, then, now in zip_longest(added, after.errors, old(), new()):
         revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
         visible: Counter[str] = Counter(codes) - _codes(
@@ -218,12 +225,18 @@ class RegressionGuard:
         return found
 
     def regression(
-        self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
+        self,
+        before: Mapping[str, bytes],
+        after: Mapping[str, bytes],
+        known: Iterable[str],
+        *,
+        may_reveal: bool,
     ) -> str:
         """Why the change from some texts to others is dropped; empty if it is kept.
 
         Args:
             before: texts in the place of those on disk.
+            may_reveal: as of ``regression``.
         """
         checker = self._checker
         others = self._others((p for p, text in after.items() if before.get(p) != text), known)
@@ -237,6 +250,7 @@ class RegressionGuard:
             now,
             lambda: checker.robots(before, others),
             lambda: checker.robots(after, others),
+            may_reveal=may_reveal,
         )
 
     def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:

@@ -121,7 +121,7 @@ class FixSession:
         regression, they are checked with every step, to find the fix that causes it.
         """
         files = self._fix(is_careful=False)
-        if self._guard.regression({}, self._texts, files):
+        if self._guard.regression({}, self._texts, files, may_reveal=False):
             self._texts, self._dropped, self._applied = {}, {}, []
             self._fix(is_careful=True)
         report = self._checker.report(self._texts)
@@ -210,11 +210,14 @@ class FixSession:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
             after = self._checker.guard(trial)
+            is_broken = all(one.severity is Severity.ERROR for one in batch)
             reason = regression(
-                report, after, *map(self._robots, (self._texts, trial))
+                latest, after, *map(self._robots, (texts, trial)), may_reveal=is_broken
             ) or ineffective(report, after, [*kept, *batch])
             if is_careful:
-                reason = reason or self._guard.regression(self._texts, trial, report.files)
+                reason = reason or self._guard.regression(
+                    texts, trial, report.files, may_reveal=is_broken
+                )
             if not reason:
                 kept += batch
                 texts, latest = trial, after

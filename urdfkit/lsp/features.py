@@ -153,7 +153,7 @@ def _inlay_hints(server: Server, params: lsp.InlayHintParams) -> list[lsp.InlayH
 def _workspace_symbols(
     server: Server, params: lsp.WorkspaceSymbolParams
 ) -> list[lsp.WorkspaceSymbol]:
-    """Of the robots of all open files."""
+    """Symbols of the robots of all open files."""
     found = outline.symbols(server.robots.open_robots(), params.query)
     return [
         lsp.WorkspaceSymbol(

@@ -39,7 +39,7 @@ _SAME_KINDS = {
 
 
 class NameUse(Record):
-    """One place of a name."""
+    """One place where a name is written."""
 
     kind: str  # one of ``KINDS``
     text: str  # as written

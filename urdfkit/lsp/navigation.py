@@ -100,7 +100,7 @@ def _launch_files(robot: OpenRobot, page: Page) -> list[FileUse]:
 
 
 def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
-    """Of the files that a launch file names around a place, the one named most closely."""
+    """The file of the innermost reference at a place in a launch file."""
     files = _launch_files(robot, page)
     around = [file for file in files if file.span.start <= offset <= file.span.end]
     nearest = min(around, key=lambda file: file.span.end - file.span.start, default=None)

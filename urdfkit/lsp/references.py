@@ -33,7 +33,7 @@ MAX_FILES, MAX_DEPTH = 300, 4
 
 
 class NameReference(Record):
-    """One place."""
+    """One place that names a link or joint."""
 
     kind: str  # ``link`` or ``joint``
     span: Span  # the name

@@ -11,7 +11,7 @@ _BYTES = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: (
 
 
 class PositionEncoding:
-    """Translates places.
+    """Converts between positions of the client and offsets in a text.
 
     Args:
         encoding: whose units the client counts.

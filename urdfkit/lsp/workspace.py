@@ -47,7 +47,7 @@ class CheckedFile(Record):
 
 
 class Workspace:
-    """The texts of an editor."""
+    """The texts that are open in an editor, and the files on disk."""
 
     def __init__(self) -> None:
         self.texts: dict[str, bytes] = {}

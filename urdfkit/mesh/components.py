@@ -34,7 +34,7 @@ class Pieces(NamedTuple):
 
 
 def take_apart(places: Floats, edges: Edges) -> Pieces:
-    """The pieces of a mesh.
+    """Split a mesh into its connected pieces.
 
     Args:
         places: (n, 3), welded.

@@ -101,7 +101,7 @@ def hull_corners(points: Floats) -> Floats:
 
 
 def _normals(points: Floats, faces: Integers) -> Floats:
-    """Of triangles, those of the largest first."""
+    """Unit normals of triangles, those of the largest triangle first."""
     a, b, c = (points[faces[:, corner]] for corner in range(3))
     normals = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)

@@ -42,7 +42,7 @@ def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
 
 
 def in_cells(mesh: Mesh) -> Iterator[Mesh]:
-    """A mesh whose near vertices become one, in ever larger cells: ugly, and few in the end."""
+    """Ever simpler meshes: vertices in one cell of a growing grid are merged. Rough, but small."""
     soup = soup_of(mesh)
     makers = list(map(_coarser_cells, _by_part(soup)))
     return _coarser(mesh, makers, _FIRST_CELL * soup.size, _LAST_CELL * soup.size)
@@ -93,7 +93,7 @@ def _is_solid(soup: TriangleSoup) -> bool:
 
 
 def _coarser_solid(soup: TriangleSoup) -> _Coarser:
-    """By manifold3d, which keeps the parts of a solid as runs of triangles."""
+    """Simplify with manifold3d, which keeps the parts of a solid as runs of triangles."""
     from manifold3d import Manifold
 
     order = np.argsort(soup.parts, kind="stable")
@@ -126,7 +126,7 @@ def _runs(mesh: Any) -> list[_Piece]:
 
 
 def _coarser_cells(soup: TriangleSoup) -> _Coarser:
-    """By the cells of a grid: all points in one become their mean."""
+    """Simplify on a grid: all points in one cell become their mean."""
     number, points, corners = _compact(soup)
 
     def coarser(tolerance: float) -> list[_Piece]:

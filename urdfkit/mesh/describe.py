@@ -14,7 +14,7 @@ from urdfkit.mesh.transforms import in_metres
 
 
 class MeshDescription(Record):
-    """A mesh file."""
+    """What is known about a mesh file."""
 
     path: str  # of the file
     format: str  # by content

@@ -105,12 +105,12 @@ class _Surface:
         self._guides = cKDTree(np.concatenate([triangles.reshape(-1, 3), spread]))
 
     def far_from_guides(self, points: Floats, number: int) -> Floats:
-        """Of many points, (n, 3), those which may be farthest, so many at most."""
+        """At most ``number`` of the points (n, 3): those that may be farthest away."""
         far, _ = self._guides.query(points)
         return points[np.argsort(far)[-number:]]
 
     def farthest(self, points: Floats) -> float:
-        """Of some points, (n, 3), the greatest distance.
+        """The greatest distance of any of the points (n, 3).
 
         For every point a distance to some near triangles is quick to have, and it bounds the true
         one from above. Where it is the greatest, all triangles that may be nearer are looked at,

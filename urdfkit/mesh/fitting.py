@@ -34,7 +34,7 @@ _HARDLY_WORSE = 1.25
 
 
 class Fit(Record):
-    """A shape around a mesh."""
+    """A primitive shape fitted around a mesh."""
 
     kind: str  # ``sphere``, ``box``, ``cylinder``, ``hull`` or ``pieces``
     #: Of a box its edges; of a sphere its radius, 0, 0; of a cylinder radius, length, 0.

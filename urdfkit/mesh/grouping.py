@@ -28,7 +28,7 @@ def distinct(rows: Integers) -> tuple[Integers, Integers, Integers]:
 
 
 def components(number: int, links: Integers) -> Integers:
-    """For each of some things the smallest one that links connect it with.
+    """Connected components: the smallest index of the component of each thing, (number,).
 
     Labels sink along links, and every label takes its label's label, so that long chains take few
     rounds. scipy does the same, and takes longer to import than this to run.

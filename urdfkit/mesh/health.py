@@ -24,7 +24,7 @@ class Health(Record):
     open_edges: int  # edges with one triangle: the rims of holes
     #: Edges with more than two triangles that do not pair up; where bodies touch, they do.
     non_manifold_edges: int
-    inconsistent_edges: int  # edges whose two triangles face opposite ways
+    inconsistent_edges: int  # edges whose two triangles have opposite orientation
     bodies: int  # connected pieces
     inverted: int  # closed pieces whose inside is out, though no other piece is around them
     #: Triangles of closed pieces that enclose nothing: a sheet with two sides has each triangle
@@ -94,7 +94,7 @@ def _apart(mesh: Mesh) -> tuple[Floats, Integers]:
 
 
 def examine(vertices: Floats, faces: Integers) -> Health:
-    """The state of a mesh.
+    """Examine whether a mesh is closed, consistently oriented and free of defects.
 
     Args:
         vertices: (n, 3).

@@ -79,7 +79,7 @@ class Store:
 
 
 def _digest(data: bytes, form: str, directory: str) -> str:
-    """Of all that the measures are made from: a file and those that it names."""
+    """Hash of a file and of the files that it names: all that the measures are computed from."""
     from urdfkit.core.digest import blake2b
     from urdfkit.mesh.io import referenced_files
 
@@ -129,7 +129,7 @@ def _read(entry: str) -> Measures | str | None:
 
 
 def _write(entry: str, known: Measures | str) -> None:
-    """Keep measures; that this fails is no concern of a check."""
+    """Keep measures; a check goes on if this fails."""
     import json
 
     content = known if isinstance(known, str) else to_json(known)

@@ -15,7 +15,7 @@ OVERLAP = 0.05
 
 
 class Uniform(Record):
-    """A solid of density 1."""
+    """Mass properties of a solid of density 1."""
 
     volume: float  # cubic; more than 0
     center: Vector  # of mass
@@ -40,7 +40,7 @@ class Measures(Record):
     points: tuple[Vector, ...]
     inside_out: bool  # True if the surface is closed and its triangles look inwards
     open_edges: int  # edges with an odd number of triangles
-    flipped_edges: int  # edges whose triangles do not look the same way
+    flipped_edges: int  # edges whose two triangles have opposite orientation
     degenerate: int  # triangles without area
     bodies: int  # connected components
     #: Of a closed surface, the volume that lies in several of them at once and is counted as often
@@ -63,18 +63,18 @@ class Measures(Record):
 
     @property
     def edges(self) -> Vector:
-        """Of the bounding box."""
+        """Edge lengths of the bounding box."""
         x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
         return (x, y, z)
 
     @property
     def diagonal(self) -> float:
-        """Of the bounding box."""
+        """Length of the diagonal of the bounding box."""
         return float(sum(edge * edge for edge in self.edges) ** 0.5)
 
 
 def to_json(measures: Measures) -> dict[str, Any]:
-    """As what the module json writes."""
+    """Measures as lists and dictionaries that ``json`` can write."""
     content = measures._asdict()
     for key in ("solid", "hull"):
         if content[key] is not None:
@@ -83,7 +83,7 @@ def to_json(measures: Measures) -> dict[str, Any]:
 
 
 def from_json(content: dict[str, Any]) -> Measures:
-    """From what `to_json` gave.
+    """Measures from the result of `to_json`.
 
     Raises:
         KeyError, TypeError, ValueError: it is something else.

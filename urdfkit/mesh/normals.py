@@ -52,11 +52,6 @@ def _directed(sums: Floats) -> Floats:
     return normals
 
 
-def face_normals(vertices: Floats, faces: Integers) -> Floats:
-    """(m, 3), unit vectors; zero for a face without area."""
-    return _normals(_edge_directions(vertices, faces))
-
-
 def _edge_directions(vertices: Floats, faces: Integers) -> list[Floats]:
     """Three arrays (m, 3), unit vectors from each corner of a face to the next one."""
     corners = [vertices[faces[:, corner]] for corner in range(3)]
@@ -64,7 +59,7 @@ def _edge_directions(vertices: Floats, faces: Integers) -> list[Floats]:
 
 
 def _normals(edges: list[Floats]) -> Floats:
-    """(m, 3), unit vectors, of faces whose edges have these directions."""
+    """(m, 3), unit vectors, of faces whose edges have these directions; 0 without area."""
     return _unit(np.cross(edges[0], -edges[2]))
 
 

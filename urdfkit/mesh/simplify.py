@@ -48,7 +48,7 @@ class Simplified(Record):
 
 
 def to_budget(mesh: Mesh, triangles: int, progress: Progress | None = None) -> Simplified:
-    """At most so many triangles, with as little change as that takes.
+    """Simplify to at most ``triangles`` triangles, with as little change as possible.
 
     A solid is kept a solid unless another way is twice as good.
 
@@ -82,7 +82,7 @@ def to_budget(mesh: Mesh, triangles: int, progress: Progress | None = None) -> S
 
 
 def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simplified:
-    """As few triangles as are possible while no surface moves farther than a bound.
+    """Simplify as far as possible while no surface moves farther than a bound.
 
     Args:
         mesh: any.

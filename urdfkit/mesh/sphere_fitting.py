@@ -48,7 +48,7 @@ _SEED = 11
 
 
 class Spheres(Record):
-    """Some spheres."""
+    """Spheres that cover a solid."""
 
     centers: Floats  # (n, 3)
     radii: Floats  # (n,)
@@ -119,7 +119,7 @@ class Covering:
         return chosen if len(chosen) <= most else []
 
     def refined(self, chosen: list[int]) -> Spheres:
-        """As many spheres as candidates were chosen, moved to where they stick out by less."""
+        """The chosen spheres, moved to where they stick out least."""
         random = np.random.default_rng(_SEED)
         centers, depths = self._centers[chosen], self._depths[chosen]
         least, best, step = np.inf, (centers, depths), self._step
@@ -148,7 +148,7 @@ class Covering:
         return self._spheres(*best)
 
     def _spheres(self, centers: Floats, depths: Floats) -> Spheres:
-        """As large as their own points need, but those that need most, which stay out."""
+        """Spheres just large enough for their own points; the farthest points stay uncovered."""
         needed, owner = _needed(self._others, centers, depths)
         counts = needed <= np.quantile(needed, self._coverage + _SPARE * (1 - self._coverage))
         radii = np.full(len(centers), -np.inf)
@@ -158,14 +158,14 @@ class Covering:
 
 
 def _needed(points: Floats, centers: Floats, depths: Floats) -> tuple[Floats, Integers]:
-    """By how much spheres have to stick out for each point, (n,), and the sphere that does."""
+    """How far spheres must stick out to cover each point, (n,), and which sphere needs least."""
     every = cdist(points, centers) - depths
     owner = every.argmin(axis=1)
     return every[np.arange(len(every)), owner], owner
 
 
 def choose(coverings: Sequence[Covering], margin: float, most: int) -> list[list[int]]:
-    """Of each solid the candidates that cover it, all with one margin, and no more than so many.
+    """The candidates that cover each solid, with one margin for all, and at most ``most`` of them.
 
     Args:
         margin: the least; a larger one is taken where that needs more spheres.

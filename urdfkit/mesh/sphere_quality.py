@@ -19,7 +19,7 @@ _SEED = 23
 
 
 class SphereQuality(Record):
-    """Of the spheres of a link, or of a robot; the names are cuRobo's.
+    """How well spheres cover a link or a robot; the names are cuRobo's.
 
     Source of the definitions: https://nvlabs.github.io/curobo/latest/reference/sphere_fitting.html
     """
@@ -71,7 +71,7 @@ def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
 
 
 def total(parts: Sequence[SphereQuality]) -> SphereQuality:
-    """Of all links: coverage by volume and by area, protrusion over all points."""
+    """The quality for all links: coverage by volume and by area, protrusion over all points."""
     volumes, surfaces = np.array([(one.volume, one.area) for one in parts]).T
     return _quality(
         sum(one.spheres for one in parts),

@@ -18,7 +18,7 @@ def finite(vertices: Floats) -> Flags:
 
 
 def weld(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
-    """Vertices at the very same place become one; those that no triangle uses are left out."""
+    """Merge vertices at exactly the same place, and drop those that no triangle uses."""
     used = np.zeros(len(vertices), dtype=bool)
     used[faces] = True
     places = vertices[used] + 0.0  # which makes -0.0 and 0.0 the same

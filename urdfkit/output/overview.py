@@ -34,7 +34,7 @@ COORDINATES = {
 
 
 class Structure(Record):
-    """Links and joints."""
+    """Counts of links and joints."""
 
     links: int  # how many
     joints: dict[str, int]  # how many of each type, in the order of the document

@@ -33,7 +33,7 @@ UP: Vector = (0.0, 0.0, 1.0)
 
 
 class MovingBody(Record):
-    """Links that move as one."""
+    """Links that are fixed to one another and move as one body."""
 
     parent: int  # number of the body that carries it; -1 for that of the root
     at: Transform  # the frame of its joint in that of the parent

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from urdfkit.ros import RosDescription
     from urdfkit.ros.moveit.srdf import Srdf
 
-#: Larger files are no poses.
+#: Larger files are not pose files.
 MAX_BYTES = 1024 * 1024
 
 _DEGREES = ("deg", "°")

@@ -36,7 +36,7 @@ class NoSuchView(UrdfkitError):
 
 
 class Camera(NamedTuple):
-    """A camera."""
+    """A perspective or parallel camera."""
 
     eye: tuple[float, float, float]  # its place
     #: Rows are the directions right, up and backwards, in the world.

@@ -29,15 +29,15 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """
     try:
         from urdfkit.physics.collision.batch_kinematics import chain
-        from urdfkit.physics.collision.collision_geometry import form
-        from urdfkit.physics.collision.geometry_arrays import solids
+        from urdfkit.physics.collision.collision_geometry import build_geometry
+        from urdfkit.physics.collision.geometry_arrays import collision_arrays
         from urdfkit.physics.collision.pair_queries import Examiner
     except ImportError as error:
         raise MissingLibrary(f"contacts need coal: {install_command('dynamics')}") from error
     moving = chain(context.tree)
-    bodies, _ = solids(context.model, context.meshes)
+    bodies, _ = collision_arrays(context.model, context.meshes)
     known = set(moving.links)
-    examiner = Examiner(moving, (form(body) for body in bodies if body.link in known))
+    examiner = Examiner(moving, (build_geometry(body) for body in bodies if body.link in known))
     adjacency = Adjacency(context.tree)
     pairs = list(moving.pairs(examiner.links))
     row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})

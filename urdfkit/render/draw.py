@@ -107,7 +107,7 @@ def draw(
 
 
 class _Drawing:
-    """One image on its way."""
+    """One image while it is drawn."""
 
     def __init__(
         self,

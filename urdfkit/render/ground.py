@@ -90,7 +90,7 @@ def _lines(coordinate: Floats, step: float) -> Floats:
 
 
 def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Floats]]:
-    """Of the pixels of a band, origins and directions in the world, by axis.
+    """Origins and directions of the rays through the pixels of a band, in the world, by axis.
 
     Each is of a shape that fits (rows, width); the directions are as long as depths count.
     """

@@ -34,7 +34,7 @@ class Rig(NamedTuple):
 
 
 def rig(camera: Camera) -> Rig:
-    """The lamps for a camera."""
+    """Place the lamps for a camera."""
     up = np.asarray(camera.axes)[:, 2]
     above = up if up[2] > -0.2 else np.array((0.0, 1.0, 0.0))  # from below the robot is lit, too
     sun = 1.0 * above + np.array((-0.55, 0.12, 0.62))
@@ -43,7 +43,7 @@ def rig(camera: Camera) -> Rig:
 
 
 class ShadowMap(NamedTuple):
-    """What the sun sees."""
+    """Depths as the sun sees them, which decide what lies in shadow."""
 
     axes: Floats  # rows are the directions across, along and to the sun, in the camera's frame
     origin: Floats  # (3,), of the map, in these axes

@@ -13,7 +13,7 @@ SIDES, RINGS = 96, 24
 
 
 class Triangles(NamedTuple):
-    """Triangles with normals."""
+    """Triangles with vertex normals."""
 
     vertices: Floats  # (n, 3), in m
     faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside

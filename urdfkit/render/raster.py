@@ -188,7 +188,7 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
 
 
 def _each_row(first: Integers, rows: Integers) -> tuple[Integers, Integers]:
-    """For each row of samples of each triangle: the index of the triangle, and the row."""
+    """The index of the triangle and the row, for each row of samples of each triangle."""
     which = np.repeat(np.arange(len(rows)), rows)
     row = np.arange(len(which), dtype=np.int32)
     row += np.repeat((first - (np.cumsum(rows) - rows)).astype(np.int32), rows)

@@ -21,7 +21,7 @@ KNEE = 0.72
 
 
 class Illumination(NamedTuple):
-    """What reaches a surface."""
+    """How much light reaches each point of a surface."""
 
     sun: Floats  # (k,), the part of the sun that it sees
     sky: Floats  # (k,), the part of the sky

@@ -12,7 +12,7 @@ from urdfkit.render.scene import Scene
 
 
 class CameraTriangles(NamedTuple):
-    """Triangles."""
+    """All triangles of a scene in the frame of the camera."""
 
     points: Floats  # (n, 3), vertices in the frame of the camera
     normals: Floats  # (n, 3), unit vectors there; 0 where faces are flat

@@ -1,9 +1,10 @@
 """Bands of an image on several threads; what they do does not depend on their number."""
 
-import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
+
+from urdfkit.core import limits
 
 T = TypeVar("T")
 
@@ -19,7 +20,7 @@ class Workers:
     """
 
     def __init__(self, threads: int | None = None) -> None:
-        self.threads = threads or min(MAX_THREADS, _processors())
+        self.threads = threads or min(MAX_THREADS, limits.processors())
 
     def each(self, things: Sequence[T], work: Callable[[T], object]) -> None:
         """Call ``work(thing)`` for all of them."""
@@ -35,9 +36,3 @@ class Workers:
         """Call ``work(first, last)`` for all bands of some height; the last row is excluded."""
         edges = [(first, min(first + height, rows)) for first in range(0, rows, height)]
         self.each(edges, lambda edge: work(*edge))
-
-
-def _processors() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

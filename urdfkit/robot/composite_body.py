@@ -27,7 +27,7 @@ class CompositeBody(Record):
 
 
 def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
-    """All links together.
+    """Mass properties of all links together.
 
     Args:
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.

@@ -92,7 +92,7 @@ def _value(placed: Placed[float] | None) -> float:
 
 
 def unit(joint: Joint) -> str:
-    """Of its position."""
+    """The unit of a joint position."""
     return "m" if joint.kind == "prismatic" else "rad"
 
 

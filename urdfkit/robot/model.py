@@ -62,7 +62,7 @@ class Tensor(Record):
 
     @property
     def rows(self) -> Rotation:
-        """As a symmetric matrix."""
+        """The tensor as a symmetric 3x3 matrix."""
         xx, xy, xz, yy, yz, zz = self
         return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
 
@@ -129,7 +129,7 @@ class Link(Record):
 
     @property
     def mass(self) -> float:
-        """In kg; 0 where none is written or it cannot be read."""
+        """The mass in kg; 0 where none is written or it cannot be read."""
         return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
 
     @property
@@ -197,7 +197,7 @@ class Joint(Record):
 
 
 class RobotModel:
-    """A robot.
+    """A robot as its URDF describes it.
 
     Attributes:
         document: that it was read from.
@@ -253,7 +253,7 @@ class RobotModel:
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Of all joints together."""
+        """Degrees of freedom of all joints together."""
         return sum(joint.degrees_of_freedom for joint in self.joints)
 
     @property

@@ -23,7 +23,7 @@ STARTS, ROUNDS = 12, 200
 
 
 class Reach(Record):
-    """The longest chain."""
+    """The chain with the longest reach."""
 
     distance: float  # from the first moving joint of the chain to the origin of its last link, in m
     joint: str  # that first joint

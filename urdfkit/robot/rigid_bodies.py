@@ -36,12 +36,12 @@ class RigidBody(Record):
 
     @property
     def mass(self) -> float:
-        """In kg; what has no mass counts as nothing."""
+        """Total mass in kg; a link without a mass counts as 0."""
         return sum(link.mass for link, _ in self.links)
 
     @property
     def properties(self) -> MassProperties:
-        """Of all links together, in the frame of the topmost."""
+        """Mass properties of all links together, in the frame of the topmost."""
         return combined(properties_of(link, frame) for link, frame in self.links)
 
 

@@ -59,22 +59,22 @@ class BoundingBox(Record):
 
     @property
     def edges(self) -> Vector:
-        """In m."""
+        """Edge lengths in m."""
         return minus(self.high, self.low)
 
     @property
     def center(self) -> Vector:
-        """In m."""
+        """Centre in m."""
         return vector((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
 
     @property
     def volume(self) -> float:
-        """In m^3."""
+        """Volume in m^3."""
         x, y, z = self.edges
         return x * y * z
 
     def common_volume(self, other: BoundingBox) -> float:
-        """Of the intersection, in m^3."""
+        """Volume of the intersection in m^3."""
         volume = 1.0
         for low, high, low2, high2 in zip(*self, *other, strict=True):
             volume *= max(0.0, min(high, high2) - max(low, low2))
@@ -92,7 +92,7 @@ class Primitive(Record):
 
     @property
     def volume(self) -> float:
-        """In m^3."""
+        """Volume in m^3."""
         if self.kind == "box":
             return self.size[0] * self.size[1] * self.size[2]
         ends = 0.0 if self.kind == "cylinder" else 4 * self.radius / 3
@@ -100,7 +100,7 @@ class Primitive(Record):
 
     @property
     def longest(self) -> float:
-        """Its longest extent along its own axes, in m."""
+        """The longest extent along its own axes, in m."""
         if self.kind == "box":
             return max(self.size)
         ends = 2 * self.radius if self.kind == "capsule" else 0.0
@@ -164,7 +164,7 @@ class MeshSolid(Record):
 
     @property
     def volume(self) -> float:
-        """In m^3."""
+        """Volume in m^3."""
         return self.shape_mass.mass
 
     @property
@@ -215,7 +215,7 @@ class LinkSolid:
 
     @property
     def least_volume(self) -> float:
-        """In m^3, of what is surely enclosed: nothing of a mesh that is not closed."""
+        """Volume in m^3 that is surely enclosed: nothing of a mesh that is not closed."""
         return sum(
             0.0 if isinstance(part, MeshSolid) and not part.is_closed else part.volume
             for part in self.parts
@@ -223,7 +223,7 @@ class LinkSolid:
 
     @property
     def most_volume(self) -> float:
-        """In m^3, if every mesh is filled to its convex hull."""
+        """Volume in m^3 if every mesh is filled to its convex hull."""
         return sum(part.hull if isinstance(part, MeshSolid) else part.volume for part in self.parts)
 
     def farthest(self, point: Vector) -> float:
@@ -236,7 +236,7 @@ class LinkSolid:
 
     @cached_property
     def bounds(self) -> BoundingBox:
-        """Its bounding box along the axes of the link."""
+        """The bounding box along the axes of the link."""
         low = (-self.reach((-x, -y, -z)) for x, y, z in AXES)
         return BoundingBox(vector(low), vector(map(self.reach, AXES)))
 

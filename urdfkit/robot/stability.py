@@ -80,7 +80,7 @@ class Standing(Record):
     visuals: bool = False  # True if these count as contacts
 
     def facts(self) -> dict[str, object]:
-        """For JSON; lengths in m, angles in rad, None where the verdict says nothing of them."""
+        """The result for JSON; lengths in m, angles in rad, None where the verdict has none."""
         numbers = dict.fromkeys(Stability._fields) if self.stability is None else {}
         return {
             "verdict": self.verdict,

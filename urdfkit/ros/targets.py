@@ -97,6 +97,8 @@ class TargetFacts(Record):
     ignores_limits: bool = False  # True if it takes a joint without ``<limit>``, effort or velocity
     reads_capsules: bool = False  # True if it reads ``<capsule>`` in each version of URDF
     reads_ball_joints: bool = False  # True if it reads joints of the type ``spherical``
+    reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
+    reads_planes: bool = False  # True if it reads the shape ``<plane>``
     reads_unnamed_materials: bool = False  # True if a material needs no name
     reserves_world: bool = False  # True if a link ``world`` is the world
     adds_world: bool = False  # True if joints may name the world, which no link stands for

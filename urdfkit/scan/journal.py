@@ -54,7 +54,7 @@ class Journal:
         self._file.close()
 
     def write(self, row: ModelRow) -> None:
-        """Add a model.
+        """Append the result of a model.
 
         Raises:
             UnwritableFile: the disk is full.
@@ -62,7 +62,7 @@ class Journal:
         content = {**row._asdict(), "findings": [found._asdict() for found in row.findings]}
         try:
             self._file.write(json.dumps(content).encode() + b"\n")
-            self._file.flush()  # it is kept though the process be killed
+            self._file.flush()  # so that the row is on disk if the process is killed
         except OSError as error:
             raise UnwritableFile(f"{self._file.name}: {error.strerror}") from error
 

@@ -213,7 +213,7 @@ def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]
 
 
 def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
-    """As ``_in_tar``."""
+    """Like ``_in_tar``, for a ZIP archive."""
     with zipfile.ZipFile(archive) as packed:
         _check_ratio(archive, sum(one.file_size for one in packed.infolist()))
         for member in packed.infolist():

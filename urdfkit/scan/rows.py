@@ -173,7 +173,7 @@ def _digest(text: bytes, files: Iterable[str]) -> str:
 
 @lru_cache(maxsize=4096)
 def _file_digest(path: str, modified: int, size: int) -> bytes:
-    """Of a mesh file, which many models of a collection may share."""
+    """Hash of a mesh file; many models of a collection may share the file."""
     digest = hashlib.sha256()
     with open(path, "rb") as file:
         while block := file.read(1 << 20):

@@ -52,7 +52,7 @@ class Outlier(Record):
 
 
 class Summary(Record):
-    """A scan on one page."""
+    """The results of a scan on one page."""
 
     models: int  # how many
     statuses: dict[str, int]  # how many of each status

@@ -13,15 +13,18 @@ from math import inf, isfinite
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.text import schema
+from urdfkit.text import urdf_extensions as extensions
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
-from urdfkit.text.urdf_extensions import grammar_of, has_attribute, has_element
 
 #: Unknown names of one document that are compared with known ones.
 MAX_UNKNOWN = 1000
 
 #: Without it a simulator leaves out the link, although the grammar does not require it.
 _NEEDED = {"link": ("inertial",)}
+
+#: Similarity from which a word is a typo of what one program adds: they often resemble one another.
+_FOREIGN_TYPO = 0.88
 
 #: Elements whose name must not be empty.
 _NAMED = ("link", "joint")
@@ -68,6 +71,14 @@ def calling_macro(element: Element) -> str:
     """The macro that an element was given to as a block, which inserted it; empty for others."""
     frame = element.parent.frame if element.parent else None
     return frame.name if frame and frame.kind == "macro" and element.frame is not frame else ""
+
+
+def places_of(element: Element) -> list[str]:
+    """The elements that may hold one of its tag, which is not known where it stands."""
+    if places := schema.places_of(element.tag):
+        return sorted(places)
+    place = extensions.place_of(element)
+    return [place] if place else []
 
 
 def owner(element: Element) -> str:
@@ -121,6 +132,12 @@ def has_break(text: str) -> bool:
 def is_expression(text: str) -> bool:
     """True if xacro should have replaced the value, which is XAC003's finding."""
     return "${" in text or "$(" in text
+
+
+def _is_attribute(child: Element, element: Element, grammar: Grammar) -> bool:
+    """True for the ``<size>`` of a ``<box>``: URD003 reports the attribute that it stands for."""
+    rule = grammar.attributes.get(child.tag)
+    return rule is not None and rule.required and child.tag not in element.attributes
 
 
 class _Walk:
@@ -180,14 +197,14 @@ class _Walk:
         for name, attribute in element.attributes.items():
             if name in grammar.attributes or name == "xmlns" or ":" in name:
                 continue
-            if has_attribute(element.tag, name):
+            if extensions.has_attribute(element.tag, name):
                 continue
             self._unknown += 1
             if self._unknown > MAX_UNKNOWN:
                 break
             suggested = nearest(
                 name, (key for key in grammar.attributes if element.get(key) is None)
-            )
+            ) or nearest(name, extensions.attributes_of(element.tag), _FOREIGN_TYPO)
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
                 self._add("URD003", element, attribute, suggested, suggested)
@@ -235,26 +252,38 @@ class _Walk:
             if known is None:
                 if ":" in tag:
                     continue
-                if not has_element(element.tag, tag):
+                if not extensions.has_element(element.tag, tag):
                     unknown.append(child)
                     continue
-                known = grammar_of(element.tag, tag) or schema.ANYTHING
+                known = extensions.grammar_of(element.tag, tag) or schema.ANYTHING
             if not known.open:
                 inner.append((child, known))
                 if tag in seen and tag not in grammar.many:
                     self._add("URD007", child)
             seen.setdefault(tag, child)
+        missing = [tag for tag in grammar.required if tag not in seen]
         if grammar.choice:
             unknown = self._choice(element, grammar, unknown)
-        missing = [tag for tag in grammar.required if tag not in seen]
         if unknown:
-            free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
-            needed = [*missing, *_NEEDED.get(element.tag, ())]
-            reported = {self._unknown_element(child, free, needed) for child in unknown}
-            missing = [tag for tag in missing if tag not in reported]
+            missing = self._unknown_children(element, grammar, unknown, missing, seen)
         for tag in missing:
             self._add("URD004", element, name=tag)
         return inner
+
+    def _unknown_children(
+        self,
+        element: Element,
+        grammar: Grammar,
+        unknown: list[Element],
+        missing: list[str],
+        seen: Collection[str],
+    ) -> list[str]:
+        """Report unknown children; returns what of ``missing`` none of them misspells."""
+        unknown = [child for child in unknown if not _is_attribute(child, element, grammar)]
+        free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
+        needed = [*missing, *_NEEDED.get(element.tag, ())]
+        reported = {self._unknown_element(child, free, needed) for child in unknown}
+        return [tag for tag in missing if tag not in reported]
 
     def _choice(self, element: Element, grammar: Grammar, unknown: list[Element]) -> list[Element]:
         """Parsers read the first child only; returns what is left of ``unknown``."""
@@ -283,10 +312,12 @@ class _Walk:
             return ""
         if tag in schema.GAZEBO_TAGS:
             self._add("URD008", child)
-        elif schema.places_of(tag):
+        elif places_of(child):
             self._add("URD001", child)
         else:
-            suggested = nearest(tag, free, TYPO) or ""
+            assert child.parent is not None
+            foreign = extensions.elements_in(child.parent.tag)
+            suggested = nearest(tag, free, TYPO) or nearest(tag, foreign, _FOREIGN_TYPO) or ""
             if not suggested and calling_macro(child):
                 # A macro distinguishes its blocks by such names, and inserts them as named.
                 suggested = next((word for word in tag.split("_") if word in free), "")

@@ -4,6 +4,7 @@ import os
 from functools import cache
 from typing import Any
 
+from urdfkit.text.document import Element
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar
 
 
@@ -36,6 +37,34 @@ def has_attribute(tag: str, name: str) -> bool:
 
 
 @cache
+def elements_in(parent: str) -> frozenset[str]:
+    """The elements that programs read in another one."""
+    return frozenset(tag for place, tag in _read("elements") if place == parent)
+
+
+@cache
+def attributes_of(tag: str) -> frozenset[str]:
+    """The attributes that programs read in an element."""
+    return frozenset(name for place, name in _read("attributes") if place == tag)
+
+
+def place_of(element: Element) -> str:
+    """Where a program reads an element that stands elsewhere; empty if no program is known.
+
+    That is ``mujoco`` for a ``compiler`` in the robot, and the robot for a ``mujoco`` in a link.
+    Names mean other things elsewhere, as ``contact`` in SDF: what such an element holds must fit.
+    """
+    parent = element.parent.tag if element.parent else ""
+    for extension in _extensions():
+        for name, entry in extension.get("grammar", {}).items():
+            if name == element.tag and any(child.tag in entry for child in element.children):
+                return str(extension["in"])
+            if extension["in"] == parent and element.tag in entry:
+                return str(name)
+    return ""
+
+
+@cache
 def grammar_of(parent: str, tag: str) -> Grammar | None:
     """What a program reads in an element of its own; None if that is not known."""
     for extension in _extensions():
@@ -46,6 +75,9 @@ def grammar_of(parent: str, tag: str) -> Grammar | None:
 
 def _grammar(entry: dict[str, Any]) -> Grammar:
     lists = entry[""] if isinstance(entry[""], dict) else {"": entry[""]}
-    types = {name: words or TEXT for words, names in lists.items() for name in names.split()}
-    attributes = {name: AttributeRule(kind) for name, kind in types.items()}
+    attributes = {
+        name: AttributeRule(kind.removesuffix("!") or TEXT, required=kind.endswith("!"))
+        for kind, names in lists.items()
+        for name in names.split()
+    }
     return Grammar(attributes, {tag: _grammar(child) for tag, child in entry.items() if tag})

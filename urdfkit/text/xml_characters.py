@@ -29,6 +29,15 @@ def control_mistake(data: bytes, start: int, end: int) -> SyntaxMistake:
 
 def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
     """The hyphens that XML forbids in a comment, whose text is between two offsets."""
+    inner = data.find(b"<!--", start, end)
+    if inner >= 0:  # it holds elements, or an earlier comment has swallowed them
+        return SyntaxMistake(
+            inner,
+            inner + 4,
+            "'<!--' inside a comment: comments do not nest",
+            notes=((start - 4, start, "this comment is not closed before it"),),
+            help="write '-->' at the end of the first comment, or remove the inner one",
+        )
     fix: list[tuple[int, int, str]] = []
     for found in _HYPHENS.finditer(data[start:end]):
         at, count = start + found.start(), len(found[0])

@@ -78,7 +78,7 @@ class Viewer:
         self._completing: asyncio.Task[None] | None = None
 
     async def watch(self) -> None:
-        """Read again whenever a file has changed, for ever."""
+        """Read the robot again whenever a file changes, until the process ends."""
         self._completing = asyncio.create_task(self._complete(self.state))
         while True:
             await asyncio.sleep(PAUSE)
@@ -110,7 +110,7 @@ class Viewer:
                     self._notify()
 
     def _notify(self) -> None:
-        """Wake the pages up."""
+        """Tell the pages that there is something new."""
         self.revision += 1
         self._changed.set()
         self._changed = asyncio.Event()

@@ -23,7 +23,7 @@ FileVersion = tuple[int, int] | None
 
 
 class ViewerState(Record):
-    """A robot as it was read."""
+    """One state of the robot, as it was last read."""
 
     document: ReportDocument  # its contents
     drawings: dict[str, str]  # addresses of images, by name

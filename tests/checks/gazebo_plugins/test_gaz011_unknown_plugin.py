@@ -20,6 +20,12 @@ def test_a_vendors_library_is_reported_once() -> None:
     assert severities(text) == [Severity.INFO] * 2
 
 
+def test_filename_and_name_swapped() -> None:
+    swapped = f'<plugin filename="gz::sim::systems::PosePublisher" name="{POSES}"/>'
+    (found,) = reported("GAZ011", f"{BASE}<gazebo>{swapped}</gazebo>")
+    assert found.help == f'write filename="{POSES}" name="gz::sim::systems::PosePublisher"'
+
+
 def test_every_library_of_the_catalogue_is_known() -> None:
     found = reported("GAZ011", BASE + "".join(plugin(file) for file in plugins.files()))
     assert {one.severity for one in found} == {Severity.ERROR}, "the class only"

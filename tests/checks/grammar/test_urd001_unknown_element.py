@@ -243,3 +243,27 @@ def test_who_and_what() -> None:
 def test_no_error_where_nothing_is_missing(robot: str) -> None:
     (found,) = reported("URD001", robot)
     assert found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    ("robot", "message"),
+    [
+        ('<compiler meshdir="m"/>', "<compiler> inside <robot>; it belongs in <mujoco>"),
+        (
+            '<link name="a"><mujoco><compiler/></mujoco></link>',
+            "<mujoco> inside <link>; it belongs in <robot>",
+        ),
+        ("<loop_join/>", "<loop_join> in <robot> (ignored); did you mean <loop_joint>?"),
+        (  # of SDF
+            '<link name="a"><collision><geometry/><contact><ode/></contact></collision></link>',
+            "<contact> in <collision> (ignored)",
+        ),
+        (  # of another program than <collision_checking>
+            '<link name="a"><self_collision_checking/></link>',
+            "<self_collision_checking> in <link> (ignored)",
+        ),
+    ],
+)
+def test_what_one_program_reads_elsewhere(robot: str, message: str) -> None:
+    found = messages("URD001", f'<robot name="r">{robot}</robot>')
+    assert [one[-len(message) :] for one in found] == [message]

@@ -37,6 +37,28 @@ def test_what_is_missing_is_named(robot: str, message: str) -> None:
     assert messages("URD003", robot) == [message]
 
 
+@pytest.mark.parametrize(
+    ("robot", "help"),
+    [
+        ("<box><size>1 2 3</size></box>", 'write <box size="1 2 3"/>, an attribute'),
+        ("<sphere>0.5</sphere>", 'write <sphere radius="0.5"/>, an attribute'),
+        ("<sphere/>", "add the attribute"),
+    ],
+)
+def test_a_value_in_an_element_is_sdf(robot: str, help: str) -> None:
+    robot = f'<link name="a"><visual><geometry>{robot}</geometry></visual></link>'
+    (found,) = reported("URD003", robot)
+    assert found.help == help
+    assert reported("URD001", robot) == []
+
+
+def test_what_bullet_needs() -> None:
+    robot = (
+        '<link name="a"><contact><damping>1</damping><contact_cfm>0</contact_cfm></contact></link>'
+    )
+    assert messages("URD003", robot) == ["link 'a': <damping> has no 'value'"]
+
+
 def test_all_that_is_missing_is_told() -> None:
     robot = '<link name="a"><inertial><mass/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>'
     assert sorted(messages("URD003", robot)) == [

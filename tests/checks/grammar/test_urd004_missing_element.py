@@ -77,3 +77,10 @@ def test_no_shape_where_readers_look(content: str, message: str, place: str) -> 
 )
 def test_a_shape_or_another_finding(content: str) -> None:
     assert reported("URD004", VISUAL.format(content)) == []
+
+
+def test_pybullet_reads_planes() -> None:
+    plane = '<geometry><plane normal="0 0 1"/></geometry>'
+    robot = f'<link name="a"><collision>{plane}</collision></link>'
+    assert reported("URD004", robot, targets=("pybullet",)) == []
+    assert len(reported("URD004", robot, targets=("pybullet", "ros2"))) == 1

@@ -30,6 +30,11 @@ def test_why_a_number_is_none(text: str, why: str) -> None:
     assert message == f"link 'a': radius of <sphere> {why}"
 
 
+def test_commas_between_numbers_are_no_decimal_commas() -> None:
+    (message,) = messages("URD005", BALL.format("1,2,3", "1"))
+    assert message.endswith("xyz of <origin> has commas between its numbers; parsers need spaces")
+
+
 @pytest.mark.parametrize("text", ["1", "-1.5e-3", "+.5", "2.", "1E+05", " 1", "1e-400", "0"])
 def test_what_urdfdom_reads_is_a_number(text: str) -> None:
     assert reported("URD005", BALL.format("0 0 0", text)) == []

@@ -36,7 +36,7 @@ def test_a_value_that_is_needed_is_missing_already() -> None:
     "text",
     [
         LINK.format("\n  <!-- a comment -->\n"),
-        LINK.format("<contact>soft</contact>"),
+        LINK.format("<self_filter>soft</self_filter>"),
         "<gazebo><static>true</static></gazebo>",
         "<vendor:tag>text</vendor:tag>",
     ],

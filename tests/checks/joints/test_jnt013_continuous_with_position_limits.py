@@ -17,7 +17,8 @@ from tests.reported import fixed, messages, places, reported
             'upper="0" and lower="0"',
             '<limit effort="1"\n  velocity="2"/>',
         ),
-        ('<limit effort="1" velocity="2" lower="1"/>', 'lower="1"', None),
+        ('<limit effort="1" velocity="2" upper="7"/>', 'upper="7"', None),
+        ('<limit effort="1" velocity="2" lower="0" upper="0"/>', 'lower="0" and upper="0"', None),
         ("<limit  upper='x' effort='1' velocity='2' />", 'upper="x"', None),
     ],
 )
@@ -38,6 +39,7 @@ def test_limits_without_effect(content: str, shown: str, mended: str | None) -> 
 def test_less_than_a_turn_narrows(ends: str, severity: str) -> None:
     (found,) = reported("JNT013", robot(joint("j", "continuous", limit(f"-{ends}", ends))))
     assert found.severity.value == severity
+    assert (found.fix is None) == (severity == "warning")  # it may be revolute
 
 
 def test_the_place_is_the_first_of_the_two() -> None:
@@ -67,6 +69,6 @@ def test_another_call_of_a_macro_may_need_the_limits() -> None:
 
 
 def test_outside_of_macros_a_xacro_is_mended() -> None:
-    text = of_xacro(robot(joint("j", "continuous", limit("${-pi}", "3"))))
+    text = of_xacro(robot(joint("j", "continuous", limit("${-2*pi}", "3"))))
     mended = fixed("JNT013", text, "robot.xacro")
     assert '<limit effort="10" velocity="1"/>' in mended

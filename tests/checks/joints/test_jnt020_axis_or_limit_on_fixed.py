@@ -40,10 +40,11 @@ def test_it_goes_with_its_line_and_takes_nothing_else(written: str, left: str) -
     )
 
 
-def test_the_fix_is_safe() -> None:
-    (found,) = reported("JNT020", JOINT.format("fixed", AXIS))
-    assert found.fix is not None
-    assert found.fix.safe
+@pytest.mark.parametrize(("limits", "is_safe"), [("", True), (limit("-1", "1"), False)])
+def test_the_fix_is_safe_unless_the_joint_may_be_meant_to_move(limits: str, is_safe: bool) -> None:
+    axis = reported("JNT020", JOINT.format("fixed", AXIS + limits))[0]
+    assert axis.fix is not None
+    assert axis.fix.safe == is_safe
 
 
 def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:

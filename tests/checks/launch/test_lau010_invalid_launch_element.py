@@ -32,6 +32,8 @@ def test_unknown_tags_and_attributes(tmp_path: Path, text: str, word: str, help:
         ROS_2 + '<node pkg="a" exec="b" if="$(var x)" ros_args="--log-level info"/>',
         ROS_2 + '<group scoped="false"><set_env name="A" value="b"/></group>',
         ROS_2 + "<autoware_thing/>",
+        ROS_1 + '<node pkg="a" type="b" name="c" required="True" respawn="$(arg d)"/>',
+        ROS_1 + """<group if="$(eval arg('a') == 'b')"/><group unless=" $(arg a) "/>""",
     ],
 )
 def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
@@ -43,6 +45,9 @@ def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
     [
         ('<rosparam command="loads" file="$(arg f)"/>', "<rosparam>: command is 'loads'"),
         ('<node pkg="a" type="b" name="$(anon c)" output="scren"/>', "<node>: output is 'scren'"),
+        ('<node pkg="a" type="b" name="$(anon c)" respawn="flase"/>', "<node>: respawn is 'flase'"),
+        ('<group if="$(arg a) == b"/>', "<group>: if is '$(arg a) == b', no boolean"),
+        (ROS_1 + '<arg name="a" default="b" value="c"/>', "argument 'a' has a value and a default"),
     ],
 )
 def test_words_that_an_attribute_cannot_be(tmp_path: Path, text: str, message: str) -> None:
@@ -142,6 +147,15 @@ def described(first: str, entities: str) -> str:
             "XMLLaunchDescriptionSource does not read 'b.launch.py'",
         ),
         ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
+        ("ExecuteProcess(cmd=['ros2 topic list'])", "'ros2 topic list' is one word"),
+        ("ExecuteProcess(cmd='ros2 topic list')", "cmd of ExecuteProcess is a text"),
+        ("Node(package='a', executable='b', remappings=['a:=b'])", "'a:=b' in remappings is not a"),
+        ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription holds a list"),
+        ("a = LaunchConfiguration('b')\nc = 'd' + a", "a text and a LaunchConfiguration cannot"),
+        (
+            "PythonLaunchDescriptionSource([FindPackageShare('a'), 'launch/b.launch.py'])",
+            "'launch/b.launch.py' follows the directory of a package without a slash",
+        ),
     ],
 )
 def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -> None:
@@ -163,6 +177,12 @@ def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -
         "from a import generate_launch_description\nLaunchDescription([])\n",
         "PythonLaunchDescriptionSource('/a/b.launch.py')",
         "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",
+        "ExecuteProcess(cmd=['ros2 topic list'], shell=True)",
+        "ExecuteProcess(cmd=['xacro', '/a b/c.xacro'])",
+        "Node(package='a', executable='b', remappings=[('a', 'b')])",
+        "a = [b]\nLaunchDescription([*a, c])",
+        "a = LaunchConfiguration('b').perform(context)\nc = 'd' + a",
+        "PythonLaunchDescriptionSource([FindPackageShare('a'), '/launch/b.launch.py'])",
     ],
 )
 def test_programs_that_launch_takes(tmp_path: Path, text: str) -> None:

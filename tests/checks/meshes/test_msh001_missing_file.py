@@ -40,6 +40,14 @@ def test_a_file_without_package(robot: str) -> None:
     ]
 
 
+@pytest.mark.parametrize("start", ["package:/", "package:", "package//"])
+def test_a_scheme_without_a_slash_or_the_colon(robot: str, start: str) -> None:
+    text = mesh_link(f"{start}arm/meshes/forearm.stl")
+    (found,) = reported(CODE, text, robot)
+    assert found.message.endswith(f"begins with '{start}', not with 'package://'")
+    assert 'filename="package://arm/meshes/forearm.stl"' in fixed(CODE, text, robot)
+
+
 def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
     text = mesh_link("package://arm/meshes/forarm.stl")
     (found,) = reported(CODE, text, robot)

@@ -30,9 +30,26 @@ def test_the_nearest_link_is_offered() -> None:
     )
 
 
+def test_of_one_link_and_several_joints_the_link_is_misspelt() -> None:
+    robot = (
+        '<link name="base_link"/><link name="{}"/><link name="hand"/>'
+        '<joint name="a" type="fixed"><parent link="base_link"/><child link="arm_link"/></joint>'
+        '<joint name="b" type="fixed"><parent link="arm_link"/><child link="hand"/></joint>'
+    )
+    after = robot.format("arm_link")
+    assert (
+        fixed("REF001", robot.format("amr_link")) == f'<robot name="example">\n{after}\n</robot>\n'
+    )
+
+
 @pytest.mark.parametrize(
     ("written", "known"),
-    [("wheel_3", "wheel_2"), ("left_wheel", "right_wheel"), ("fl_leg", "fr_leg")],
+    [
+        ("base_link", "caster_link"),
+        ("wheel_3", "wheel_2"),
+        ("left_wheel", "right_wheel"),
+        ("fl_leg", "fr_leg"),
+    ],
 )
 def test_a_sibling_is_not_meant(written: str, known: str) -> None:
     robot = f'<link name="{known}"/><joint name="j" type="fixed"><child link="{written}"/></joint>'

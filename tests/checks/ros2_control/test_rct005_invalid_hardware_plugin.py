@@ -30,6 +30,15 @@ GOOD = ROBOT + control(driven("swing"))
             "<ros2_control> 'c': <plugin> is empty",
             (NEXT + 1, "<plugin>"),
         ),
+        (
+            PLUGIN,
+            PLUGIN.replace("</", "\n</"),
+            (
+                "<ros2_control> 'c': white space around hardware 'mock_components/GenericSystem', "
+                "which is not removed"
+            ),
+            (NEXT + 1, "<plugin>"),
+        ),
     ],
 )
 def test_hardware_without_plugin(old: str, new: str, message: str, place: tuple[int, str]) -> None:

@@ -11,6 +11,7 @@ GROUP = '<group name="arm"><link name="arm"/></group>'
     ("solver", "suggested"),
     [
         ("kdl_kinematics_plugin/KDLKinematicPlugin", "kdl_kinematics_plugin/KDLKinematicsPlugin"),
+        ("KDLKinematicsPlugin", "kdl_kinematics_plugin/KDLKinematicsPlugin"),
         ("trac_ik_kinematics_plugin/TRACIKKinematicsPlugin", None),
         ("kdl_kinematics_plugin/KDLKinematicsPlugin", ""),
         ("my_arm/IKFastKinematicsPlugin", ""),

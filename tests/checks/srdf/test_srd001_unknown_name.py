@@ -14,6 +14,11 @@ BAD = [
         "unknown link 'amr'; did you mean 'arm'?",
         "amr",
     ),
+    (  # that one is in the group already
+        '<group name="g"><link name="arm"/><link name="amr"/></group>',
+        "unknown link 'amr'",
+        "amr",
+    ),
     (
         '<group name="g"><joint name="elbow"/></group>',
         "unknown joint 'elbow'",

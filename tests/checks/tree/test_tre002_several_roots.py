@@ -1,6 +1,7 @@
 import itertools
 
 from tests.reported import messages, reported
+from urdfkit import Severity
 
 JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/><child link="{1}"/></joint>\n'
 
@@ -36,6 +37,18 @@ def test_below_a_missing_link_hangs_no_root() -> None:
     robot = links("base", "arm") + JOINT.format("bse", "arm")
     assert reported("TRE002", robot) == []
     assert len(reported("REF001", robot)) == 1
+
+
+def test_drake_takes_several_and_joints_of_its_own() -> None:
+    (found,) = reported("TRE002", links("base", "arm"), targets=("drake",))
+    assert found.severity is Severity.WARNING
+    joint = (
+        '<drake:joint name="j" type="ball"><parent link="base"/><child link="arm"/></drake:joint>'
+    )
+    namespace = 'xmlns:drake="http://drake.mit.edu"'
+    robot = f'<robot name="r" {namespace}>{links("base", "arm")}{joint}</robot>'
+    assert reported("TRE002", robot, targets=("drake",)) == []
+    assert len(reported("TRE002", robot, targets=("ros2",))) == 1
 
 
 def test_one_root_is_right() -> None:

@@ -19,7 +19,8 @@ from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.sdf_proof import Sdf, prove
+from urdfkit.output.conversion.sdf_proof import prove
+from urdfkit.output.conversion.sdf_reader import Sdf
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.values import numbers
 from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion

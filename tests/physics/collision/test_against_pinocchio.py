@@ -12,8 +12,8 @@ pytest.importorskip("coal")
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import chain
-from urdfkit.physics.collision.collision_geometry import MARGIN, form
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.collision_geometry import MARGIN, build_geometry
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.pair_queries import Examiner
 from urdfkit.robot.adjacency import Adjacency
 
@@ -58,7 +58,7 @@ def test_the_same_pairs_collide_in_the_same_samples(
         pin.computeCollisions(model, data, geometry, results, at, False)
         theirs.append([result.isCollision() for result in results.collisionResults])
 
-    examiner = Examiner(arrays, map(form, solids(robot.model, robot.meshes)[0]))
+    examiner = Examiner(arrays, map(build_geometry, collision_arrays(robot.model, robot.meshes)[0]))
     number = {link: index for index, link in enumerate(arrays.links)}
     known = [(number[links[a]], number[links[b]]) for a, b in pairs]
     mine = [
@@ -82,8 +82,9 @@ def is_inside(examiner: Examiner, pair: tuple[int, int], row: Floats) -> bool:
     frames = examiner.frames(row[None], pair)
     first, second = (
         (
-            examiner.form(body).solid.vertices @ frames[body][0][:3, :3].T + frames[body][0][:3, 3],
-            examiner.form(body).solid.faces,
+            examiner.geometry(body).arrays.vertices @ frames[body][0][:3, :3].T
+            + frames[body][0][:3, 3],
+            examiner.geometry(body).arrays.faces,
         )
         for body in bodies
     )

@@ -16,21 +16,21 @@ from urdfkit.physics.collision.bounds import apart
 from urdfkit.physics.collision.collision_geometry import (
     CollisionGeometry,
     DistanceQuery,
-    form,
+    build_geometry,
     volume,
 )
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 
 SAME = np.eye(3)
 
 
-def forms(*shapes: str) -> list[CollisionGeometry]:
+def geometries(*shapes: str) -> list[CollisionGeometry]:
     context = robot(link("a", *shapes))
-    return [form(solid) for solid in solids(context.model, context.meshes)[0]]
+    return [build_geometry(one) for one in collision_arrays(context.model, context.meshes)[0]]
 
 
 def distance(first: str, second: str, *at: float, limit: float = inf) -> float:
-    return DistanceQuery(*forms(first, second)).distance(SAME, np.array(at), limit)
+    return DistanceQuery(*geometries(first, second)).distance(SAME, np.array(at), limit)
 
 
 @pytest.mark.parametrize("gap", [0.5, 1e-3, -1e-3, -0.05])
@@ -58,7 +58,7 @@ def test_surfaces_that_overlap_are_seen_and_touching_ones_are_not(tmp_path: Path
 
 
 def test_touching_bodies_do_not_collide_however_they_are_turned() -> None:
-    gauge = DistanceQuery(*forms(box(1, 1, 1), box(1, 1, 1)))
+    gauge = DistanceQuery(*geometries(box(1, 1, 1), box(1, 1, 1)))
     random = np.random.default_rng(0)
     for _ in range(100):
         shift = np.array([1, *random.uniform(-0.9, 0.9, 2)])
@@ -81,7 +81,7 @@ def test_a_limit_saves_work_and_keeps_what_is_below_it(tmp_path: Path) -> None:
 def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
     """Two open boxes, one's edge in the other's opening: the hulls overlap, the meshes do not."""
     shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
-    (one, two) = forms(shell, sphere(0.1))
+    (one, two) = geometries(shell, sphere(0.1))
     assert not one.is_convex
     at = np.array([0.0, 0, 0.45])
     assert DistanceQuery(one, two).distance(SAME, at, inf) > 0
@@ -89,8 +89,8 @@ def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
 
 
 def test_the_volume_of_a_cube(tmp_path: Path) -> None:
-    (one,) = forms(mesh(cube(tmp_path / "c.stl", 0.5)))
-    assert volume(one.solid.vertices, one.solid.faces) == pytest.approx(1)
+    (one,) = geometries(mesh(cube(tmp_path / "c.stl", 0.5)))
+    assert volume(one.arrays.vertices, one.arrays.faces) == pytest.approx(1)
 
 
 def rotations(count: int, seed: int) -> Floats:
@@ -101,7 +101,7 @@ def rotations(count: int, seed: int) -> Floats:
 
 
 def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> None:
-    first, second = forms(box(1, 0.4, 0.2), box(0.3, 0.3, 0.8))
+    first, second = geometries(box(1, 0.4, 0.2), box(0.3, 0.3, 0.8))
     turns = rotations(400, 0)
     offsets = np.random.default_rng(1).normal(size=(400, 3)) * 0.6
     bound = apart(first.half, second.half, first.radius + second.radius, turns, offsets, inf)

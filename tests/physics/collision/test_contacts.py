@@ -133,8 +133,8 @@ def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
     """Every overlap of two links where real robots begin is a contact, as deep at least."""
     pytest.importorskip("coal")
     from urdfkit.physics.collision.batch_kinematics import chain
-    from urdfkit.physics.collision.collision_geometry import form
-    from urdfkit.physics.collision.geometry_arrays import solids
+    from urdfkit.physics.collision.collision_geometry import build_geometry
+    from urdfkit.physics.collision.geometry_arrays import collision_arrays
     from urdfkit.physics.collision.pair_queries import Examiner
 
     if "expect" not in entry.facts or "/fail_" in entry.facts["path"]:
@@ -142,8 +142,8 @@ def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
     context = entry.read()
     unit = context.targets.applies_units
     moving = chain(context.tree)
-    bodies, _ = solids(context.model, context.meshes, unit=unit)
-    examiner = Examiner(moving, map(form, bodies))
+    bodies, _ = collision_arrays(context.model, context.meshes, unit=unit)
+    examiner = Examiner(moving, map(build_geometry, bodies))
     pairs = list(moving.pairs(examiner.links))
     seen = examiner.query(pairs, 0.0).at(moving.default[None], count=True)
     known = {frozenset(pair.names): pair.contact for pair in contacts(context).pairs}
@@ -152,7 +152,7 @@ def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
         # Depths between triangles may be too large; so is that of the R2D2's head, a sphere with
         # its centre on the end of a cylinder.
         is_convex = all(
-            examiner.form(body).is_convex for link in pair for body in examiner.bodies(link)
+            examiner.geometry(body).is_convex for link in pair for body in examiner.bodies(link)
         )
         if one.distance < -2 * TOUCH and is_convex and names != {"head", "base_link"}:
             contact = known.get(names)

@@ -10,12 +10,16 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere, stl
 from urdfkit.lint.context import Context
 from urdfkit.physics.collision.bodies import LARGEST, THINNEST
-from urdfkit.physics.collision.collision_geometry import form
-from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision, solids
+from urdfkit.physics.collision.collision_geometry import build_geometry
+from urdfkit.physics.collision.geometry_arrays import (
+    CollisionArrays,
+    OmittedCollision,
+    collision_arrays,
+)
 
 
 def made(context: Context) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
-    return solids(context.model, context.meshes)
+    return collision_arrays(context.model, context.meshes)
 
 
 @pytest.mark.parametrize(
@@ -33,7 +37,7 @@ def test_primitives_stay_exact(shape: str, kind: str, size: tuple[float, ...]) -
     (one,), omitted = made(robot(link("a", shape)))
     assert (one.kind, one.size) == (kind, size)
     assert omitted == ()
-    form(one)
+    build_geometry(one)
 
 
 @pytest.mark.parametrize(
@@ -52,7 +56,7 @@ def test_primitives_stay_exact(shape: str, kind: str, size: tuple[float, ...]) -
 )
 def test_what_cannot_be_used_is_left_out_with_the_reason(shape: str, reason: str) -> None:
     found, omitted = made(robot(link("a", shape, box(1, 1, 1))))
-    assert [solid.number for solid in found] == [1]
+    assert [one.number for one in found] == [1]
     assert omitted == (OmittedCollision("a", 0, reason),)
 
 
@@ -65,7 +69,7 @@ FLAT = [
 def test_a_flat_mesh_has_no_hull_and_does_no_harm(tmp_path: Path) -> None:
     """coal's hull of it ends the process."""
     (one,), _ = made(robot(link("a", mesh(stl(tmp_path / "flat.stl", FLAT)))))
-    flat = form(one)
+    flat = build_geometry(one)
     assert flat.half.tolist() == [0.5, 0.5, 0]
     assert flat.exact.num_tris == 2
 
@@ -102,10 +106,10 @@ def test_a_cube_of_triangles_is_convex_and_an_open_one_is_not(tmp_path: Path) ->
             link("a", mesh(cube(tmp_path / "a.stl", 0.5)), mesh(cube(tmp_path / "b.stl", 0.5, 5)))
         )
     )
-    assert form(closed).is_convex
-    assert form(closed).hull.computeVolume() == pytest.approx(1)
-    assert not form(opened).is_convex
-    assert form(opened).hull.num_points == 8
+    assert build_geometry(closed).is_convex
+    assert build_geometry(closed).hull.computeVolume() == pytest.approx(1)
+    assert not build_geometry(opened).is_convex
+    assert build_geometry(opened).hull.num_points == 8
 
 
 DAE = """<?xml version="1.0"?>
@@ -130,8 +134,8 @@ DAE = """<?xml version="1.0"?>
 def test_the_unit_of_a_collada_file_is_applied_or_not(tmp_path: Path) -> None:
     (tmp_path / "m.dae").write_text(DAE)
     context = robot(link("a", mesh(tmp_path / "m.dae")))
-    (applied,), _ = solids(context.model, context.meshes, unit=True)
-    (ignored,), _ = solids(context.model, context.meshes, unit=False)
+    (applied,), _ = collision_arrays(context.model, context.meshes, unit=True)
+    (ignored,), _ = collision_arrays(context.model, context.meshes, unit=False)
     assert applied.vertices.max() == pytest.approx(0.01)
     assert ignored.vertices.max() == pytest.approx(1)
 
@@ -142,7 +146,7 @@ def test_a_mesh_of_next_to_nothing_is_left_out(tmp_path: Path) -> None:
     _, omitted = made(robot(link("a", tiny)))
     assert omitted == (OmittedCollision("a", 0, f"it is smaller than {THINNEST:g} m"),)
     (small,), _ = made(robot(link("a", mesh(tmp_path / "c.stl", "2e-6 2e-6 2e-6"))))
-    form(small)
+    build_geometry(small)
 
 
 def test_a_triangle_of_three_points_in_a_row_has_no_area(tmp_path: Path) -> None:

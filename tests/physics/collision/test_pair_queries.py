@@ -25,14 +25,14 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.collision_geometry import form
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.collision_geometry import build_geometry
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
 
 
 def examiner(context: Context) -> Examiner:
-    bodies, _ = solids(context.model, context.meshes)
-    return Examiner(chain(context.tree), map(form, bodies))
+    bodies, _ = collision_arrays(context.model, context.meshes)
+    return Examiner(chain(context.tree), map(build_geometry, bodies))
 
 
 def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:

@@ -18,7 +18,7 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision import worker_pool
 from urdfkit.physics.collision.batch_kinematics import chain
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 from urdfkit.physics.collision.pair_queries import Examiner
 from urdfkit.physics.collision.sampling import collisions
@@ -250,7 +250,7 @@ PAIRS = ((0, 1), (0, 2), (1, 2))
 
 def pool_of(context: Context) -> tuple[WorkerPool, Floats]:
     moving = chain(context.tree)
-    return WorkerPool(moving, solids(context.model, context.meshes)[0], 2), moving.default
+    return WorkerPool(moving, collision_arrays(context.model, context.meshes)[0], 2), moving.default
 
 
 def test_a_crash_costs_one_pair() -> None:
@@ -276,9 +276,9 @@ def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> No
     """The second of three bodies ends every process that makes it."""
     boot = child_process._BOOT.replace(
         "__import__",
-        "from urdfkit.physics.collision import collision_geometry as forms; "
-        "import os; make = forms.form; "
-        "forms.form = lambda s: os.abort() if s.link == 'upper' else make(s); "
+        "from urdfkit.physics.collision import collision_geometry as geometries; "
+        "import os; make = geometries.build_geometry; "
+        "geometries.build_geometry = lambda s: os.abort() if s.link == 'upper' else make(s); "
         "__import__",
     )
     monkeypatch.setattr(child_process, "_BOOT", boot)

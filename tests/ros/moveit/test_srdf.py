@@ -69,6 +69,17 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
     assert (found and Path(found.path).name) == chosen
 
 
+def test_of_several_of_one_name_the_one_called_like_the_file_is_meant(tmp_path: Path) -> None:
+    robot = tmp_path / "panda.urdf"
+    robot.write_text(ROBOT)
+    for name in ("panda", "panda_arm"):
+        (tmp_path / f"{name}.srdf").write_text('<robot name="r"/>')
+    resolver = Resolver(environment={})
+    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
+    assert found
+    assert Path(found.path).name == "panda.srdf"
+
+
 def srdf(text: str) -> Srdf:
     context = Context(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
     document, _ = read_xml(Source("r.srdf", text.encode()))

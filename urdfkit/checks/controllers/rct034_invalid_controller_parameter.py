@@ -148,7 +148,8 @@ def _misspelt(controller: Controller) -> Iterator[_Problem]:
             message = f"unknown type '{controller.type}'; did you mean '{suggested}'?"
             yield controller.type_at, message, f"write {suggested}"
         return
-    names = parameters(controller.type)
+    typed = parameters_of(controller.type, controller.ros)
+    names = {*parameters(controller.type), *(typed.types if typed else ())}
     for name in controller.section.given:
         suggested = nearest(name, names, _PARAMETER_TYPO) if name not in names else None
         if suggested and suggested not in controller.section.given and len(suggested) > 4:

@@ -8,7 +8,7 @@ fix. Any other name is taken for a vendor's library, of which nothing more is kn
 
 In gz-sim the `name` of a plugin is not a free label, as it is in Gazebo Classic, but the class in
 the library. With another one Gazebo writes "library does not contain requested plugin" and
-continues without the plugin: an error.
+continues without the plugin: an error; so is a class in `filename` and a library in `name`.
 
 Sources:
     gazebo-classic, Plugin.hh: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/Plugin.hh
@@ -44,6 +44,11 @@ def check(context: Context) -> Findings:
             yield from _unknown_class(use)
         elif not use.filename:
             continue  # GAZ010
+        elif "::" in use.filename and "::" not in use.name:
+            message = f"the filename of plugin '{use.filename}' is a class, its name a library"
+            help = f'write filename="{use.name}" name="{use.filename}"'
+            at = use.at.attributes["filename"]
+            yield Finding(at, message, help, severity=Severity.ERROR)
         elif suggested := misspelt(use.filename):
             yield _misspelt(use, suggested)
         elif system := of_same_words(use.filename):

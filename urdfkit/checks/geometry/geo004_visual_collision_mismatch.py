@@ -22,7 +22,7 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
-from urdfkit.core.spatial import Transform, minus
+from urdfkit.core.spatial import Transform, length, minus
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.visual_collision import (
@@ -50,6 +50,9 @@ _UNITS = {
     25.4: "inches taken for millimetres, or the other way round",
     10.0: "a decimal point",
 }
+#: Times their length: of two bodies farther apart than this either one may be misplaced.
+_FAR = 10.0
+
 #: A factor is that of two units if it is this near to it: visual and collision are rarely equal.
 _NEAR = 1.08
 
@@ -76,12 +79,17 @@ def _apart(one: VisualCollisionPair) -> Finding:
         f"link '{link.name}': the bounding boxes of collision and visual have only "
         f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{how}",
         _help(one, wrong, right),
-        _fix(wrong.at, right.at) if how else None,
+        _fix(wrong.at, right.at) if how and not _is_far(one) else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
         weight=1 - one.overlap,
         group_key="moved" if how else "apart",
     )
+
+
+def _is_far(one: VisualCollisionPair) -> bool:
+    shift = minus(one.visual.bounds.center, one.collision.bounds.center)
+    return length(shift) > _FAR * max(one.visual.bounds.edges)
 
 
 def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:

@@ -27,8 +27,8 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severit
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
-from urdfkit.text.grammar import calling_macro, owner
-from urdfkit.text.schema import places_of
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.grammar import calling_macro, owner, places_of
 from urdfkit.text.source import shown
 from urdfkit.workspace.xml_programs import readers_of
 
@@ -49,7 +49,7 @@ def check(context: Context) -> Findings:
     misplaced: list[Element] = []
     unknown: list[tuple[Element, str]] = []
     for element, _, needed, suggested in context.deviations.get("URD001", ()):
-        if not suggested and places_of(element.tag):
+        if not suggested and places_of(element):
             misplaced.append(element)
         elif needed:
             yield _needed(element, needed)
@@ -119,8 +119,10 @@ def _fix(element: Element, suggested: str) -> Fix | None:
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
     if element.children or element.text.strip() or not _is_zero(element):
         return None  # its values may belong elsewhere
-    is_empty = not element.attributes
-    return Fix(f"remove the <{element.tag}>", remove_element(element), safe=is_empty)
+    # In a xacro it may be the call of a macro that lacks its prefix, and its include.
+    is_call = is_xacro(element.tag_at.source)
+    safe = not element.attributes and not is_call
+    return Fix(f"remove the <{element.tag}>", remove_element(element), safe=safe)
 
 
 def _misplaced(elements: list[Element]) -> Findings:
@@ -142,7 +144,7 @@ def _in_place(
     element: Element, parent: Element, others: Sequence[Element] = (), fix: Fix | None = None
 ) -> Finding:
     """One finding for an element and others of its tag in the same wrong place."""
-    places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
+    places = " or ".join(f"<{place}>" for place in places_of(element))
     message = (
         f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "
         f"it belongs in {places}{more_like_this(len(others))}"

@@ -2,8 +2,9 @@
 
 In a joint or in `<robot>`, urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot. In a
 link it logs one line and drops every visual and collision of that link. A `<dynamics>` needs at
-least one of its two attributes. Only a xacro file that others include can do without the name of
-the robot.
+least one of its two attributes. Values in elements or as text, `<box><size>1 1 1</size></box>` or
+`<parent>base</parent>`, are SDF: in URDF they are attributes. Only a xacro file that others include
+can do without the name of the robot.
 
 urdfdom reads an empty name, but TF ignores such a frame, Drake rejects the link and PyBullet
 crashes. In a xacro an empty name is usually a prefix with nothing after it.
@@ -47,7 +48,8 @@ def check(context: Context) -> Findings:
             is_unneeded = is_material and context.targets.all_are("reads_unnamed_materials")
             severity = Severity.WARNING if is_unneeded else None
             key = f"{missing} of {element.tag}"
-            yield Finding(element, message, group_key=key, severity=severity)
+            help = _as_attribute(element, missing)
+            yield Finding(element, message, help, group_key=key, severity=severity)
             continue
         edits = rename_attribute(attribute, suggested)
         yield Finding(
@@ -56,6 +58,13 @@ def check(context: Context) -> Findings:
             f"rename {attribute.name} to {suggested}",
             Fix.of(f"rename {attribute.name} to {suggested}", edits),
         )
+
+
+def _as_attribute(element: Element, missing: str) -> str:
+    """How to write a value that stands in the element, as SDF has it; empty if there is none."""
+    child = element.child(missing)
+    value = (child.text if child is not None else element.text).strip()
+    return f'write <{element.tag} {missing}="{value[:40]}"/>, an attribute' if value else ""
 
 
 def _named_for_file(element: Element) -> Fix | None:

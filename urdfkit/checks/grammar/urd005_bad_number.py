@@ -47,8 +47,8 @@ def check(context: Context) -> Findings:
             better = _completed(attribute.name, kind, parts)
         else:
             text = as_written(attribute)
-            reason = alike = _reason(text, length)
             better = _fixed(text, length)
+            reason = alike = _reason(text, length, better or "")
         fix = fix_value(attribute, better)
         message = f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}"
         help = f'write {attribute.name}="{better}"' if better else ""
@@ -67,8 +67,8 @@ def _of_words(attribute: Attribute, words: list[str]) -> Finding:
     )
 
 
-def _reason(text: str, length: int) -> str:
-    """What is wrong with a value, after its name."""
+def _reason(text: str, length: int, better: str) -> str:
+    """What is wrong with a value, after its name; ``better`` is what it should be, if known."""
     count = len(text.split())
     if count == 0:
         return "is empty"
@@ -79,6 +79,8 @@ def _reason(text: str, length: int) -> str:
     bad = next((part for part in text.split(" ") if part and not is_number(part)), "")
     if not bad:
         return "has white space after the number"
+    if "," in bad and better == " ".join(text.replace(",", " ").split()):
+        return "has commas between its numbers; parsers need spaces"
     if "," in bad:
         return f"has a decimal comma ('{bad[:40]}'); write a decimal point"
     if bad.strip("+-").lower() in ("inf", "infinity", "nan"):

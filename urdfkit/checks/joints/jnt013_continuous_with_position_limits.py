@@ -4,7 +4,7 @@ A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and P
 `lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
 all with 0 and 0. Remove them, or make the joint revolute if it has an end. Limits of a whole turn
 or more, and zeros, as exporters write them, are an info, unless Drake is a given target: nobody
-counts on them.
+counts on them. The fix removes these alone: with others the joint may be revolute.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -41,12 +41,16 @@ def check(context: Context) -> Findings:
             if name in ("lower", "upper")
         ]
         if written:
-            is_harmless = not _narrows(joint.limit) and "drake" not in context.given_targets
+            narrows = _narrows(joint.limit)
+            is_harmless = not narrows and "drake" not in context.given_targets
             values = " and ".join(f'{attribute.name}="{attribute.value}"' for attribute in written)
             yield Finding(
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
-                fix=Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
+                # What narrows is more often right than the type, and lost once it is removed.
+                fix=None
+                if narrows
+                else Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
                 group_key="continuous",
                 severity=Severity.INFO if is_harmless else None,
             )

@@ -23,14 +23,15 @@ def check(context: Context) -> Findings:
         if joint.kind != "fixed":
             continue
         axis, limit = joint.at.child("axis"), joint.limit
+        ends = (limit.lower, limit.upper) if limit else (None, None)
+        lower, upper = (end.value if end else 0.0 for end in ends)
+        is_limited = lower < upper
         if axis is not None:
             message = f"joint '{joint.name}' is fixed; its <axis> has no effect"
-            fix = Fix("remove the axis", remove_element(axis), safe=True)
+            # With limits it is needed again as soon as the joint gets the right type.
+            fix = Fix("remove the axis", remove_element(axis), safe=not is_limited)
             yield Finding(axis, message, "remove the axis", fix, group_key="axis")
-        if limit is None:
-            continue
-        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
-        if lower < upper:
+        if limit is not None and is_limited:
             yield Finding(
                 limit.at,
                 f"joint '{joint.name}' is fixed; its limits [{lower:g}, {upper:g}] have no effect",

@@ -13,8 +13,14 @@
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
 - A call in Python has a value of another type than launch takes (error): a dictionary where a list
   of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
-  among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, the
-  source of another format than the file has.
+  among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, a list
+  among the actions, the source of another format than the file has.
+- A command line of `ExecuteProcess` is one text (error): launch looks for a program that is called
+  `ros2 topic list`.
+- A text and a substitution have a plus between them (error): "can only concatenate str (not
+  LaunchConfiguration) to str". A path follows the directory of a package without a slash.
+- In ROS 1 an argument has a value and a default, and in both a condition compares (error):
+  `if="$(arg gui) == true"` is no boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).
 - One action is in the launch description and in an event handler of it (error): launch starts it
   once and stops at the second time. An action waits for the exit of a node that runs until the end,
@@ -27,6 +33,8 @@ Sources:
     launch_ros, node.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/actions/node.py
     roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
     launch, entity.py: https://github.com/ros2/launch/blob/rolling/launch_xml/launch_xml/entity.py
+    drfenixion/freecad.robotcad#159: https://github.com/drfenixion/freecad.robotcad/issues/159
+    launch, execute_local.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/execute_local.py
     launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py
 """
 

@@ -18,6 +18,7 @@ was never committed. A package that is not found is XAC011. Also reported:
   xacro, programs read it from where the expanded URDF is written (an info).
 - A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
   info).
+- One slash behind a scheme, as in `package:/arm/arm.stl`.
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
@@ -53,6 +54,8 @@ FILES = {
 }
 
 _SCHEMES = ("package", "model", "file")
+#: A scheme that lacks a slash, or its colon.
+_CUT_SCHEME = re.compile(r"(package|model)(?::/?|//)(?=[^/:])")
 #: How far above a robot the directory of its URDF is looked for: description/urdf/parts.
 _LEVELS = 3
 #: Where packages of ROS are installed: `/opt/ros/humble`, `/opt/pal/ferrum`.
@@ -76,6 +79,8 @@ def check(context: Context) -> Findings:
             message = f"{mesh.who} has backslashes: not found on Linux"
             fix = _fix(mesh, right, "write / instead of backslashes")
             yield Finding(mesh.at, message, "write / instead", fix)
+        elif (found := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
+            yield _cut_scheme(mesh, found)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
         elif mesh.located.package == "":
@@ -96,6 +101,14 @@ def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: s
     message = f"{mesh.who} names no package {where}"
     fix = _fix(mesh, reference, "remove the third slash") if is_found else None
     return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, group_key=scheme)
+
+
+def _cut_scheme(mesh: MeshReference, found: re.Match[str]) -> Finding:
+    """``package:/name/...``, which is taken for a relative path."""
+    right = f"{found[1]}://"
+    message = f"{mesh.who} begins with '{found[0]}', not with '{right}'"
+    fix = _fix(mesh, right + mesh.at.value[found.end() :], f"write {right}")
+    return Finding(mesh.at, message, f"write {right}", fix, group_key=found[0])
 
 
 def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:

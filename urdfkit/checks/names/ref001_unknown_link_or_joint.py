@@ -16,9 +16,11 @@ Sources:
     joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
+from collections import Counter
+
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
@@ -42,6 +44,7 @@ def check(context: Context) -> Findings:
 
 def _links(context: Context) -> Findings:
     known = context.model.links_by_name
+    uses = Counter(name for joint in context.model.joints for name in _ends(joint))
     children = {joint.child_name for joint in context.model.joints}
     is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     # A second parent would be another error.
@@ -65,7 +68,9 @@ def _links(context: Context) -> Findings:
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
                 _INCLUDE if is_awaited else "correct the name, or add the link",
-                fix_value(link, suggested) or _added_world(joint, link),
+                _renamed_link(known.get(suggested), link.value, uses)
+                or fix_value(link, suggested)
+                or _added_world(joint, link),
                 severity=Severity.WARNING if is_awaited else None,
             )
 
@@ -86,6 +91,13 @@ def _leaders(model: RobotModel) -> Findings:
 def _ends(joint: Joint) -> list[str]:
     """The names of the links that a joint has as its ends."""
     return [end.value for end in (joint.parent, joint.child) if end]
+
+
+def _renamed_link(link: Link | None, name: str, uses: Counter[str]) -> Fix | None:
+    """Rename a link that no joint has as an end, where several have one of another name."""
+    if link is None or uses[link.name] or uses[name] < 2 or from_macro(link.at):
+        return None
+    return fix_value(link.at.attributes["name"], name)
 
 
 def _added_world(joint: Joint, link: Attribute) -> Fix | None:

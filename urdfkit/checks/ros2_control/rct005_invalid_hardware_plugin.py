@@ -4,7 +4,8 @@
   the hardware class; `mock_components/GenericSystem` is one for tests without hardware. A block
   that leaves the choice to xacro arguments is not reported.
 - A misspelt class is not found, and the controller manager starts without hardware. Classes that
-  urdfkit does not know are assumed to be the robot's own.
+  urdfkit does not know are assumed to be the robot's own. Nor is one found with a space or a line
+  break next to it: the text is taken as it stands.
 - Each control plugin of a simulator loads only its own hardware and ignores any other, so that no
   controller can be activated: Gazebo Classic's needs `gazebo_ros2_control/GazeboSystem`, that of
   Gazebo Sim `gz_ros2_control/GazeboSimSystem`.
@@ -50,6 +51,7 @@ def check(context: Context) -> Findings:
             continue
         yield from _missing(component)
         yield from _misspelt(component)
+        yield from _padded(component)
         if plugins:
             yield from _of_other_simulator(component, plugins)
 
@@ -67,6 +69,14 @@ def _missing(component: Component) -> Findings:
         if plugin is None or not plugin.text.strip():
             help = "add <plugin>transmission_interface/SimpleTransmission</plugin>"
             yield Finding(transmission, f"{called(transmission)} has no <plugin>", help)
+
+
+def _padded(component: Component) -> Findings:
+    """White space around the class: ros2_control looks for the text as it stands."""
+    name = component.hardware
+    if name and component.plugin is not None and component.plugin.text != name:
+        message = f"{component.called}: white space around hardware '{name}', which is not removed"
+        yield Finding(component.plugin, message, f"write <plugin>{name}</plugin>")
 
 
 def _is_left_to_arguments(component: Element) -> bool:

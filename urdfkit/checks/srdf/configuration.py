@@ -100,7 +100,9 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
             continue
         if solver.text in _SOLVERS or _OF_ROBOTS in solver.text:
             continue
-        if suggested := nearest(solver.text, _SOLVERS, _SOLVER_TYPO):
+        with_package = (one for one in _SOLVERS if one.endswith(f"/{solver.text}"))
+        suggested = next(with_package, None) or nearest(solver.text, _SOLVERS, _SOLVER_TYPO)
+        if suggested:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
             message = f"group '{entry.name}': {hint}"
             yield Finding(Location(solver.span), message, f"write {suggested}")

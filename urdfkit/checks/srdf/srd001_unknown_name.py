@@ -87,9 +87,18 @@ def check(context: Context) -> Findings:
 
 
 def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
+    known = known - _siblings(name)
     fix = fix_value(name, Suggester(known).suggested(name.value))
     message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
     return Finding(name, message, fix=fix, group_key=name.value if fix else kind)
+
+
+def _siblings(name: Attribute) -> set[str]:
+    """The names that a group or a state has already; none of them is meant once more."""
+    parent = name.element.parent
+    if parent is None or parent.tag not in ("group", "group_state"):
+        return set()
+    return {other.get(name.name) or "" for other in parent.all(name.element.tag)}
 
 
 def _is_free_flyer(attribute: Attribute) -> bool:

@@ -31,6 +31,9 @@ SHOWN = 8
 def check(context: Context) -> Findings:
     # The child of a link that is missing is no root: the reference is REF001's.
     children = {joint.child_name for joint in context.model.joints}
+    joints = [*context.document.root.all("drake:joint")]
+    if joints and context.targets.all_are("reads_drake_joints"):
+        children |= {child.get("link") or "" for joint in joints for child in joint.all("child")}
     roots = [root for root in context.tree.roots if root.name not in children]
     if len(roots) < 2 or context.is_part:
         return

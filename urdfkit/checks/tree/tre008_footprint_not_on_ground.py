@@ -41,6 +41,9 @@ _LEVEL = 0.1
 #: In m: what reaches that much lower than the wheels is no caster, and they carry nothing.
 _CASTER = 0.1
 
+#: In m: a robot that has to be raised by more has a wrong size, not a wrong height.
+_MAX_RISE = 2.0
+
 #: Robots of one model that are looked at.
 MAX_FOOTPRINTS = 10
 
@@ -61,6 +64,7 @@ def check(context: Context) -> Findings:
             lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
             rise = round(-height, 4)
             is_too_low = is_known and not lifted_wheels and tree.children[name] == joints[:1]
+            is_too_low = is_too_low and abs(rise) <= _MAX_RISE
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "

@@ -37,7 +37,7 @@ class _List(NamedTuple):
 
 
 def text(matrix: Matrix, comparison: MatrixComparison | None) -> str:
-    """For a terminal."""
+    """The result as text for a terminal."""
     return "\n".join(_lines(matrix, comparison)) + "\n"
 
 
@@ -73,7 +73,7 @@ def _aligned(names: Sequence[str]) -> list[str]:
 
 
 def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
-    """For a page or a comment."""
+    """The result as Markdown."""
     sections = [f"### Collisions of {escape(_title(matrix))}\n"]
     counts = [
         (verdict.value, str(len(found)), meaning)
@@ -93,7 +93,7 @@ def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
 
 
 def as_json(matrix: Matrix, comparison: MatrixComparison | None) -> dict[str, Any]:
-    """For programs."""
+    """The result for JSON."""
     found: dict[str, Any] = {
         "version": VERSION,
         "robot": matrix.robot,

@@ -76,7 +76,7 @@ def command(
 
 
 def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
-    """For each visual, the shapes that were tried and the one that is taken."""
+    """The shapes that were tried for each visual, and the one that was chosen."""
     if not proposals:
         yield "every link with a visual mesh has a collision of its own"
     for proposal in proposals:

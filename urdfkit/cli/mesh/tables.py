@@ -23,7 +23,7 @@ def volume(cubic_metres: float) -> str:
 
 
 def surface(health: Health) -> str:
-    """In one phrase, whether the triangles enclose a solid."""
+    """One phrase that says whether the triangles enclose a solid."""
     if health.is_solid:
         return "closed, a solid"
     found = [

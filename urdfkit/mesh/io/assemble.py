@@ -82,7 +82,7 @@ def assemble(
 def mesh_of(
     parts: Iterable[MeshPart | None], losses: LostData, files: ReferencedFiles | None = None
 ) -> Mesh:
-    """The mesh of some parts.
+    """Build a mesh from its parts.
 
     Raises:
         NoTriangles: there are none.
@@ -124,7 +124,7 @@ def _usable(position: Stream, losses: LostData) -> Flags:
 
 
 def _exist(stream: Stream) -> Flags:
-    """For each triangle, whether all of its values are there."""
+    """Whether all values of each triangle exist, (m,)."""
     found: Flags = np.all((stream.rows >= 0) & (stream.rows < len(stream.values)), axis=1)
     return found
 
@@ -134,7 +134,7 @@ def _at(stream: Stream, keep: Flags) -> Stream:
 
 
 def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
-    """For each stream the rows that the vertices take, and the vertices of each triangle."""
+    """The rows of each stream that the vertices use, and the vertices (m, 3) of the triangles."""
     first = streams[0]
     if all(np.array_equal(stream.rows, first.rows) for stream in streams[1:]):
         used = np.zeros(min(len(stream.values) for stream in streams), dtype=bool)

@@ -54,7 +54,7 @@ class Geometries:
         self.lines = 0
 
     def surfaces(self, geometry: Element) -> list[ColladaTriangles]:
-        """What a geometry holds."""
+        """The surfaces of a geometry."""
         if geometry not in self._surfaces:
             mesh = child(geometry, "mesh")
             self.lines += sum(1 for _ in children(mesh, *LINES))

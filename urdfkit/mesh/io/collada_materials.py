@@ -79,7 +79,7 @@ class ColladaMaterials:
         return (red, green, blue, alpha[0] if alpha else 1.0)
 
     def _opacity(self, shader: Element, alpha: float) -> float:
-        """From ``<transparent>`` and ``<transparency>``, as the mode of the former says.
+        """Opacity from ``<transparent>`` and ``<transparency>``, as the mode of the former says.
 
         Args:
             shader: with or without them.

@@ -27,7 +27,7 @@ _Numbers = NDArray[Any]
 
 
 class Accessors:
-    """The lists of one file.
+    """Reads the accessors (typed arrays) of one glTF file.
 
     Args:
         binary: the binary chunk of a GLB; empty if there is none.

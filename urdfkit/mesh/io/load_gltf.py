@@ -165,7 +165,7 @@ class _GltfReader:
         )
 
     def _bound(self) -> None:
-        """See that a short file does not show one list over and over."""
+        """Stop a short file that repeats one list of triangles again and again."""
         if max(self._read, self._placed) > MAX_TRIANGLES:
             raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
 

@@ -23,7 +23,7 @@ class _Group(NamedTuple):
 
 
 def read(data: bytes, directory: str) -> Mesh:
-    """What an OBJ file holds.
+    """Read an OBJ file.
 
     Args:
         data: the file.

@@ -16,7 +16,7 @@ _TEXTURE = re.compile(rb"\ncomment TextureFile[ \t]+([^\r\n]+)")
 
 
 def read(data: bytes, directory: str) -> Mesh:
-    """What a PLY file holds.
+    """Read a PLY file.
 
     Args:
         data: the file.

@@ -97,7 +97,7 @@ def strips(counts: Integers) -> Integers:
 
 
 def _spread(counts: Integers) -> tuple[Integers, Integers]:
-    """For each triangle the first corner of its polygon, and its number in it."""
+    """The first corner of each triangle's polygon, and the triangle's number in the polygon."""
     triangles = np.maximum(counts - 2, 0)
     ends = np.cumsum(triangles)
     within = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - triangles, triangles)

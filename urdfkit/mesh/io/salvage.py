@@ -15,7 +15,7 @@ _COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^<>]*?\bcount\s*=\s*
 
 
 class SalvagedPart(Record):
-    """What is left of a file."""
+    """The readable rest of a damaged file."""
 
     mesh: Mesh  # the triangles
     declared: int  # how many the file says that it has; 0 where it does not say

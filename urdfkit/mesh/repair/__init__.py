@@ -50,7 +50,7 @@ class RepairStep(Record):
 
 
 class Repair(Record):
-    """What came of a repair."""
+    """The result of a repair."""
 
     #: Repaired; the very one that was given if there was nothing to do, or nothing helped.
     mesh: Mesh

@@ -28,7 +28,7 @@ class TriangleSoup(Record):
         return self._replace(faces=faces, corners=corners)
 
     def merged(self, target: Integers) -> TriangleSoup:
-        """Points made one.
+        """Replace points by others.
 
         Args:
             target: (n,), the point that takes the place of each.

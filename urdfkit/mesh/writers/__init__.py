@@ -92,7 +92,7 @@ class SoundMesh(UrdfkitError):
 
 
 def require_replaceable(path: str | os.PathLike[str]) -> None:
-    """See that no sound mesh is replaced.
+    """Check that a file may be overwritten: it is not a sound mesh.
 
     Raises:
         SoundMesh: the file is one.
@@ -137,7 +137,7 @@ def write_files(files: dict[str, bytes], directory: str) -> list[str]:
 
 
 def _require_inside(path: str) -> None:
-    """See that no link on the way to a file leads out of the workspace that the file is in."""
+    """Check that no symbolic link in a path leads out of the workspace of the file."""
     real = disk.real(path)
     if real == path:
         return

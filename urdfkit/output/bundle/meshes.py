@@ -47,7 +47,7 @@ class FreeNames:
         return free
 
     def take_stem(self, path: str) -> str:
-        """For a mesh file: its own stem, else with its directory, else with a number.
+        """A free stem for a mesh file: its own, else with its directory, else with a number.
 
         MuJoCo and Gazebo know a mesh by its name without directory and suffix.
         """

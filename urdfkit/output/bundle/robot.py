@@ -33,7 +33,7 @@ class Renamed(Record):
 
 
 class BundledRobot(Record):
-    """The robot of a bundle."""
+    """The URDF of a bundle, with what was renamed in it."""
 
     text: bytes  # of the URDF
     renamed: tuple[Renamed, ...]  # the references that it changes

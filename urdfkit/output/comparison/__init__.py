@@ -79,7 +79,7 @@ class Comparison(Record):
 
     @property
     def kinds(self) -> set[str]:
-        """In which of `KINDS` the states differ."""
+        """The `KINDS` in which the two states differ."""
         found = {difference.kind for difference in self.differences}
         if self.moved:
             found.add("frames")
@@ -99,7 +99,7 @@ def compare(
     has_images: bool = False,
     progress: Progress | None = None,
 ) -> Comparison:
-    """What became of a robot.
+    """Compare two states of a robot.
 
     Args:
         before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current

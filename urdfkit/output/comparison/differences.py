@@ -73,7 +73,7 @@ _SAME = RenamedParts(_NONE, _NONE)
 
 
 class Difference(Record):
-    """One thing that differs."""
+    """One difference between two models."""
 
     kind: str  # which sort of thing it is, one of `KINDS`
     what: str  # ``link`` or ``joint``
@@ -84,7 +84,7 @@ class Difference(Record):
     after: ComparedValue = None
 
     def __str__(self) -> str:
-        """One line."""
+        """The difference in one line."""
         return f"{self.what} '{self.name}': {self.text}"
 
 

@@ -43,7 +43,7 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
 
 
 def _colours(found: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
-    """Of the links that differ; a change of a joint counts for its child link."""
+    """Colours of the links that differ; a change of a joint counts for its child link."""
     children = {joint.name: joint.child_name for joint in after.model.joints}
     names = {moved.link for moved in found.moved}
     for one in found.differences:

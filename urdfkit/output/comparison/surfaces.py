@@ -78,7 +78,7 @@ def _digest(path: str) -> bytes:
 
 
 def _distance(before: Context, old: Shape, after: Context, new: Shape) -> float | None:
-    """In m; None if a file gives no triangles."""
+    """The distance of two surfaces in m; None if a file has no triangles."""
     meshes = before.meshes.mesh(old), after.meshes.mesh(new)
     vertices = before.meshes.vertices(old), after.meshes.vertices(new)
     if meshes[0] is None or meshes[1] is None or vertices[0] is None or vertices[1] is None:

@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 
 
 class Format(Record):
-    """A format."""
+    """A format that a robot can be converted to."""
 
     name: str  # as --to takes it
     extra: str  # of urdfkit, with the libraries that it needs

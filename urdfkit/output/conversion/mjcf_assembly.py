@@ -70,7 +70,7 @@ def assembled(
 
 
 def compiled(made: MjcfRobot, robot: Context) -> Any:
-    """MuJoCo's model.
+    """Compile the MuJoCo model.
 
     Raises:
         UrdfkitError: MuJoCo rejects it.

@@ -98,7 +98,7 @@ class OwnDynamics:
 
 
 def _spatial_inertia(tree: KinematicTree, link: str, frame: Transform) -> Floats:
-    """Of a link, (6, 6)."""
+    """Spatial inertia of a link, (6, 6)."""
     mass, center, moments = properties_of(tree.model.links_by_name[link], frame)
     x, y, z = center
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])

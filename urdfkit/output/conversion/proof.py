@@ -1,4 +1,4 @@
-"""Two engines on one robot: what MuJoCo makes of a file, and Pinocchio of the robot."""
+"""Compares the robot that MuJoCo reads from a file with the robot that Pinocchio computes."""
 
 from __future__ import annotations
 
@@ -13,26 +13,25 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.own_dynamics import OwnDynamics
+from urdfkit.output.conversion.random_poses import random_poses
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics
 from urdfkit.robot.kinematics import laws, positions
 from urdfkit.robot.rigid_bodies import rigid_bodies
 
 #: Random poses that the frames and the dynamics are compared at.
 POSES, DYNAMIC_POSES = 100, 10
-#: Bounds: of frames in m, and of masses, mass matrix and torques as a part of the largest entry.
+#: Bounds: of frames in m; of masses, mass matrix and torques relative to the largest entry.
 LENGTH, PART = 1e-9, 1e-6
 #: Entries below this, in N·m, kg or kg·m², are rounding.
 LEAST = 1e-9
-#: Nor does a torque say more than the weight of the robot on a lever of so many metres.
+#: So is a torque below the weight of the robot on a lever of so many metres.
 LEVER = 1e-6
 #: Moving joints of the largest robot that is compared; beyond `MAX_JOINTS` with our own dynamics.
 MAX_OWN = 1000
-#: Positions are drawn between these where no limit is nearer, in rad or m.
-_REACH = 3.0
 
 
 class MjcfProof(Record):
-    """The largest differences."""
+    """The largest differences between MuJoCo and the robot."""
 
     mass: float  # of links that are fixed together, in kg
     frames: float  # of the placement of a link, in m and of entries of its rotation
@@ -48,13 +47,13 @@ class MjcfProof(Record):
 
     @property
     def agreed(self) -> str:
-        """Who agrees, on what."""
+        """What the proof shows, if it holds."""
         agreed = "masses, frames, mass matrix and gravity torques"
         return f"MuJoCo and {self.engine} agree on {agreed}"
 
     @property
     def differences(self) -> str:
-        """In words."""
+        """The differences in words."""
         return (
             f"frames {self.frames:.2g} m (link '{self.link}'), masses {self.mass:.2g} kg, "
             f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}"
@@ -76,13 +75,13 @@ def prove(model: Any, robot: Context) -> MjcfProof:
     is_large = moving > MAX_JOINTS
     dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
     data = mujoco.MjData(model)
-    random = np.random.default_rng(0)
     joints = _Coordinates(model, robot, dynamics)
     least_torque = max(LEAST, LEVER * 9.81 * sum(float(mass) for mass in model.body_mass))
     worst = (0.0, "")
     matrix = gravity = 0.0
-    for number in range(POSES):
-        pose = joints.draw(random) if number else {}
+    named = robot.model.joints_by_name
+    drawn = random_poses((named[name] for name in dynamics.columns if name in named), POSES)
+    for number, pose in enumerate(drawn):
         joints.set(data, robot, pose)
         mujoco.mj_forward(model, data)
         worst = max(worst, _placed(data, dynamics.placements(pose)))
@@ -96,7 +95,7 @@ def prove(model: Any, robot: Context) -> MjcfProof:
 
 
 class _Coordinates:
-    """The joints of a model of MuJoCo as Pinocchio's coordinates; what follows, follows.
+    """Maps MuJoCo's joints to Pinocchio's coordinates; mimic joints move with their leaders.
 
     Planar and floating joints stay at zero.
     """
@@ -104,7 +103,6 @@ class _Coordinates:
     def __init__(self, model: Any, robot: Context, dynamics: Dynamics | OwnDynamics) -> None:
         self._model = model
         joints = robot.model.joints_by_name
-        self._limits = {name: joints[name].limit for name in dynamics.columns if name in joints}
         known = laws(joints)
         self._q: dict[str, int] = {}
         self._columns = np.zeros((model.nv, len(dynamics.columns)))
@@ -118,16 +116,6 @@ class _Coordinates:
                     self._columns[model.jnt_dofadr[number], column] = factor
         self._is_compared = self._columns.any(axis=0)
 
-    def draw(self, random: np.random.Generator) -> dict[str, float]:
-        """Positions within the limits."""
-        found = {}
-        for name, limit in self._limits.items():
-            lower = limit.lower.value if limit and limit.lower else -_REACH
-            upper = limit.upper.value if limit and limit.upper else _REACH
-            lower, upper = max(lower, -_REACH), min(upper, _REACH)
-            found[name] = random.uniform(lower, upper) if lower < upper else lower
-        return found
-
     def set(self, data: Any, robot: Context, pose: Mapping[str, float]) -> None:
         """Put the model into a pose."""
         for name, position in positions(robot.tree, pose).items():
@@ -135,14 +123,14 @@ class _Coordinates:
                 data.qpos[self._q[name]] = position
 
     def mass_matrix(self, data: Any) -> Floats:
-        """Of the coordinates, (nv, nv)."""
+        """MuJoCo's mass matrix in Pinocchio's coordinates, (n, n)."""
         whole = np.zeros((self._model.nv, self._model.nv))
         mujoco.mj_fullM(self._model, data, whole)
         found: Floats = self._columns.T @ whole @ self._columns
         return found
 
     def gravity(self, data: Any) -> Floats:
-        """What holds each coordinate still, (nv,)."""
+        """Torque or force that holds each coordinate against gravity, (nv,), in N·m or N."""
         found: Floats = self._columns.T @ data.qfrc_bias
         return found
 
@@ -153,7 +141,7 @@ class _Coordinates:
 
 
 def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
-    """The largest difference of a placement, and whose."""
+    """The largest difference of a link's placement, and the name of the link."""
     worst = (0.0, "")
     bodies = _bodies(data.model)
     for name, matrix in links.items():

@@ -1,4 +1,4 @@
-"""What a conversion wrote, and what became of the robot."""
+"""The result of a conversion: the files, and what happened to each part of the robot."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ class Proof(Protocol):
 
     @property
     def holds(self) -> bool:
-        """True within the bounds."""
+        """True if all differences are within the bounds."""
         ...
 
     @property
     def agreed(self) -> str:
-        """Who agrees, on what; a sentence."""
+        """What the proof shows, if it holds; a sentence."""
         ...
 
     def _asdict(self) -> dict[str, Any]: ...
 
 
 class Conversion(Record):
-    """What was written."""
+    """The result of a conversion."""
 
     to: str  # the format
     file: str  # of the robot, in the directory
@@ -46,7 +46,7 @@ class Conversion(Record):
 
     @property
     def facts(self) -> dict[str, Any]:
-        """For JSON; lengths in m, masses in kg."""
+        """The result for JSON; lengths in m, masses in kg."""
         return {
             "version": VERSION,
             "urdfkit": __version__,

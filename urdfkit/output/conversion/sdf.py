@@ -25,7 +25,8 @@ from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.output.conversion.sdf_extensions import set_value
 from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, record_losses
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
-from urdfkit.output.conversion.sdf_proof import Sdf, prove
+from urdfkit.output.conversion.sdf_proof import prove
+from urdfkit.output.conversion.sdf_reader import Sdf
 from urdfkit.output.conversion.sdf_refusal import require
 from urdfkit.ros.gazebo.conversion import NEW, SdfConversion
 from urdfkit.text.source import Source

@@ -21,7 +21,7 @@ from urdfkit.text.document import Element
 
 
 class _Inertia(Record):
-    """Of a link and of what was merged into it so far."""
+    """The inertia of a link together with the links merged into it so far."""
 
     properties: MassProperties  # its tensor along the axes
     axes: Rotation  # that the link's own inertial has

@@ -34,7 +34,7 @@ _TURNED = 1e-9
 def record_losses(
     losses: LossTable, conversion: SdfConversion, model: SdfModel, bundle: Bundle
 ) -> None:
-    """Mark what became of a robot.
+    """Record what the conversion did with each part of a robot.
 
     Args:
         model: that was made of it.

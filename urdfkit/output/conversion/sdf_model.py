@@ -27,7 +27,7 @@ VERSION = "1.11"
 
 
 class SdfModel:
-    """The model of a robot.
+    """Builds the SDF model of a robot.
 
     Args:
         conversion: of the robot, by the newest sdformat.

@@ -26,12 +26,12 @@ class UrdfProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True if nothing is."""
+        """True if nothing is different or missing."""
         return not self.different and not self.missing
 
     @property
     def agreed(self) -> str:
-        """Who agrees, on what."""
+        """What the proof shows, if it holds."""
         return f"all {self.elements} elements are read again as they were, and all files are there"
 
 

@@ -25,7 +25,7 @@ _ATTRIBUTES = {
 
 
 def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
-    """Mark what became of the links, joints and materials of a robot."""
+    """Record what the conversion did with links, joints and materials of a robot."""
     losses.keep(robot.model.root, "prim")
     colours = Colours(robot.model)
     for link in robot.model.links:

@@ -35,7 +35,7 @@ _TYPES = {
 
 
 class UsdProof(Record):
-    """The largest differences."""
+    """The largest differences between a stage and the robot."""
 
     frames: float  # of the placement of a link at zero, in m and of entries of its rotation
     masses: float  # of links that are fixed together, and of their tensors, as a part of the most
@@ -45,18 +45,18 @@ class UsdProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True within the bounds."""
+        """True if all differences are within the bounds."""
         is_placed = self.frames <= LENGTH and self.axes <= AXIS
         return is_placed and max(self.masses, self.joints) <= PART
 
     @property
     def agreed(self) -> str:
-        """Who agrees, on what."""
+        """What the proof shows, if it holds."""
         return "the stage agrees with the robot on frames, masses, inertia, axes and limits"
 
     @property
     def differences(self) -> str:
-        """In words."""
+        """The differences in words."""
         return (
             f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
             f"joints {self.joints:.2g}; "

@@ -57,7 +57,7 @@ def axis(joint: Joint) -> str:
 
 
 def limits(joint: Joint) -> list[str]:
-    """Its limits, as far as they are written: position, effort and velocity."""
+    """The limits of a joint that are written: position, effort and velocity."""
     found: list[str] = []
     of, ends = unit(joint), bounds(joint)
     if ends:
@@ -75,7 +75,7 @@ def caption(joint: Joint) -> str:
 
 
 def captions(joint: Joint) -> list[str]:
-    """The same in its parts."""
+    """The parts of `caption`."""
     along = axis(joint)
     preposition = {"prismatic": "along", "planar": "across"}.get(joint.kind, "about")
     parts = [f"{joint.kind or 'without type'}{f' {preposition} {along}' if along else ''}"]

@@ -67,7 +67,7 @@ def _body(found: list[TreeRow]) -> Iterator[str]:
 
 
 def _line(row: TreeRow, parent: int, number: int) -> str:
-    """From below the parent's box to the left of this one."""
+    """The line from below the parent's box to the left of the child's."""
     x = _left(row.depth - 1) + LEVEL / 2
     return f'<path d="M{x:g} {_middle(parent) + 11:g} V{_middle(number):g} H{_left(row.depth):g}"/>'
 
@@ -112,5 +112,5 @@ def _right(row: TreeRow) -> float:
 
 
 def _width(text: str) -> float:
-    """In pixels; letters of East Asia are twice as wide."""
+    """Width of a text in pixels; East Asian letters are twice as wide."""
     return LETTER * sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)

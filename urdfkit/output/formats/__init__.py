@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Render(Protocol):
-    """What a format is."""
+    """The signature of an output format."""
 
     def __call__(self, report: Report, *, color: bool = False, width: int = 80) -> str: ...
 

@@ -15,7 +15,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The same in parts."""
+    """Like `render`, in parts."""
     yield from findings(report, color=color)
     yield summary(report, color=color, width=_WIDE)
 

@@ -18,7 +18,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The same line by line."""
+    """Like `render`, line by line."""
     for diagnostic in report.diagnostics:
         yield f"{_annotation(diagnostic)}\n"
     for crash in report.crashed:

@@ -21,7 +21,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The same in parts."""
+    """Like `render`, in parts."""
     page = TextPage(color, width)
     yield from findings(report, color=color, width=width)
     yield _infos(report, page) + hints(report, page)

@@ -52,7 +52,7 @@ LONG = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
-    """A robot and its report."""
+    """A robot and its findings, as a report needs them."""
 
     document: ReportDocument  # for all outputs
     context: Context  # the robot
@@ -182,7 +182,7 @@ def _portable(document: ReportDocument, context: Context) -> ReportDocument:
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:
-    """For each program that will read the robot: its verdict, and why it was detected."""
+    """The verdict for each target program, and why the target was detected."""
     names = [name for _, targets in report.targets for name in targets.names]
     evidence = {
         name: reason

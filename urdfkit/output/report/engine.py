@@ -22,7 +22,7 @@ _TEMPLATE = "templates/viewer.zip"
 
 
 class PageEngine(Record):
-    """A 3D engine."""
+    """The 3D engine (JavaScript) of a page."""
 
     script: str  # that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice
     package: str  # that it comes from, with its version
@@ -30,7 +30,7 @@ class PageEngine(Record):
 
 
 def load() -> PageEngine:
-    """The engine.
+    """Load the 3D engine.
 
     Raises:
         UrdfkitError: trimesh is not installed, or is one whose viewer is another.

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from urdfkit.output.report.engine import PageEngine
     from urdfkit.output.report.scene import PageScene
 
-#: Findings and rows of a table that a page shows; a browser takes no pleasure in more.
+#: Findings and rows of a table that a page shows; more make a browser slow.
 MAX_FINDINGS, MAX_ROWS = 500, 400
 #: Links of a matrix.
 MAX_MATRIX = 60
@@ -49,7 +49,7 @@ def render(
     *,
     shape: int = 0,
 ) -> str:
-    """A whole page.
+    """The page as HTML.
 
     Args:
         drawings: addresses of images, by name.

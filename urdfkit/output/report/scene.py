@@ -30,7 +30,7 @@ def without_report() -> str:
 
 
 class PageScene(Record):
-    """What the engine draws."""
+    """The robot as the 3D engine draws it."""
 
     model: bytes  # binary glTF, packed with gzip; each surface in the frame of its link
     robot: dict[str, Any]  # links, and joints with parents before children, as plain values

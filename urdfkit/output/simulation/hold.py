@@ -35,7 +35,7 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
             sag = abs(float(data.qpos[at] - start[at]))
             if sag > SAG:
                 sags[joint] = sag
-    # One that gives way takes others along, whose efforts would suffice.
+    # A joint that gives way moves others, although their efforts would suffice.
     is_weak = np.abs(needed) > most
     weak = [joint for joint in sags if is_weak[robot.dof(joint.name)]]
     for joint in weak or sags:

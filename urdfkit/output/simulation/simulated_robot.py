@@ -111,7 +111,7 @@ class SimulatedRobot:
 
     @cached_property
     def _linkage(self) -> tuple[list[str], list[int], Floats, Floats]:
-        """Of each joint that one number moves: its leader, its coordinate, factor and shift."""
+        """Leader, coordinate, factor and shift of each revolute, continuous or prismatic joint."""
         known = laws(self.robot.model.joints_by_name)
         moving = [one.name for one in self.robot.model.joints if one.kind in (*TURNING, *SLIDING)]
         return (
@@ -122,7 +122,7 @@ class SimulatedRobot:
         )
 
     def position(self, data: Any, joint: str) -> float:
-        """Of a joint that one number moves."""
+        """Position of a revolute, continuous or prismatic joint, in rad or m."""
         return float(data.qpos[self._coordinates[joint]])
 
     @cached_property
@@ -136,7 +136,7 @@ class SimulatedRobot:
         return int(self.model.jnt_dofadr[self.model.joint(joint).id])
 
     def range(self, joint: str) -> tuple[float, float] | None:
-        """Of a joint; None if it is not limited."""
+        """Position limits of a joint, in rad or m; None if it has none."""
         found = self.model.joint(joint).id
         if not self.model.jnt_limited[found]:
             return None

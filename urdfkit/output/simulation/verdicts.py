@@ -9,7 +9,7 @@ from urdfkit.text.source import Span, shown
 
 
 class Verdict(Record):
-    """One statement."""
+    """The result of one simulated test."""
 
     #: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold``, ``drop``
     test: str
@@ -37,7 +37,7 @@ class Simulation(Record):
 
     @property
     def facts(self) -> dict[str, Any]:
-        """For JSON."""
+        """The verdict for JSON."""
         return {
             "base": "free" if self.is_free else "fixed",
             "passes": self.passes,

@@ -42,7 +42,7 @@ class RobotSpheres(Record):
 
     @property
     def facts(self) -> dict[str, object]:
-        """As JSON has it."""
+        """The spheres for JSON."""
         return {
             "version": 1,
             "links": [

@@ -35,7 +35,7 @@ class Axis(NamedTuple):
 
 
 class TreeStep(NamedTuple):
-    """From one link to a child of it.
+    """The step from a link to one of its children.
 
     The frame of the child in that of the parent is ``at_zero + f sine + g versine``, with f and g
     the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
@@ -53,7 +53,7 @@ class TreeStep(NamedTuple):
     shift: float  # of the same transforms
 
     def frames(self, configurations: Floats) -> Floats:
-        """Of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) where nothing moves."""
+        """Frames of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) if nothing moves."""
         if self.column < 0:
             return self._at(np.float64(self.shift))
         return self._at(self.factor * configurations[:, self.column, None, None] + self.shift)
@@ -233,7 +233,7 @@ def _step(
 
 
 def matrix(frame: Transform) -> Floats:
-    """(4, 4), homogeneous."""
+    """The homogeneous matrix of a transform, (4, 4)."""
     found = np.eye(4)
     found[:3, :3] = frame.rotation
     found[:3, 3] = frame.position

@@ -26,7 +26,7 @@ _CONVEX = 1e-4
 
 
 class CollisionBody(Record):
-    """One ``<collision>``."""
+    """One ``<collision>`` with its bounding box."""
 
     link: str  # name of its link
     number: int  # of the element among the collisions of the link, from 0
@@ -42,7 +42,7 @@ class CollisionBody(Record):
 
     @property
     def radius(self) -> float:
-        """Of a sphere about the centre that holds the body, or the points of a mesh."""
+        """Radius of a sphere about the centre that holds the body, or the points of a mesh."""
         if self.kind == "mesh" and self.points:
             return max(dist(self.center, point) for point in self.points)
         return bounding_radius(self.kind, self.half)
@@ -112,14 +112,14 @@ def half_edges(kind: str, size: tuple[float, ...]) -> Vector:
 
 
 def bounding_radius(kind: str, half: Vector) -> float:
-    """Of the sphere about the centre of a body, given half the sides of the box around it."""
+    """Radius of the sphere around a body, given half the sides of its bounding box."""
     if kind in ("sphere", "capsule"):
         return half[2]
     return hypot(half[0], half[2]) if kind == "cylinder" else hypot(*half)
 
 
 def _sizes(shape: Shape) -> tuple[float | None, ...] | None:
-    """As they are written; None for what is no primitive."""
+    """The sizes as they are written; None for a shape that is not a primitive."""
     if shape.kind == "box":
         return shape.size or ()
     if shape.kind == "sphere":
@@ -143,7 +143,7 @@ def _primitive(link: str, number: int, body: Body) -> CollisionBody:
 def _mesh(
     link: str, number: int, body: Body, measures: Measures | str, *, unit: bool
 ) -> CollisionBody:
-    """With the bounding box that was measured, or the largest that there is."""
+    """A mesh with the bounding box that was measured, else with the largest one possible."""
     assert body.shape is not None
     if isinstance(measures, str):
         half = (LARGEST, LARGEST, LARGEST)

@@ -42,9 +42,9 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class CollisionGeometry:
-    """One body."""
+    """One collision body in coal."""
 
-    solid: CollisionArrays  # it was made from
+    arrays: CollisionArrays  # that it was built from
     hull: Any  # coal's convex body around it; the triangles of a flat mesh
     is_convex: bool  # its hull is no larger than itself
     center: Floats  # (3,), of its bounding box, in its own frame, in m
@@ -53,33 +53,34 @@ class CollisionGeometry:
 
     @cached_property
     def exact(self) -> Any:
-        """Its hull, or the triangles of a mesh that is not convex.
+        """The hull, or the triangles of a mesh that is not convex.
 
         coal's tree of these takes longer than all else, and most links never need it in a check.
         """
-        return self.hull if self.is_convex else _surface(self.solid.vertices, self.solid.faces)
+        return self.hull if self.is_convex else _surface(self.arrays.vertices, self.arrays.faces)
 
 
-def form(solid: CollisionArrays) -> CollisionGeometry:
-    if solid.kind == "mesh":
-        return _mesh(solid)
-    exact = _PRIMITIVES[solid.kind](*solid.size)
-    half = half_edges(solid.kind, solid.size)
-    radius = bounding_radius(solid.kind, half)
-    return CollisionGeometry(solid, exact, True, np.zeros(3), np.array(half), radius)
+def build_geometry(arrays: CollisionArrays) -> CollisionGeometry:
+    """Build coal's bodies; coal crashes on those that `geometry_arrays` leaves out."""
+    if arrays.kind == "mesh":
+        return _mesh(arrays)
+    exact = _PRIMITIVES[arrays.kind](*arrays.size)
+    half = half_edges(arrays.kind, arrays.size)
+    radius = bounding_radius(arrays.kind, half)
+    return CollisionGeometry(arrays, exact, True, np.zeros(3), np.array(half), radius)
 
 
-def _mesh(solid: CollisionArrays) -> CollisionGeometry:
-    vertices, faces = solid.vertices, solid.faces
+def _mesh(arrays: CollisionArrays) -> CollisionGeometry:
+    vertices, faces = arrays.vertices, arrays.faces
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     center, half = (low + high) / 2, (high - low) / 2
     radius = float(np.linalg.norm(vertices - center, axis=1).max())
     if _is_flat(vertices):
-        return CollisionGeometry(solid, _surface(vertices, faces), True, center, half, radius)
+        return CollisionGeometry(arrays, _surface(vertices, faces), True, center, half, radius)
     hull = _hull(vertices, faces) or _hull(center + _CORNERS * half, _BOX)
     inside = abs(volume(vertices - center, faces))
     is_convex = abs(inside - hull.computeVolume()) <= _CONVEX * inside
-    return CollisionGeometry(solid, hull, is_convex, center, half, radius)
+    return CollisionGeometry(arrays, hull, is_convex, center, half, radius)
 
 
 def _surface(vertices: Floats, faces: Integers) -> Any:
@@ -142,7 +143,7 @@ def _drawn_in(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, 
 
 
 def volume(vertices: Floats, faces: Integers) -> float:
-    """Of a closed surface, in m^3; negative if it is inside out (divergence theorem)."""
+    """Volume of a closed surface in m^3; negative if it is inside out (divergence theorem)."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
 
@@ -212,8 +213,8 @@ class DistanceQuery:
         if self.is_exact:
             return self.hulls(rotation, translation) < -depth
         bodies = [self.first.exact, self.second.exact]
-        moved = 0 if self.first.solid.kind == "mesh" else 1
-        mesh = (self.first, self.second)[moved].solid
+        moved = 0 if self.first.arrays.kind == "mesh" else 1
+        mesh = (self.first, self.second)[moved].arrays
         bodies[moved] = _surface(*_drawn_in(mesh.vertices, mesh.faces, depth))
         self._hits.clear()
         first, second = bodies

@@ -7,7 +7,11 @@ import numpy as np
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.bodies import THINNEST, CollisionBody
-from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery, form
+from urdfkit.physics.collision.collision_geometry import (
+    CollisionGeometry,
+    DistanceQuery,
+    build_geometry,
+)
 from urdfkit.physics.collision.geometry_arrays import (
     NO_FACES,
     NO_VERTICES,
@@ -17,7 +21,9 @@ from urdfkit.physics.collision.geometry_arrays import (
 )
 from urdfkit.robot import Robot
 
-_POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
+_POINT = build_geometry(
+    CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES)
+)
 
 
 def _arrays(at: Transform) -> tuple[Floats, Floats]:
@@ -83,11 +89,11 @@ class ExactDistances:
         return all(query.distance(np.eye(3), point, inf) < -2 * THINNEST for point in points)
 
     def vertices(self, body: CollisionBody) -> tuple[Vector, ...]:
-        """Of a mesh, or the corners of the box around a primitive, in the frame of the body."""
+        """Vertices of a mesh, or corners of the box around a primitive, in the body's frame."""
         found = self._geometry(body)
         if body.kind != "mesh" or found is None:
             return body.points
-        return tuple((x, y, z) for x, y, z in found.solid.vertices.tolist())
+        return tuple((x, y, z) for x, y, z in found.arrays.vertices.tolist())
 
     def _query(self, first: CollisionBody, second: CollisionBody) -> DistanceQuery | None:
         one, other = self._geometry(first), self._geometry(second)
@@ -98,5 +104,5 @@ class ExactDistances:
         if key not in self._known:
             link = self._robot.model.links_by_name[body.link]
             made = arrays(link, body.number, self._robot.meshes, unit=self._unit)
-            self._known[key] = None if isinstance(made, OmittedCollision) else form(made)
+            self._known[key] = None if isinstance(made, OmittedCollision) else build_geometry(made)
         return self._known[key]

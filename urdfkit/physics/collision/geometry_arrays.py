@@ -18,7 +18,7 @@ from urdfkit.robot.model import Link, RobotModel, Shape
 
 
 class CollisionArrays(NamedTuple):
-    """One ``<collision>``."""
+    """One ``<collision>`` as arrays."""
 
     link: str  # name of its link
     number: int  # of the element among the collisions of the link, from 0
@@ -41,7 +41,7 @@ NO_VERTICES = np.zeros((0, 3))
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
 
 
-def solids(
+def collision_arrays(
     model: RobotModel, meshes: Meshes, *, unit: bool = True
 ) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
     """The collision bodies of a model, and those that cannot be used.
@@ -65,7 +65,7 @@ def solids(
 def arrays(
     link: Link, number: int, meshes: Meshes, *, unit: bool
 ) -> CollisionArrays | OmittedCollision:
-    """One collision of a link, by its number from 0; the rest as for `solids`."""
+    """One collision of a link, by its number from 0; the rest as for `collision_arrays`."""
     body = link.collisions[number]
     shape = body.shape
     reason = why_omitted(body)

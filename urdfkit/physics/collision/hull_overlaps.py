@@ -28,8 +28,8 @@ def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
     for pair in contacts.pairs:
         if pair.is_rigid:
             continue
-        depth, first, second = _deepest(contacts, pair, least)
-        if first is not None and second is not None:
+        if deepest := _deepest(contacts, pair, least):
+            depth, first, second = deepest
             moving = [joint for joint in contacts.between(pair.names) if joint.kind != "fixed"]
             joint = moving[0] if len(moving) == 1 else None
             above = contacts.tree.path(joint.parent_name) if joint else ()
@@ -39,12 +39,12 @@ def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
 
 def _deepest(
     contacts: Contacts, pair: LinkPair, least: float
-) -> tuple[float, CollisionBody | None, CollisionBody | None]:
-    depth: float = least
-    bodies: tuple[CollisionBody | None, CollisionBody | None] = (None, None)
+) -> tuple[float, CollisionBody, CollisionBody] | None:
+    """The depth and the two bodies of the deepest overlap of more than ``least``, in m."""
+    deepest = None
     for first, second, bound in pair.bounds:
-        if -bound > depth:
-            found = -contacts.hull_distance(first, second)
-            if found > depth:
-                depth, bodies = found, (first, second)
-    return depth, *bodies
+        if -bound > least:
+            depth = -contacts.hull_distance(first, second)
+            if depth > least:
+                least, deepest = depth, (depth, first, second)
+    return deepest

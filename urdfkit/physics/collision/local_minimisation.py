@@ -86,7 +86,7 @@ class _Bodies:
         self._columns = self._chain.between(*pair)
         self._branches = self._chain.branches(*pair)
         self._links = {*pair, *(step.child for branch in self._branches for step in branch)}
-        self._frames = [examiner.form(body).solid.frame for body in (first, second)]
+        self._frames = [examiner.geometry(body).arrays.frame for body in (first, second)]
         self._drawn = examiner.drawn_frames
 
     def bounds(self) -> Floats:
@@ -94,7 +94,7 @@ class _Bodies:
         return self._query.bounds(*relative(*self._placed(self._drawn)), inf)
 
     def measured(self, positions: Floats, inside: Flags) -> _Measured:
-        """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
+        """Distances at positions (n, k): of the hulls, or of the bodies where the hulls overlap.
 
         Args:
             inside: (n,), where the hulls are known to overlap.

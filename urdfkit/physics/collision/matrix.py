@@ -42,7 +42,7 @@ class PairResult(NamedTuple):
     #: first and second: their names, in the order of the document.
     first: str
     second: str
-    verdict: PairVerdict  # what became of them
+    verdict: PairVerdict  # the result
     moves: bool  # False if only fixed joints lie between
     #: Of collisions, from 0 to 1, in the samples that all pairs were counted in; None for pairs
     #: that these samples say nothing new of.
@@ -67,7 +67,7 @@ class PairResult(NamedTuple):
 
 
 class Matrix(NamedTuple):
-    """All pairs of a robot."""
+    """The collision results of all pairs of links of a robot."""
 
     robot: str  # its name
     pairs: tuple[PairResult, ...]  # in the order of the document

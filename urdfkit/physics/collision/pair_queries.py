@@ -40,13 +40,13 @@ class PairSample(NamedTuple):
 class Examiner:
     """Measures the pairs of one robot."""
 
-    def __init__(self, chain: Chain, forms: Iterable[CollisionGeometry]) -> None:
+    def __init__(self, chain: Chain, geometries: Iterable[CollisionGeometry]) -> None:
         self.chain = chain
         number = {name: index for index, name in enumerate(chain.links)}
-        self._forms = list(forms)
+        self._geometries = list(geometries)
         self._of_link: dict[int, list[int]] = {}
-        for index, one in enumerate(self._forms):
-            self._of_link.setdefault(number[one.solid.link], []).append(index)
+        for index, one in enumerate(self._geometries):
+            self._of_link.setdefault(number[one.arrays.link], []).append(index)
 
     @cached_property
     def drawn(self) -> Floats:
@@ -67,8 +67,8 @@ class Examiner:
         """The numbers of the bodies of a link."""
         return self._of_link[link]
 
-    def form(self, body: int) -> CollisionGeometry:
-        return self._forms[body]
+    def geometry(self, body: int) -> CollisionGeometry:
+        return self._geometries[body]
 
     def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
         """Begin to measure pairs; those farther apart than the limit, in m, are left out."""
@@ -77,7 +77,7 @@ class Examiner:
     def queries(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
         """What measures the bodies of two links, each with the numbers of the bodies."""
         return [
-            (first, second, DistanceQuery(self._forms[first], self._forms[second]))
+            (first, second, DistanceQuery(self._geometries[first], self._geometries[second]))
             for first in self._of_link[pair[0]]
             for second in self._of_link[pair[1]]
         ]
@@ -86,7 +86,7 @@ class Examiner:
         """Where the bodies of some links are, (n, 4, 4) each, by their numbers."""
         of_links = self.chain.frames(configurations, links)
         return {
-            body: of_links[link] @ self._forms[body].solid.frame
+            body: of_links[link] @ self._geometries[body].arrays.frame
             for link in links
             for body in self._of_link[link]
         }
@@ -123,7 +123,7 @@ class _Search:
 
     @property
     def _sure(self) -> float:
-        """From this distance on, in m, nothing is new."""
+        """Distances from here on, in m, need not be measured."""
         return (1 - SLACK) * max(self._best, 0.0)
 
     def at(self, frames: dict[int, Floats], *, count: bool) -> PairSample:

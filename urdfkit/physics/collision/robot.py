@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Collisions:
-    """Of one robot.
+    """The self-collisions of one robot, each computed when it is first needed.
 
     Args:
         need_coal: raises an error if coal cannot be imported; called before it is.

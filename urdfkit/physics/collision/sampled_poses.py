@@ -7,8 +7,8 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import chain
-from urdfkit.physics.collision.collision_geometry import form
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.collision_geometry import build_geometry
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.pair_queries import Examiner, Pair
 from urdfkit.robot.assets.triangles import Meshes
 from urdfkit.robot.model import RobotModel
@@ -35,9 +35,9 @@ class SampledPoses:
     def __init__(
         self, model: RobotModel, tree: KinematicTree, meshes: Meshes, *, unit: bool
     ) -> None:
-        bodies, _ = solids(model, meshes, unit=unit)
+        bodies, _ = collision_arrays(model, meshes, unit=unit)
         self.chain = chain(tree)
-        self._examiner = Examiner(self.chain, map(form, bodies))
+        self._examiner = Examiner(self.chain, map(build_geometry, bodies))
         self._number = {name: index for index, name in enumerate(self.chain.links)}
 
     def colliding(
@@ -46,7 +46,7 @@ class SampledPoses:
         samples: int,
         is_checked: Callable[[frozenset[str]], bool],
     ) -> list[Collision | None]:
-        """For each pair of links that move, a collision that no other one keeps the robot from.
+        """Find for each pair of moving links a collision that no other collision prevents.
 
         Args:
             is_checked: of two links, whether their collisions are avoided; where two of these

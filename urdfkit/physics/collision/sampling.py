@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from urdfkit.core import limits
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
-from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.pair_queries import Pair
 from urdfkit.physics.collision.task import COUNTED, PairFindings, Task
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Pairs that collide in more of them always collide (as in MoveIt's Setup Assistant).
 ALWAYS = 0.95
+#: More processes start more slowly than they help.
+MAX_PROCESSES = 8
 #: More pairs, some 300 links with bodies, are rejected.
 MAX_PAIRS = 50_000
 
@@ -59,7 +61,7 @@ def collisions(
             or in the middle if 0 is beyond their limits.
         units: apply the unit of length that a COLLADA file states, as RViz and Gazebo do; MoveIt
             and Pinocchio take the numbers as metres. As the robot's targets do if not given.
-        jobs: processes; as many as there are processors, up to 8, if not given.
+        jobs: processes; as many as there are processors, up to `MAX_PROCESSES`, if not given.
         progress: called with the number of samples done and of all.
 
     Raises:
@@ -67,10 +69,10 @@ def collisions(
             process can be started.
     """
     applies = robot.targets.applies_units if units is None else units
-    bodies, omitted = solids(robot.model, robot.meshes, unit=applies)
+    bodies, omitted = collision_arrays(robot.model, robot.meshes, unit=applies)
     moving, adjacency = chain(robot.tree), Adjacency(robot.tree)
-    with WorkerPool(moving, bodies, jobs or _processors()) as pool:
-        with_bodies = {solid.link for solid in pool.solids}
+    with WorkerPool(moving, bodies, jobs or min(limits.processors(), MAX_PROCESSES)) as pool:
+        with_bodies = {body.link for body in pool.bodies}
         links = [at for at, name in enumerate(moving.links) if name in with_bodies]
         names = {p: (moving.links[p[0]], moving.links[p[1]]) for p in _pairs(moving, links)}
         moves = {pair: not adjacency.is_rigid(*both) for pair, both in names.items()}
@@ -107,12 +109,6 @@ def _units(robot: RosDescription) -> dict[str, float]:
             if mesh is not None and mesh.unit != 1:
                 found[body.shape.filename.value] = mesh.unit
     return found
-
-
-def _processors() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return min(len(os.sched_getaffinity(0)), 8)
-    return min(os.cpu_count() or 1, 8)
 
 
 def _examined(

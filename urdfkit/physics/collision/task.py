@@ -114,7 +114,7 @@ class _Examination:
     def _measure(
         self, pairs: Sequence[Pair], rows: Floats, *, count: bool
     ) -> Iterator[tuple[Pair, int]]:
-        """In how many of some configurations (n, dof) each of some pairs collides."""
+        """Count the configurations (n, dof) in which each pair collides."""
         for pair, seen in zip(pairs, self._query.at(rows, pairs, count=count), strict=True):
             found = self._found[pair]
             if seen.row >= 0 and seen.distance < found.distance:

@@ -14,15 +14,15 @@ def main() -> None:
     """Answer until there are no more tasks."""
     limit_memory(_MEMORY)
     parent = Parent()
-    from urdfkit.physics.collision.collision_geometry import form
+    from urdfkit.physics.collision.collision_geometry import build_geometry
     from urdfkit.physics.collision.pair_queries import Examiner
 
     received = parent.received()
-    chain, solids = next(received)
-    forms = []
-    for solid in solids:
-        forms.append(form(solid))
-        parent.send(len(forms))  # the caller learns which one was fatal
-    examiner = Examiner(chain, forms)
+    chain, bodies = next(received)
+    geometries = []
+    for body in bodies:
+        geometries.append(build_geometry(body))
+        parent.send(len(geometries))  # the caller learns which one was fatal
+    examiner = Examiner(chain, geometries)
     for task in received:
         parent.send(task.run(examiner))

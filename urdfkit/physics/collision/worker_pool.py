@@ -32,8 +32,8 @@ class WorkerPool:
         CollisionError: no process can be started.
     """
 
-    def __init__(self, chain: Chain, solids: Sequence[CollisionArrays], count: int) -> None:
-        self.solids = list(solids)  # the bodies that coal takes
+    def __init__(self, chain: Chain, bodies: Sequence[CollisionArrays], count: int) -> None:
+        self.bodies = list(bodies)  # those that coal takes
         self.omitted: list[OmittedCollision] = []  # those that crashed it
         self._chain = chain
         self._crashes = 0
@@ -89,15 +89,15 @@ class WorkerPool:
                 break
             self._kill()
             self._note_crash()
-            solid = self.solids.pop(fatal)
-            self.omitted.append(OmittedCollision(solid.link, solid.number, "it crashes coal"))
+            body = self.bodies.pop(fatal)
+            self.omitted.append(OmittedCollision(body.link, body.number, "it crashes coal"))
         for worker in workers:
             self._idle.put(worker)
 
     def _worker(self) -> _Worker:
         if self._is_over:
             raise CollisionError("the sampling was stopped")
-        worker = _Worker(self._chain, self.solids)
+        worker = _Worker(self._chain, self.bodies)
         self._all.append(worker)
         return worker
 
@@ -139,16 +139,16 @@ class WorkerPool:
 
 
 class _Worker(ChildProcess):
-    """One process."""
+    """One worker process."""
 
-    def __init__(self, chain: Chain, solids: Sequence[CollisionArrays]) -> None:
+    def __init__(self, chain: Chain, bodies: Sequence[CollisionArrays]) -> None:
         try:
             super().__init__(_MAIN)
         except OSError as error:
             raise CollisionError(f"no process can be started: {error.strerror}") from error
-        self._total = self._expected = len(solids)
+        self._total = self._expected = len(bodies)
         try:
-            self.send((chain, list(solids)))
+            self.send((chain, list(bodies)))
         except ProcessDied:
             pass  # the result says so
 
@@ -163,7 +163,7 @@ class _Worker(ChildProcess):
         return None
 
     def ask(self, task: Task) -> Any:
-        """The answer to a task.
+        """Send a task and return its result.
 
         Raises:
             ProcessDied: the process crashed.

@@ -27,7 +27,7 @@ class Conditioning(Record):
 
 
 def conditioning(robot: Dynamics) -> Conditioning:
-    """Of the coordinates that move some mass."""
+    """Condition of the mass matrix, of the coordinates that move some mass."""
     matrix = robot.mass_matrix({})
     diagonal = np.diag(matrix)
     moving = np.flatnonzero(diagonal)

@@ -27,7 +27,7 @@ def main() -> None:
 
 
 def _facts(model: object) -> dict[str, object]:
-    """Without Pinocchio's Data, whose memory grows with the cube of the joints."""
+    """Facts of a model without Pinocchio's Data: its memory grows with the cube of the joints."""
     import numpy as np
     import pinocchio as pin
 

@@ -262,7 +262,7 @@ def _build(
 
 
 def _inertia(link: Link) -> pin.Inertia:
-    """Of a link in its own frame."""
+    """Pinocchio's inertia of a link, in the frame of the link."""
     mass, center, moments = properties_of(link, Transform())
     tensor = np.array(moments.rows)
     if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < LARGEST:

@@ -41,7 +41,7 @@ class CollisionProposal(Record):
 
 
 class Edited(Record):
-    """What would be written."""
+    """The edit of the URDF that would be written."""
 
     files: tuple[Rewrite, ...]  # the robot's files with the new collisions
     meshes: dict[str, Mesh]  # new mesh files, by path
@@ -106,7 +106,7 @@ def _lacks_shape(link: Link) -> bool:
 
 
 def _filename(body: Body) -> str:
-    """Of the mesh of a shape; empty for a primitive."""
+    """The mesh file of a shape; empty for a primitive."""
     return body.shape.filename.value if body.shape and body.shape.filename else ""
 
 

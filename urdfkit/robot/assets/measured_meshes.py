@@ -37,7 +37,7 @@ class MeasuredMeshes:
         self._known: dict[str, Measures | str] = {}
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Of a mesh; or why there are none, as a predicate whose subject is the file."""
+        """Measures of a mesh; or why there are none, as a predicate whose subject is the file."""
         path = self._files.path(shape)
         if path is None:
             return "is missing"

@@ -165,7 +165,7 @@ class MeshFiles:
         return found
 
     def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
-        """For a missing file, the reference with upper and lower case as on disk."""
+        """The reference of a missing file, with upper and lower case as on disk."""
         base, relative = self._expected(mesh.located)
         spelling = self.resolver.directories.find_ignoring_case(base, relative)
         if spelling is None:

@@ -30,14 +30,14 @@ class MeshUse(Record):
 
     @property
     def factors(self) -> Vector:
-        """From coordinates of the file to m along x, y and z, as RViz and Gazebo multiply."""
+        """Factors along x, y and z from file coordinates to m, as RViz and Gazebo apply them."""
         x, y, z = self.shape.scale
         unit = self.measures.unit
         return (x * unit, y * unit, z * unit)
 
     @property
     def edges(self) -> Vector:
-        """Of the bounding box along the axes of the file, in m."""
+        """Edge lengths of the bounding box along the axes of the file, in m."""
         x, y, z = (abs(f) * e for f, e in zip(self.factors, self.measures.edges, strict=True))
         return (x, y, z)
 

@@ -82,7 +82,7 @@ class NoSuchMesh(UrdfkitError):
 
 
 class NoSuchSize(UrdfkitError):
-    """No part has such edges."""
+    """No part can be generated with such edges."""
 
 
 def generate_missing(robot: Robot) -> GeneratedMeshes:
@@ -150,7 +150,7 @@ def generate_part(
 
 
 def _require_buildable(size: Vector | None) -> None:
-    """See that solids can be built of a size.
+    """Check that solids can be built in a size.
 
     Raises:
         NoSuchSize: an edge is out of all bounds.

@@ -122,10 +122,14 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
 
 
 def _is_of_unknown_size(one: LinkInertia) -> bool:
-    """True if the shapes mark a place, or are in metres and in millimetres (MSH012, GEO004)."""
+    """True if the shapes mark a place, or are in metres and in millimetres."""
+    return _is_in_two_units(one) or (one.is_marker and one.radius_of_gyration < WIDE)
+
+
+def _is_in_two_units(one: LinkInertia) -> bool:
+    """True if one shape is in metres, another in millimetres (MSH012, GEO004)."""
     lengths = [max(part.longest for part in solid.parts) for solid in one.solids]
-    differ = max(lengths) > SCALED * min(lengths)
-    return differ or (one.is_marker and one.radius_of_gyration < WIDE)
+    return max(lengths) > SCALED * min(lengths)
 
 
 def implausible_density(link: LinkInertia) -> float | None:
@@ -206,7 +210,7 @@ def _is_unlike_shape(link: LinkInertia) -> bool:
     """
     if link.is_noise or link.body.is_ground or not link.differs or link.is_marker:
         return False
-    return link.is_measured or link.is_round
+    return not _is_in_two_units(link) if link.is_measured else link.is_round
 
 
 def _sort_placeholders(

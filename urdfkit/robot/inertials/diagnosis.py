@@ -37,6 +37,12 @@ UNITS = (
 #: Corrected, the moments must be this near to those of the shape, as a factor.
 NEAR = 1.5
 
+#: In kg/m³: of a body that is lighter, the shape is too large, as of millimetres taken for metres.
+_AIR = 1.2
+
+#: Which of two shapes is that of the link is unknown if one is longer by this factor (GEO004).
+_LARGER = 5.0
+
 #: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
 CLEAR = 2e-3
 
@@ -76,6 +82,8 @@ def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
     """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
     expected = link.expected
     assert expected is not None
+    if link.densities and link.densities[1] < _AIR:
+        return Diagnosis("", None, Confidence.GUESSED)
     for cause, tensor in _mistakes(link, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
     other = masses.of_their_shape.get(link.tensor)
@@ -100,9 +108,11 @@ def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
 
 
 def _of_shape(link: LinkInertia) -> Tensor | None:
-    """The tensor of the shape; None where that marks a place, or is too small for the mass."""
-    is_other = link.is_marker or (link.densities and link.densities[0] > HEAVIEST)
-    return None if is_other else link.expected
+    """The tensor of the shape; None where that marks a place, or cannot be that of the mass."""
+    low, high = link.densities or (HEAVIEST, HEAVIEST)
+    lengths = [max(part.longest for part in one.parts) for one in link.solids]
+    is_unknown = link.is_marker or max(lengths, default=0.0) > _LARGER * min(lengths, default=0.0)
+    return None if is_unknown or low > HEAVIEST or high < _AIR else link.expected
 
 
 def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:

@@ -83,7 +83,7 @@ class Masses:
 
     @cached_property
     def of_their_shape(self) -> dict[Tensor, LinkInertia]:
-        """By each tensor that is that of the shape of some link, the first such link."""
+        """The first link for each tensor that equals that of the link's own shape."""
         return {one.tensor: one for one in reversed(self.inertias) if one.is_of_shape}
 
     @cached_property
@@ -236,7 +236,7 @@ class Masses:
 
 
 def unlike(left: LinkInertia, right: LinkInertia) -> str:
-    """In what two links differ beyond tolerance: ``mass``, ``inertia``, or nothing."""
+    """What differs between two links beyond tolerance: ``mass``, ``inertia``, or nothing."""
     light, heavy = sorted((left.mass, right.mass))
     if heavy > PAIR_MASS * light:
         return "mass"

@@ -50,7 +50,7 @@ class InertiaProposal(Record):
 
     @property
     def factor(self) -> float:
-        """By how much the principal moments differ at most; 0 where one side is not known."""
+        """The largest ratio of the principal moments; 0 where one side is not known."""
         if self.declared is None or self.computed is None:
             return 0.0
         pairs = zip(

@@ -13,6 +13,7 @@ from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, IncludedFile, StartedProgram
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice
 from urdfkit.ros.launch.python_mistakes import (
+    added,
     dropped_directory,
     entry_point,
     mistakes,
@@ -117,6 +118,9 @@ class _PythonReader:
                 problems += mistakes(call, self.values)
             if dropped := dropped_directory(call, self.values):
                 problems.append(dropped)
+        for node in self._expressions:
+            if mistake := added(node, self.values):
+                problems.append(mistake)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
             problems += entry_point(self._tree, self.source)

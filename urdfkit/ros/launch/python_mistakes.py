@@ -3,9 +3,10 @@
 import ast
 import re
 from collections.abc import Collection, Iterator
+from itertools import pairwise
 
 from urdfkit.core.suggest import nearest
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source, Span
 
@@ -35,6 +36,8 @@ _FORMER = {
     "node_name": "name",
     "node_namespace": "namespace",
 }
+#: What gives a text at run time.
+_SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
 #: Numbers and booleans, as launch has texts and substitutions only.
 _NO_TEXT = (bool, int, float)
@@ -52,7 +55,7 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
     elif name in _SOURCES:
         yield from _source(call, values)
     elif name == "ExecuteProcess":
-        yield from _words(argument(call, 0, "cmd"), values)
+        yield from _process(call, values)
     elif name == "DeclareLaunchArgument":
         yield from _text(argument(call, 1, "default_value"), "default_value", values)
     elif name == "IncludeLaunchDescription":
@@ -142,6 +145,27 @@ def _held(call: ast.Call, values: Values) -> Iterator[Problem]:
     if node is not None and isinstance(given, ast.Call) and called(given) in _ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
         yield _rejected(node, message, "write it in [ ]", values)
+    for item in values.items(node) if isinstance(given, ast.List) else ():
+        if item is not None and isinstance(values.suggested(item), ast.List):
+            message = f"{name} of {called(call)} holds a list, where launch takes actions"
+            yield _rejected(item, message, "write a * before it, or + between the lists", values)
+
+
+def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A command line that is not one word for each item of a list."""
+    node = argument(call, 0, "cmd")
+    given = values.suggested(node)
+    yield from _words(node, values)
+    if node is None or argument(call, None, "shell") is not None:
+        return
+    first = values.items(node)[:1]
+    text = first[0].value if first and isinstance(first[0], ast.Constant) else None
+    if isinstance(given, ast.Constant) and isinstance(given.value, str):
+        message = "cmd of ExecuteProcess is a text, which launch takes apart into letters"
+        yield _rejected(node, message, f"write {given.value.split()}", values)
+    elif isinstance(text, str) and " " in text.strip() and first[0] is not None:
+        message = f"'{text}' is one word, so launch looks for a program of that whole name"
+        yield _rejected(first[0], message, "write one item for each word, or shell=True", values)
 
 
 def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -153,6 +177,32 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
         if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
             yield _rejected(call.func, message, f"write {other}", values)
+    yield from missing_slash(values.items(node), values)
+
+
+def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterator[Problem]:
+    """A path behind the directory of a package without a slash: launch joins them as they are."""
+    for before, piece in pairwise(pieces):
+        directory = values.suggested(before)
+        text = piece.value if isinstance(piece, ast.Constant) else None
+        is_package = isinstance(directory, ast.Call) and called(directory) in PACKAGE_DIRECTORY
+        if piece is not None and is_package and isinstance(text, str) and text[:1].isalpha():
+            message = f"'{text}' follows the directory of a package without a slash"
+            yield _rejected(piece, message, f"write '/{text}'", values)
+
+
+def added(node: ast.expr, values: Values) -> Problem | None:
+    """A text and a substitution with a plus between them, which Python rejects."""
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Add):
+        return None
+    sides = [values.suggested(side) for side in (node.left, node.right)]
+    is_text = [isinstance(side, ast.Constant) and isinstance(side.value, str) for side in sides]
+    names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
+    found = next((name for name in names if name in _SUBSTITUTIONS), "")
+    if not (found and any(is_text)):
+        return None
+    message = f"a text and a {found} cannot be added: its value is known at run time only"
+    return _rejected(node, message, "write both into a list, with a comma between them", values)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -162,6 +212,12 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
         is_text = isinstance(given, ast.Constant) and isinstance(given.value, str)
         if node is not None and (is_text or isinstance(given, ast.Dict)):
             yield _rejected(node, f"{name} of Node is not {what}", "write it in [ ]", values)
+    pairs = argument(call, None, "remappings")
+    for pair in values.items(pairs) if isinstance(values.suggested(pairs), ast.List) else ():
+        if isinstance(pair, ast.Constant) and isinstance(pair.value, str):
+            names = tuple(pair.value.split(":="))
+            help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
+            yield _rejected(pair, f"'{pair.value}' in remappings is not a pair", help, values)
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:

@@ -72,13 +72,16 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
         return  # its attributes are not read
+    if ros == 1:
+        yield from _given_twice(element, frame)
     known = own.names(element.tag)
     for attribute in element.attributes.values():
         name = attribute.name
         yield from _substitutions(attribute, ros, frame)
         path = f"{element.tag}/@{name}"
+        yield from _condition(attribute, frame)
         words = own.words.get(path, "").split()
-        if words and attribute.value not in words and "$" not in attribute.value:
+        if words and attribute.value.lower() not in words and "$" not in attribute.value:
             message = f"<{element.tag}>: {name} is '{attribute.value}'"
             yield Problem("LAU010", attribute.span, message, f"write {' or '.join(words)}", frame)
         if name in known or name in _CONDITIONS or _OF_OTHERS.search(name):
@@ -87,6 +90,30 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
         help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
         message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
+
+
+def _condition(attribute: Attribute, frame: CallFrame | None) -> Iterator[Problem]:
+    """A condition with words around its substitution, which launch does not compare."""
+    text = attribute.value
+    outside = re.sub(r"\$\([^()]*\)", "", text)
+    if (
+        attribute.name in _CONDITIONS
+        and outside.strip()
+        and outside != text
+        and "$(" not in outside
+    ):
+        message = f"<{attribute.element.tag}>: {attribute.name} is '{text}', no boolean"
+        help = "write $(eval ...) around all of it"
+        yield Problem("LAU010", attribute.span, message, help, frame, severity=Severity.ERROR)
+
+
+def _given_twice(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
+    """An argument with a value and a default, which roslaunch rejects."""
+    default = element.attributes.get("default")
+    if element.tag == "arg" and default is not None and "value" in element.attributes:
+        message = f"argument '{element.get('name')}' has a value and a default"
+        help = "keep the default if callers may set it, else the value"
+        yield Problem("LAU010", default.span, message, help, frame, severity=Severity.ERROR)
 
 
 def _substitutions(attribute: Attribute, ros: int, frame: CallFrame | None) -> Iterator[Problem]:

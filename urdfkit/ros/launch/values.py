@@ -12,7 +12,7 @@ from urdfkit.text.source import Source, Span
 #: Expressions inside one another that are followed.
 MAX_DEPTH = 40
 
-_PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
+PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
 JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
@@ -106,7 +106,7 @@ class Values:
 
     def _of_call(self, call: ast.Call, depth: int) -> str | None:
         name = called(call)
-        if name in _PACKAGE_DIRECTORY:
+        if name in PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
         if name in JOINED:
             parts = list(call.args)
@@ -121,7 +121,7 @@ class Values:
             return self.text(argument(call, 0, "name"), depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...)
-            is_one = isinstance(package, ast.Call) and called(package) in _PACKAGE_DIRECTORY
+            is_one = isinstance(package, ast.Call) and called(package) in PACKAGE_DIRECTORY
             return self.text(package, depth + 1) if is_one else None
         if name == "perform" and isinstance(call.func, ast.Attribute):
             return self.text(call.func.value, depth + 1)  # in an OpaqueFunction

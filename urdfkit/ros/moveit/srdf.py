@@ -186,6 +186,8 @@ def find(
     found = [srdf for srdf in read_files if srdf is not None]
     same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
+    if len(chosen) > 1:  # MoveIt's builder takes the one that is called like the robot's file
+        chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not found:
         others = other_srdf_files(path, tree.model.name, resolver)
         read_files = map(read_one, others)

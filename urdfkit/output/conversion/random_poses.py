@@ -1,0 +1,29 @@
+"""Random poses at which a converted robot is compared with the original."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from random import Random
+
+from urdfkit.robot.model import Joint
+
+#: In rad or m: positions stay between these where no limit is nearer.
+_REACH = 3.0
+
+
+def random_poses(joints: Iterable[Joint], count: int) -> Iterator[dict[str, float]]:
+    """Poses within the limits of joints, in rad or m by name; the first one is empty: all at zero.
+
+    They are the same in every run.
+    """
+    ranges = {joint.name: _range(joint) for joint in joints}
+    random = Random(0)
+    for number in range(count):
+        yield {name: random.uniform(*ends) for name, ends in ranges.items()} if number else {}
+
+
+def _range(joint: Joint) -> tuple[float, float]:
+    limit = joint.limit if joint.kind != "continuous" else None
+    lower = max(limit.lower.value if limit and limit.lower else -_REACH, -_REACH)
+    upper = min(limit.upper.value if limit and limit.upper else _REACH, _REACH)
+    return lower, max(lower, upper)

@@ -1,0 +1,107 @@
+"""Reads an SDF model by the semantics of SDF 1.7 to 1.11.
+
+Nothing here knows how the file was made: frames come from ``relative_to`` and ``attached_to``,
+bodies from what is attached to a link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from urdfkit.core.spatial import Transform, from_rpy, rotation_about, times, unit
+from urdfkit.errors import UrdfkitError
+from urdfkit.robot.values import numbers, vector
+from urdfkit.text.document import Element
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
+
+
+class Sdf:
+    """The model in an SDF file.
+
+    Raises:
+        UrdfkitError: it holds none.
+    """
+
+    def __init__(self, source: Source) -> None:
+        document, _ = read_xml(source)
+        model = document.root.child("model") if document else None
+        if model is None:
+            raise UrdfkitError(f"{source.path}: has no model")
+        self.links, self.joints, self._frames = (
+            {one.get("name") or "": one for one in model.all(tag)}
+            for tag in ("link", "joint", "frame")
+        )
+        self._children = {text(joint, "child"): joint for joint in self.joints.values()}
+        self.counts = {
+            "link": len(self.links),
+            "joint": len(self.joints),
+            "frame": len(self._frames),
+            "sensor": sum(one.tag == "sensor" for one in model.walk()),
+            "plugin": sum(one.tag == "plugin" for one in model.walk()),
+        }
+
+    def link_of(self, name: str) -> str:
+        """The link that a link or frame belongs to; empty if there is none."""
+        seen = set()
+        while name in self._frames and name not in seen:
+            seen.add(name)
+            name = self._frames[name].get("attached_to") or ""
+        return name if name in self.links else ""
+
+    def placed(self, names: Iterable[str], moved: Mapping[str, float]) -> dict[str, Transform]:
+        """Where links and frames are in the model.
+
+        Args:
+            moved: positions of joints in rad or m, by name.
+
+        Raises:
+            UrdfkitError: one of them is nowhere.
+        """
+        found: dict[str, Transform] = {"__model__": Transform(), "world": Transform()}
+        known = {*self.links, *self._frames, *self.joints}
+        for wanted in names:
+            steps: list[tuple[str, Transform]] = []
+            name = wanted
+            while name not in found:
+                if name not in known or len(steps) > len(known):
+                    raise UrdfkitError(f"the SDF does not say where '{wanted}' is")
+                before, step = self._step(name, moved)
+                steps.append((name, step))
+                name = before
+            for one, step in reversed(steps):
+                found[one] = found[name] @ step
+                name = one
+        return found
+
+    def _step(self, name: str, moved: Mapping[str, float]) -> tuple[str, Transform]:
+        """What a link, frame or joint is relative to, and where it is in that."""
+        if name in self.joints:
+            joint = self.joints[name]
+            before, at = pose(joint)
+            axis = joint.child("axis")
+            direction = vector(text(axis, "xyz")) if axis else None
+            motion = Transform()
+            if direction is not None and joint.get("type") == "revolute":
+                motion = Transform(rotation_about(unit(direction), moved.get(name, 0.0)))
+            elif direction is not None:
+                along = times(unit(direction), moved.get(name, 0.0))
+                motion = Transform(position=along)
+            return before or text(joint, "child"), at @ motion
+        element = self._frames.get(name) or self.links[name]
+        before, at = pose(element)
+        return before or element.get("attached_to") or "__model__", at
+
+
+def text(element: Element, tag: str) -> str:
+    child = element.child(tag)
+    return child.text.strip() if child else ""
+
+
+def pose(element: Element) -> tuple[str, Transform]:
+    pose = element.child("pose")
+    if pose is None:
+        return "", Transform()
+    values = numbers(pose.text) or (0.0,) * 6
+    x, y, z, roll, pitch, yaw = values
+    return pose.get("relative_to") or "", Transform(from_rpy(roll, pitch, yaw), (x, y, z))
