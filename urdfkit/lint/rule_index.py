@@ -7,7 +7,7 @@ rule, and a rule is imported only when it may have something to report.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
 
 from urdfkit.core.record import Record
@@ -58,14 +58,16 @@ _redirects: dict[str, str] = {}
 def _known() -> dict[str, str]:
     """The module of every rule, by code; read from the file names, nothing is imported."""
     if not _modules:
-        found: dict[str, str] = {}
-        for family in os.listdir(_CHECKS):
-            if family.isidentifier() and not family.startswith("_"):
-                for file in os.listdir(os.path.join(_CHECKS, family)):
-                    if file.endswith(".py") and (code := code_of(file[:-3])):
-                        found[code] = f"urdfkit.checks.{family}.{file[:-3]}"
-        _modules.update(sorted(found.items()))
+        families = (name for name in os.listdir(_CHECKS) if name.isidentifier() and name[0] != "_")
+        _modules.update(sorted(found for family in families for found in _in_family(family)))
     return _modules
+
+
+def _in_family(family: str) -> Iterator[tuple[str, str]]:
+    """The codes of the rules in a directory, with their modules."""
+    for file in os.listdir(os.path.join(_CHECKS, family)):
+        if file.endswith(".py") and (code := code_of(file[:-3])):
+            yield code, f"urdfkit.checks.{family}.{file[:-3]}"
 
 
 def codes() -> list[str]:

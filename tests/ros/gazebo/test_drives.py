@@ -3,21 +3,21 @@ import pytest
 from tests.gazebos import BASE, WHEELS, wheel
 from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_direction
+from urdfkit.ros.gazebo.drives import Wheel, wheel_of, wrong_direction
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 
-def rolling_of(robot: str, *names: str) -> list[DrivenWheel]:
+def wheels_of(robot: str, *names: str) -> list[Wheel]:
     context = Context(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
     joints = context.model.joints_by_name
-    found = [rolling(joints[f"{name}_joint"], context.tree) for name in names]
+    found = [wheel_of(joints[f"{name}_joint"], context.tree) for name in names]
     assert None not in found
     return [one for one in found if one]
 
 
 def test_where_a_wheel_is_and_how_it_turns() -> None:
-    (left,) = rolling_of(BASE + wheel("left", 0.15, radius=0.07, at=0.02), "left")
+    (left,) = wheels_of(BASE + wheel("left", 0.15, radius=0.07, at=0.02), "left")
     assert left.joint.name == "left_joint"
     assert left.axis == (0.0, 1.0, 0.0)
     assert left.radius == pytest.approx(0.07)
@@ -28,13 +28,13 @@ def test_where_a_wheel_is_and_how_it_turns() -> None:
 def test_a_wheel_without_a_shape_is_where_its_joint_is() -> None:
     text = '<link name="tyre"/><joint name="bare_joint" type="continuous"><parent link="base"/>'
     text += '<child link="tyre"/><origin xyz="0 0.2 0"/><axis xyz="0 0 3"/></joint>'
-    (bare,) = rolling_of(BASE + text, "bare")
+    (bare,) = wheels_of(BASE + text, "bare")
     assert (bare.hub, bare.radius, bare.center) == (None, None, (0.0, 0.2, 0.0))
     assert bare.axis == (0.0, 0.0, 1.0)
 
 
 def test_left_is_where_the_axis_points() -> None:
-    left, right = rolling_of(WHEELS, "left", "right")
+    left, right = wheels_of(WHEELS, "left", "right")
     assert wrong_direction(left, right) is None
     message, remedy = wrong_direction(right, left) or ("", "")
     assert message.startswith("left joint 'right_joint' is 0.3 m to the right of 'left_joint'")
@@ -43,14 +43,14 @@ def test_left_is_where_the_axis_points() -> None:
 
 def test_both_axes_the_other_way_turn_the_robot_round() -> None:
     robot = BASE + wheel("left", 0.15, axis="0 -1 0") + wheel("right", -0.15, axis="0 -1 0")
-    left, right = rolling_of(robot, "left", "right")
+    left, right = wheels_of(robot, "left", "right")
     assert wrong_direction(left, right) is not None
     assert wrong_direction(right, left) is None
 
 
 def test_axes_against_each_other() -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
-    left, right = rolling_of(robot, "left", "right")
+    left, right = wheels_of(robot, "left", "right")
     assert left.is_parallel(right)
     message, remedy = wrong_direction(left, right) or ("", "")
     assert message.startswith("the axes of 'left_joint' and 'right_joint' are opposite")
@@ -60,5 +60,5 @@ def test_axes_against_each_other() -> None:
 @pytest.mark.parametrize(("y", "axis"), [(0.149, "0 1 0"), (-0.15, "1 0 0"), (-0.15, "0 1 0.1")])
 def test_wheels_that_are_not_left_and_right_of_each_other(y: float, axis: str) -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", y, axis=axis)
-    left, right = rolling_of(robot, "left", "right")
+    left, right = wheels_of(robot, "left", "right")
     assert wrong_direction(left, right) is wrong_direction(right, left) is None

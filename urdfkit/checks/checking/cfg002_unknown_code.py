@@ -20,14 +20,11 @@ GOOD = BAD.replace("TRE999", "TRE003")
 
 @rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")
 def check(context: Context) -> Findings:
-    for ignore in context.ignores:
-        for word, span in ignore.codes:
-            try:
-                matching(word)
-            except UnknownRule as error:
-                yield Finding(Location(span), str(error))
-            else:
-                if message := ignore_note(word):
-                    yield Finding(
-                        Location(span), message, "write the new code", severity=Severity.INFO
-                    )
+    for word, span in (code for ignore in context.ignores for code in ignore.codes):
+        try:
+            matching(word)
+        except UnknownRule as error:
+            yield Finding(Location(span), str(error))
+            continue
+        if message := ignore_note(word):
+            yield Finding(Location(span), message, "write the new code", severity=Severity.INFO)

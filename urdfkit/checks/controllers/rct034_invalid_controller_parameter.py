@@ -80,24 +80,36 @@ def check(context: Context) -> Findings:
         for span, message, help in _invalid_values(of_manager(), section):
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
-    everywhere = named_sections(context)
+    sections = named_sections(context)
     for file, found in context.controllers:
         names = {one.name for one in found}
-        others = {n: section for n, section in everywhere.items() if n not in names}
+        others = {name: section for name, section in sections.items() if name not in names}
         for one in found:
             if _is_of_workspace(context, one):
                 continue
-            known = parameters_of(one.type, one.ros)
-            own = everywhere.get(one.name, one.section)
-            problems = [*_unknown_class(one), *_missing(one, own, others)]
-            if known is not None:
-                problems += _invalid_values(known, one.section)
-            problems += invalid_interfaces(one)
-            typos = [*_misspelt(one), *without_gains(one, own)]
-            for severity, several in ((None, problems), (Severity.WARNING, typos)):
-                for span, message, help in several:
-                    at, whole = Location(span), f"controller '{one.name}': {message}"
-                    yield Finding(at, whole, help, related=(file.note,), severity=severity)
+            own = sections.get(one.name, one.section)
+            for severity, (span, message, help) in _problems(one, own, others):
+                at, whole = Location(span), f"controller '{one.name}': {message}"
+                yield Finding(at, whole, help, related=(file.note,), severity=severity)
+
+
+def _problems(
+    controller: Controller, own: Section, others: dict[str, Section]
+) -> Iterator[tuple[Severity | None, _Problem]]:
+    """What is wrong with a controller, with the severity where it is not that of the rule.
+
+    Args:
+        own: the section with its parameters.
+        others: the sections of what is no controller of the same file, by name.
+    """
+    wrong = [*_unknown_class(controller), *_missing(controller, own, others)]
+    known = parameters_of(controller.type, controller.ros)
+    if known is not None:
+        wrong += _invalid_values(known, controller.section)
+    wrong += invalid_interfaces(controller)
+    yield from ((None, problem) for problem in wrong)
+    likely = (*_misspelt(controller), *without_gains(controller, own))
+    yield from ((Severity.WARNING, problem) for problem in likely)
 
 
 def _is_of_workspace(context: Context, controller: Controller) -> bool:

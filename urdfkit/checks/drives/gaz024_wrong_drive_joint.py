@@ -13,6 +13,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import bounds
+from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
 from urdfkit.ros.gazebo.samples import WHEELED, gazebo_xml, plugin_xml
@@ -51,14 +52,17 @@ def check(context: Context) -> Findings:
                     "name the joint of the other wheel",
                     related=(Related(other.item.at.span, "also named here"),),
                 )
-            elif joint is None or "steer" in name.lower():
-                continue
-            elif joint.kind in ("revolute", "prismatic", "floating", "planar"):
-                ends = bounds(joint)
-                if joint.kind == "revolute" and ends and ends[1] - ends[0] > ENDLESS:
-                    continue
+            elif joint and "steer" not in name.lower() and _has_ends(joint):
                 yield Finding(
                     at,
                     f"{use.title} drives joint '{joint.name}' as a wheel, but it is {joint.kind}",
                     "make the joint continuous, or name the joint of the wheel",
                 )
+
+
+def _has_ends(joint: Joint) -> bool:
+    """True if a joint cannot turn on and on, as a wheel does."""
+    ends = bounds(joint)
+    if joint.kind == "revolute" and ends:
+        return ends[1] - ends[0] <= ENDLESS
+    return joint.kind in ("revolute", "prismatic", "floating", "planar")

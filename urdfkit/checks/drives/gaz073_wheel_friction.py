@@ -80,8 +80,8 @@ def _driven(context: Context) -> Iterator[str]:
     """The links of the wheels that drive plugins and drive controllers turn."""
     for use in context.plugins:
         if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
-            for wheel in wheels(use, context.tree):
-                yield wheel.rolling.joint.child_name
+            for one in wheels(use, context.tree):
+                yield one.wheel.joint.child_name
     for _, found in context.controllers:
         for controller in found:
             kind = controller.kind

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, rolling, wheels
+from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def check(context: Context) -> Findings:
 def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     driven = list(wheels(use, context.tree))
     size = "diameter" if kind.diameter else "radius"
-    radius = _radius([wheel.rolling for wheel in driven])
+    radius = _radius([one.wheel for one in driven])
     sizes = [2 * one if kind.diameter else one for one in radius]
     apart = _separations(driven)
     for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", apart)):
@@ -80,9 +80,9 @@ def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
             yield Finding(at, message, _help(real[0]), weight=abs(value - real[0]))
 
 
-def _separations(driven: list[Wheel]) -> list[float]:
+def _separations(driven: list[DrivenWheel]) -> list[float]:
     """How far the first pair of parallel wheels is apart, in m."""
-    for left, right in ((left.rolling, right.rolling) for left, right in pairs(driven)):
+    for left, right in ((left.wheel, right.wheel) for left, right in pairs(driven)):
         if left.is_parallel(right):
             return _distances(left, right, left.axis) if left.hub and right.hub else []
     return []
@@ -131,27 +131,27 @@ def _real(measure: Measure, controller: Controller, context: Context) -> list[fl
     return _distances(left, right, left.axis) if are_apart else []
 
 
-def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[DrivenWheel]:
+def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[Wheel]:
     """The wheels that some parameters name; empty if one of them is unknown."""
     joints = (context.model.joints_by_name.get(name.text) for name in controller.values(names))
-    found = [rolling(joint, context.tree) if joint else None for joint in joints]
+    found = [wheel_of(joint, context.tree) if joint else None for joint in joints]
     known = [wheel for wheel in found if wheel]
     return known if len(known) == len(found) else []
 
 
-def _radius(found: list[DrivenWheel]) -> list[float]:
+def _radius(found: list[Wheel]) -> list[float]:
     """The radius of some wheels in m; empty if they have several, or if it is unknown."""
     radii = [wheel.radius for wheel in found if wheel.radius is not None]
     is_one = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
     return radii[:1] if is_one else []
 
 
-def _centre(found: list[DrivenWheel]) -> Vector:
+def _centre(found: list[Wheel]) -> Vector:
     x, y, z = (sum(part) / len(found) for part in zip(*(w.origin for w in found), strict=True))
     return x, y, z
 
 
-def _distances(a: DrivenWheel, b: DrivenWheel, along: Vector | None = None) -> list[float]:
+def _distances(a: Wheel, b: Wheel, along: Vector | None = None) -> list[float]:
     """Between the tyres and between the joints of two wheels; along a direction if there is one."""
     apart = [minus(a.origin, b.origin)]
     if a.hub and b.hub:

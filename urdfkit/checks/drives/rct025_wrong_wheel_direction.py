@@ -29,7 +29,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
-from urdfkit.ros.gazebo.drives import drive_of, pairs, rolling, wheels, wrong_direction
+from urdfkit.ros.gazebo.drives import drive_of, pairs, wheel_of, wheels, wrong_direction
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Related
@@ -72,7 +72,7 @@ def _of_drives(context: Context) -> Findings:
             if "diff_drive" not in controller.type or not left or not right:
                 continue
             joints = [context.model.joints_by_name.get(one.text) for one in (*left, *right)]
-            first, second = (rolling(joint, context.tree) if joint else None for joint in joints)
+            first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
             if first and second and (wrong := wrong_direction(first, second)):
                 message = f"controller '{controller.name}': {wrong[0]}"
                 at = Location(left[0].span)
@@ -84,7 +84,7 @@ def _of_plugin(use: PluginUse, context: Context) -> Findings:
     if kind is None or kind.steered or use.values("legacyMode"):
         return
     for left, right in pairs(list(wheels(use, context.tree))):
-        if wrong := wrong_direction(left.rolling, right.rolling):
+        if wrong := wrong_direction(left.wheel, right.wheel):
             other = Related(right.reference.item.at.span, "the right joint is named here")
             at, message = left.reference.item.at, f"{use.title}: {wrong[0]}"
             yield Finding(at, message, wrong[1], related=(other,))

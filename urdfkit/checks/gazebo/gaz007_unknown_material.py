@@ -22,7 +22,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.targets import GZ
+from urdfkit.ros.targets import GZ, Targets
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 from urdfkit.workspace.file_head import read_head
@@ -44,27 +44,29 @@ def check(context: Context) -> Findings:
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
     suggester = Suggester(bare)
-    is_fortress = context.targets.any_of(("gz-fortress",))
-    is_gz = context.targets.any_of(("gz-harmonic", "gz-jetty"))
     scripted: set[str] | None = None  # not known
-    for block in context.model.gazebo:
-        for child in block.all("material") if block.get("reference") else ():
-            name = child.get("value") or child.text.strip()
-            if name in known:
-                if is_fortress:
-                    message = f"material '{name}' has no effect in Gazebo Fortress"
-                    yield Finding(child, message, severity=Severity.INFO)
-                elif is_gz and known[name].is_textured:
-                    message = f"gz-sim does not draw the texture of material '{name}'"
-                    yield Finding(child, message, severity=Severity.INFO)
-            # Another prefix is that of a vendor's own scripts.
-            elif "/" not in name or name.lower().startswith("gazebo/"):
-                if scripted is None:
-                    scripted = set() if context.targets.any_of(GZ) else _scripted(context)
-                if name in scripted:
-                    continue
+    of_links = (block for block in context.model.gazebo if block.get("reference"))
+    for child in (child for block in of_links for child in block.all("material")):
+        name = child.get("value") or child.text.strip()
+        if name in known:
+            if message := _without_effect(name, known[name].is_textured, context.targets):
+                yield Finding(child, message, severity=Severity.INFO)
+        # Another prefix is that of a vendor's own scripts.
+        elif "/" not in name or name.lower().startswith("gazebo/"):
+            if scripted is None:
+                scripted = set() if context.targets.any_of(GZ) else _scripted(context)
+            if name not in scripted:
                 suggested = suggester.suggested(name.rpartition("/")[2])
                 yield _finding(child, name, bare.get(suggested, ""))
+
+
+def _without_effect(name: str, is_textured: bool, targets: Targets) -> str:
+    """What new versions of Gazebo do not draw of a material of Gazebo Classic; empty if nothing."""
+    if targets.any_of(("gz-fortress",)):
+        return f"material '{name}' has no effect in Gazebo Fortress"
+    if is_textured and targets.any_of(("gz-harmonic", "gz-jetty")):
+        return f"gz-sim does not draw the texture of material '{name}'"
+    return ""
 
 
 def _scripted(context: Context) -> set[str]:

@@ -99,17 +99,17 @@ def _of_gazebo(context: Context) -> Findings:
                 help = "refer to the camera's link, and name the optical frame in the plugin"
                 yield Finding(sensor.at, message, help, group_key="optical")
             continue
-        for parent in (sensor.at, *sensor.plugins):
-            for frame in (one for tag in _FRAME_IDS for one in parent.all(tag)):
-                if frame.text.strip() == link:
-                    yield Finding(
-                        frame,
-                        f"{sensor.who}: images are published with frame_id '{link}', which is "
-                        "x-forward",
-                        "name an optical frame: a child link with rpy -1.5708 0 -1.5708",
-                        group_key="not optical",
-                        severity=Severity.INFO,
-                    )
+        parents = (sensor.at, *sensor.plugins)
+        for frame in (one for parent in parents for tag in _FRAME_IDS for one in parent.all(tag)):
+            if frame.text.strip() == link:
+                yield Finding(
+                    frame,
+                    f"{sensor.who}: images are published with frame_id '{link}', which is "
+                    "x-forward",
+                    "name an optical frame: a child link with rpy -1.5708 0 -1.5708",
+                    group_key="not optical",
+                    severity=Severity.INFO,
+                )
 
 
 def _looks_aside(context: Context, optical: str) -> bool:

@@ -53,22 +53,25 @@ def _duplicate_interfaces(blocks: list[Component]) -> Findings:
     """One finding for each joint: with two blocks, all of its interfaces are there twice."""
     first: dict[tuple[str, ...], Related] = {}
     reported: set[tuple[int, str]] = set()
-    for number, component in enumerate(blocks):
-        for part in component.parts:
-            for interface in part.interfaces:
-                # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
-                key = (part.kind, part.name, interface.direction, interface.name)
-                if not part.name or not interface.name:
-                    continue
-                if key not in first:
-                    note = f"first declared here, in {component.called}"
-                    first[key] = Related(interface.at.span, note)
-                elif (number, part.name) not in reported:
-                    reported.add((number, part.name))
-                    yield Finding(
-                        interface.at,
-                        f"{part.kind} '{part.name}': {interface.direction} interface "
-                        f"'{interface.name}' is declared twice",
-                        related=(first[key],),
-                        group_key=component.called,
-                    )
+    named = (
+        (number, component, part, interface)
+        for number, component in enumerate(blocks)
+        for part in component.parts
+        for interface in part.interfaces
+        if part.name and interface.name
+    )
+    for number, component, part, interface in named:
+        # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
+        key = (part.kind, part.name, interface.direction, interface.name)
+        if key not in first:
+            note = f"first declared here, in {component.called}"
+            first[key] = Related(interface.at.span, note)
+        elif (number, part.name) not in reported:
+            reported.add((number, part.name))
+            yield Finding(
+                interface.at,
+                f"{part.kind} '{part.name}': {interface.direction} interface "
+                f"'{interface.name}' is declared twice",
+                related=(first[key],),
+                group_key=component.called,
+            )

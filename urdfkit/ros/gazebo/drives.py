@@ -22,7 +22,7 @@ _PARALLEL = 0.999
 _APART = 0.01
 
 
-class DrivenWheel(Record):
+class Wheel(Record):
     """A wheel in the frame of the root, when all joints are at zero."""
 
     joint: Joint  # that turns it
@@ -41,17 +41,17 @@ class DrivenWheel(Record):
         """True if it turns about the vertical, tyre and all."""
         return self.hub is not None and abs(self.axis[2]) >= _PARALLEL
 
-    def is_parallel(self, other: DrivenWheel) -> bool:
+    def is_parallel(self, other: Wheel) -> bool:
         """True if two wheels turn about the same direction, in either sense."""
         return abs(dot(self.axis, other.axis)) >= _PARALLEL
 
 
-class Wheel(Record):
+class DrivenWheel(Record):
     """A wheel that a drive plugin turns."""
 
     reference: Reference  # the parameter that names its joint
     side: str  # ``left`` or ``right``; empty if the parameter does not say
-    rolling: DrivenWheel  # where it is, and how it turns
+    wheel: Wheel  # where it is, and how it turns
 
 
 def drive_of(use: PluginUse) -> Drive | None:
@@ -68,7 +68,7 @@ def driven(use: PluginUse) -> list[Reference]:
     return [one for one in references if names in ("*", one.parameter.name)]
 
 
-def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
+def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[DrivenWheel]:
     """The wheels of a drive that turn in the model."""
     for reference in driven(use):
         joint = tree.model.joints_by_name.get(reference.name)
@@ -76,28 +76,28 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
         if joint is None or joint.kind not in ("continuous", "revolute") or "steer" in name:
             continue
         side = "left" if "left" in name else "right" if "right" in name else ""
-        if found := rolling(joint, tree):
-            yield Wheel(reference, side, found)
+        if found := wheel_of(joint, tree):
+            yield DrivenWheel(reference, side, found)
 
 
-def rolling(joint: Joint, tree: KinematicTree) -> DrivenWheel | None:
+def wheel_of(joint: Joint, tree: KinematicTree) -> Wheel | None:
     """The wheel that turns about a joint; None if the joint is not in the tree."""
     frame = tree.frames.get(joint.child_name)
     axis = direction(joint)
     if frame is None:
         return None
     hub, radius = _tyre(tree.model.links_by_name[joint.child_name], frame, axis)
-    return DrivenWheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
+    return Wheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
 
 
-def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
+def pairs(found: list[DrivenWheel]) -> Iterator[tuple[DrivenWheel, DrivenWheel]]:
     """Left and right wheels in the order of their parameters."""
     left = [wheel for wheel in found if wheel.side == "left"]
     right = [wheel for wheel in found if wheel.side == "right"]
     yield from zip(left, right, strict=False)
 
 
-def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None:
+def wrong_direction(left: Wheel, right: Wheel) -> tuple[str, str] | None:
     """Why a drive does not move a robot as commanded, and the help; None if it does.
 
     A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis

@@ -49,16 +49,16 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             continue
         listed = _listed(held, values)
         direct = {item.id: item for item in listed if isinstance(item, ast.Name)}
-        for item in listed:
-            for name in _later(values.suggested(item), values):
-                if name.id in direct and _is_action(name, values):
-                    yield Problem(
-                        "LAU010",
-                        values.span(direct[name.id]),
-                        f"'{name.id}' is started twice, and launch stops at the second time",
-                        "keep it in the event handler only",
-                        severity=Severity.ERROR,
-                    )
+        later = (name for item in listed for name in _later(values.suggested(item), values))
+        for name in later:
+            if name.id in direct and _is_action(name, values):
+                yield Problem(
+                    "LAU010",
+                    values.span(direct[name.id]),
+                    f"'{name.id}' is started twice, and launch stops at the second time",
+                    "keep it in the event handler only",
+                    severity=Severity.ERROR,
+                )
 
 
 def _later(action: ast.expr | None, values: Values) -> Iterator[ast.Name]:
