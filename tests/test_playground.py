@@ -148,7 +148,8 @@ def zipped(work: Path) -> Path:
 
 
 def drop(page: Page, path: Path) -> None:
-    """Open a file as if it were chosen."""
+    """Open a file as if it were chosen, once the robot that the page starts with is checked."""
+    wait(page, lambda: is_checked(page))
     page.driver.execute_script("document.getElementById('status').textContent = ''")
     page.find("#open").send_keys(str(path))
     wait(page, lambda: is_checked(page))

@@ -224,5 +224,5 @@ def test_a_root_with_an_inertial_of_no_mass_is_not_to_be_given_one() -> None:
     """ayspot_a0: "give it an <inertial>" beside the <inertial>."""
     tensor = (0.01, 0, 0, 0.01, 0, 0.01)
     robot = part("base", 0, tensor, BALL) + part("arm", 1, tensor, BALL)
-    found = reported("INE004", robot + joint("base", "arm", "revolute"), targets=["classic-ros1"])
+    found = reported("INE004", robot + joint("base", "arm", "revolute"), targets=("classic-ros1",))
     assert [one.help[:20] for one in found] == ["write its mass in kg"]

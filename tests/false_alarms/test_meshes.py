@@ -24,3 +24,15 @@ def test_a_cavity_faces_inwards(tmp_path: Path, around: list[list[Vector]], coun
     add_file(tmp_path / "arm.stl", stl([*around, *hollow]))
     robot = add_file(tmp_path / "arm.urdf", whole_robot(mesh_link("arm.stl")).encode())
     assert len(engine.check(robot, select=["MSH015"]).diagnostics) == count
+
+
+def test_millimetres_are_reported_once(tmp_path: Path) -> None:
+    """Advika's base: its chassis is in millimetres, and so larger than the box that collides."""
+    add_file(tmp_path / "base.stl", stl(box((0, 0, 0), (200, 150, 100))))
+    collision = '<collision><geometry><box size="0.2 0.15 0.1"/></geometry></collision>'
+    link = mesh_link("base.stl", link="base").replace("</link>", f"{collision}</link>")
+    arm = '<link name="arm"/><joint name="j" type="fixed"><origin xyz="0 0 0.2"/>'
+    arm += '<parent link="base"/><child link="arm"/></joint>'
+    robot = add_file(tmp_path / "base.urdf", whole_robot(link + arm).encode())
+    found = engine.check(robot, select=["GEO004", "MSH012"]).diagnostics
+    assert [one.code for one in found] == ["MSH012"]

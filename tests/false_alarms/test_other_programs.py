@@ -29,6 +29,23 @@ def test_a_file_that_only_has_the_suffix_of_a_launch_file(
     assert (found.code, found.severity.value) == ("LAU001", severity)
 
 
+@pytest.mark.parametrize(
+    ("text", "severity"),
+    [
+        ("/mentor/supervisor:\n  ros__parameters:\n    motor: JGB37\n", "info"),
+        ("lanch:\n- node: {pkg: p, exec: e}\n", "error"),
+    ],
+)
+def test_a_parameter_file_named_like_a_launch_file(
+    tmp_path: Path, text: str, severity: str
+) -> None:
+    """Mentor Pi: the parameters of a test are in `configuration_supervisor_launch.yaml`."""
+    add_package(tmp_path / "arm", "arm")
+    path = add_file(tmp_path / "arm/test/supervisor_launch.yaml", text.encode())
+    (found,) = check(path, select=["LAU"]).diagnostics
+    assert (found.code, found.severity.value) == ("LAU001", severity)
+
+
 def test_an_argument_that_callers_must_pass(tmp_path: Path) -> None:
     """cartographer_ros: its users pass bag_filename, which no file declares."""
     text = '<arg name="urdf_filename" default=""/><node pkg="p" type="t" name="{}" args="{}"/>'

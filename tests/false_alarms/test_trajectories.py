@@ -55,3 +55,20 @@ def test_joints_that_no_trajectory_moves(
     assert [one.partition(": ")[0] for one in found] == [
         "controller 'hand' has other joints here than in ros2_control"
     ] * count
+
+
+def test_an_action_that_is_written_is_not_said_to_be_missing(tmp_path: Path) -> None:
+    """Another UR5: "the controller has no action_ns 'gripper_action'", at this very text."""
+    kind = "position_controllers/GripperActionController"
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    robot = add_file(tmp_path / "r.urdf", ROBOT.encode())
+    add_file(tmp_path / "config" / "r.srdf", SRDF.encode())
+    moveit = MOVEIT.format("right_finger").replace("FollowJointTrajectory", "GripperCommand")
+    moveit = moveit.replace("follow_joint_trajectory", "gripper_action")
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", moveit.encode())
+    control = f"controller_manager:\n  ros__parameters:\n    hand: {{type: {kind}}}\n"
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
+    (found,) = check(robot, select=["SRD001"]).diagnostics
+    wrong = "action_ns of controller 'hand' is 'gripper_action'"
+    assert found.message == f"{wrong}, but {kind} serves 'gripper_cmd'"
+    assert found.help == "write gripper_cmd"

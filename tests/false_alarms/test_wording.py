@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.gazebos import BASE, block, sensor
+from tests.launched import reported as of_launch
 from tests.reported import reported
 from tests.workspaces import add_file
 from urdfkit import check
@@ -67,3 +68,20 @@ def test_a_material_of_a_script_in_the_workspace(tmp_path: Path, target: str, co
     assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == 1
     add_file(tmp_path / "Media" / "custom.material", b"material wall_floor\n{\n}\n")
     assert len(check(robot, select=["GAZ007"], targets=[target]).diagnostics) == count
+
+
+def test_the_manager_that_an_included_file_starts(tmp_path: Path) -> None:
+    """Another UR5: the one launch file simulates, and the other, for mock hardware, is included."""
+    plugin = '<gazebo><plugin filename="gz_ros2_control-system" name="c"/></gazebo>'
+    manager = "Node(package='controller_manager', executable='ros2_control_node')\n"
+    spawner = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 't'])\n"
+    robot = f"open('{tmp_path}/arm/r.urdf')\n"
+    include = f"IncludeLaunchDescription('{tmp_path}/arm/launch/mock.launch.py')\n"
+    files = {"r.urdf": f'<robot name="r"><link name="a"/>{plugin}</robot>'}
+    assert of_launch(tmp_path / "arm", "LAU021", "mock.launch.py", robot + manager, files) == []
+    text = spawner + include
+    (found,) = of_launch(tmp_path / "arm", "LAU021", "simulated.launch.py", text)
+    assert Path(found.span.source.path).name == "mock.launch.py"
+    ((step,),) = (call.via for call in found.calls)
+    assert Path(step.span.source.path).name == "simulated.launch.py"
+    assert found.related[1].message == "the robot is put into Gazebo here"

@@ -417,6 +417,22 @@ def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
     assert [one.code for one in alone.applied] == ["XAC002"]
 
 
+def test_the_same_slip_in_an_element_that_a_fix_reveals_does_not_forbid_it(
+    tmp_path: Path,
+) -> None:
+    body = """\
+  <link name="a">
+    <inertial><orgin xzy="0 0 1"/><mass value="1"/></inertial>
+    <visual><origin xzy="0 0 1"/><geometry><sphere radius="1"/></geometry></visual>
+  </link>
+"""
+    file = write(tmp_path, "r.urdf", body)
+    fixes = fix(file, unsafe=True, select=["URD001", "URD002"])
+    assert [one.code for one in fixes.applied] == ["URD001", "URD002", "URD002"]
+    (rewrite,) = fixes.files
+    assert rewrite.after.count(b'<origin xyz="0 0 1"/>') == 2
+
+
 def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: Path) -> None:
     """Both names would be 'left_arm'."""
     calls = '  <link name="left_arm"/>\n  <arm side="left"/>\n'

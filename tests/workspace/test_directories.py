@@ -100,7 +100,7 @@ def test_files_below_come_nearest_first_and_are_bounded(tmp_path: Path) -> None:
 def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("b/x", "b/a/y", "a/z", "top", "build/made", ".git/config"):
+    for name in ("b/x", "b/a/y", "a/z", "top", "build/made", "lib/site-packages/x", ".git/config"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
     (tmp_path / "dead").symlink_to("nowhere")

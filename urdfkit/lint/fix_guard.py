@@ -117,12 +117,22 @@ def _kind(element: Element) -> tuple[str, str]:
 
 
 def ineffective(before: Report, after: Report, applied: list[Diagnostic]) -> str:
-    """Says so if a fix left its finding as it was; it would be applied for ever."""
-    expected = Counter(map(key_of, before.diagnostics))
-    expected.subtract(Counter(map(key_of, applied)))
-    now = Counter(map(key_of, after.diagnostics))
-    stays = any(now[key] > expected[key] for key in map(key_of, applied))
+    """Says so if a fix left its finding as it was; it would be applied for ever.
+
+    Elements that a fix of the same round has brought to light may have the same finding.
+    """
+    expected = Counter(chain.from_iterable(map(_places, before.diagnostics)))
+    fixed = [place for one in applied for place in _places(one)]
+    expected.subtract(fixed)
+    now = Counter(chain.from_iterable(map(_places, after.diagnostics)))
+    stays = any(now[place] > expected[place] for place in fixed)
     return "skipped: it does not remove the finding" if stays else ""
+
+
+def _places(diagnostic: Diagnostic) -> list[tuple[FindingKey, str]]:
+    """A finding at each of its elements."""
+    elements = [call.element for call in diagnostic.calls] or [""]
+    return [(key_of(diagnostic), element) for element in elements]
 
 
 class Checker:

@@ -62,7 +62,8 @@ def run_rules(
     run = _RuleRun(context, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
-    run.rules([code for code in chosen if code not in own])
+    others = [code for code in chosen if code not in own]
+    run.rules(others)
     context.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: context.ignores, ())
     if rule_index.NOT_CHECKED in own:
@@ -70,7 +71,8 @@ def run_rules(
         lacking = context.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.explains_failure()
-        is_unchecked = run.skipped and not context.is_readable and is_unexplained
+        looks_elsewhere = bool(others) and not run.skipped  # at no robot
+        is_unchecked = is_unexplained and not (context.is_readable or looks_elsewhere)
         if is_unchecked or context.unchecked:
             run.rules([rule_index.NOT_CHECKED])
             context.run = context.run._replace(diagnostics=tuple(run.diagnostics))

@@ -6,19 +6,22 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
 
-#: Directories that a build makes, and one that macOS puts into archives.
-_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__", "__MACOSX"))
+#: Directories that a build or a virtual environment makes, and one that macOS puts into archives.
+_NOT_SOURCES = frozenset(
+    "build install log devel node_modules site-packages __pycache__ __MACOSX".split()
+)
 
 
 def walk(directory: str) -> Iterator[str]:
     """The files below a directory, sorted, apart from hidden ones and from what a build makes."""
     for parent, directories, files in disk.walk(directory):
-        directories[:] = sorted(filter(_is_walked, directories))
+        directories[:] = sorted(filter(is_walked, directories))
         yield from (os.path.join(parent, name) for name in sorted(files))
 
 
-def _is_walked(name: str) -> bool:
-    return not name.startswith(".") and name not in _BUILT
+def is_walked(name: str) -> bool:
+    """False of hidden directories, and of those that are no sources."""
+    return not name.startswith(".") and name not in _NOT_SOURCES
 
 
 class Directories:
@@ -140,7 +143,7 @@ class Directories:
             stack += [
                 relative + name + os.sep
                 for name in sorted(entries, reverse=True)
-                if entries[name] and _is_walked(name) and not self.is_link(os.path.join(at, name))
+                if entries[name] and is_walked(name) and not self.is_link(os.path.join(at, name))
             ]
         return found
 

@@ -8,8 +8,6 @@ from urdfkit.text.comments import without_comments
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
 
-_NOT_SOURCES = frozenset("build devel install log node_modules __pycache__ site-packages".split())
-
 
 class PackageDirectories:
     """The names of packages by directory; everything is read once."""
@@ -33,11 +31,6 @@ class PackageDirectories:
     def names_in(self, directory: str) -> Mapping[str, bool]:
         """Names in a directory, True for directories; empty if it cannot be read."""
         return self.listings.entries(directory) or {}
-
-
-def is_searched(name: str) -> bool:
-    """False of hidden directories, and of those that a build makes."""
-    return name[0] != "." and name not in _NOT_SOURCES
 
 
 def _package_name(directory: str) -> str | None:

@@ -58,4 +58,4 @@ def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[Pack
 
 def _plain(path: str) -> str:
     plain, expression, _ = path.lstrip("/").partition("$")
-    return os.path.dirname(plain) if expression else plain
+    return os.path.dirname(plain) if expression else plain.rstrip("/")

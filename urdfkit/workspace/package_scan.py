@@ -5,7 +5,8 @@ import time
 
 from urdfkit.core import disk
 from urdfkit.core.words import counted
-from urdfkit.workspace.package_directories import PackageDirectories, is_searched
+from urdfkit.workspace.directories import is_walked
+from urdfkit.workspace.package_directories import PackageDirectories
 
 #: A scan stops here and says so. Real workspaces have some thousand directories.
 MAX_DIRECTORIES = 20_000
@@ -70,7 +71,7 @@ class PackageScan:
         if depth >= self._depth:
             return
         for entry in sorted(entries):
-            if entries[entry] and is_searched(entry):
+            if entries[entry] and is_walked(entry):
                 path = os.path.join(directory, entry)
                 if not self._in_a_circle(path):
                     self._queue.append((path, depth + 1))

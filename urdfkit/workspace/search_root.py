@@ -27,7 +27,8 @@ from collections.abc import Iterator, Mapping
 from urdfkit.core.memo import Memo
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
-from urdfkit.workspace.package_directories import PackageDirectories, is_searched
+from urdfkit.workspace.directories import is_walked
+from urdfkit.workspace.package_directories import PackageDirectories
 
 #: Depth at which a directory next to a package shows that it holds packages of its own.
 DEPTH_OF_REPOSITORIES = 2
@@ -170,7 +171,7 @@ class SearchRoots:
     def _holds_packages_only(self, directory: str) -> bool:
         """True of several packages and no directory of packages: those of one repository."""
         names = self._directories.names_in(directory).items()
-        inside = [os.path.join(directory, n) for n, is_dir in names if is_dir and is_searched(n)]
+        inside = [os.path.join(directory, n) for n, is_dir in names if is_dir and is_walked(n)]
         others = [at for at in inside if not self._directories.name_of(at)]
         if len(inside) - len(others) < 2 or any(
             ".git" in self._directories.names_in(at) for at in inside

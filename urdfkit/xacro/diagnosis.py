@@ -3,6 +3,7 @@
 import math
 import os
 import re
+from collections.abc import Iterable
 from types import FrameType
 from typing import Any
 
@@ -13,7 +14,7 @@ from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
-from urdfkit.xacro.definitions import Definitions, annotations_of
+from urdfkit.xacro.definitions import Definition, Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
@@ -125,24 +126,38 @@ def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
 def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Problem | None:
     """A file that is missing because an argument has only a placeholder for a default.
 
-    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such directory exists.
+    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such directory exists; the path
+    of a file that is empty unless given leads to the directory of the description.
     """
-    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+    if not isinstance(cause, OSError) or not cause.filename:
         return None
-    parts = os.path.dirname(os.path.abspath(cause.filename)).split(os.sep)
-    for argument in defined.arguments:
+    optional = [one for one in defined.arguments if one.name not in defined.given]
+    if isinstance(cause, FileNotFoundError):
+        argument = _placeholder(optional, cause.filename)
+    elif isinstance(cause, IsADirectoryError):
+        empty = [one for one in optional if one.attributes.get("default") == ""]
+        argument = empty[0] if len(empty) == 1 else None
+    else:
+        return None
+    if argument is None:
+        return None
+    at = argument.tag.attribute_spans().get("default", argument.tag.span)
+    message = (
+        f"argument '{argument.name}' must be given: with its default "
+        f"'{argument.attributes['default']}' files are missing that the model needs"
+    )
+    return Problem("XAC010", at, message, _pass(defined, argument.name), argument=argument.name)
+
+
+def _placeholder(optional: Iterable[Definition], file: str) -> Definition | None:
+    """The argument whose default stands in the path of a file for a directory that is not there."""
+    parts = os.path.dirname(os.path.abspath(file)).split(os.sep)
+    for argument in optional:
         default = argument.attributes.get("default", "")
-        if len(default) <= 2 or default not in parts or argument.name in defined.given:
-            continue
-        above = os.sep.join(parts[: parts.index(default)])
-        if disk.is_directory(above) and not disk.exists(os.path.join(above, default)):
-            at = argument.tag.attribute_spans().get("default", argument.tag.span)
-            message = (
-                f"argument '{argument.name}' must be given: with its default '{default}' "
-                "files are missing that the model needs"
-            )
-            help = _pass(defined, argument.name)
-            return Problem("XAC010", at, message, help, argument=argument.name)
+        if len(default) > 2 and default in parts:
+            above = os.sep.join(parts[: parts.index(default)])
+            if disk.is_directory(above) and not disk.exists(os.path.join(above, default)):
+                return argument
     return None
 
 

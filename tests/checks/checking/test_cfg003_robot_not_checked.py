@@ -56,6 +56,7 @@ def test_the_argument_is_named_and_how_to_give_it(robot: Path) -> None:
 def test_selected_rules_that_found_nothing_did_not_look(robot: Path) -> None:
     directory = robot.parent
     assert codes(directory, select=["JNT"]) == ["CFG003"]
+    assert codes(directory, select=["CFG003"]) == ["CFG003"]
     assert codes(directory, select=["LAU"]) == [], "rules that look at no robot"
     assert codes(directory, select=["JNT"], ignore=["CFG003"]) == []
     assert codes(directory, ignore=["CFG"]) == []

@@ -42,6 +42,18 @@ def test_nothing_says_what_is_installed(tmp_path: Path) -> None:
     assert reported(tmp_path, "meshes/a.stl", build="project(arm)") == []
 
 
+def test_a_directory_that_a_property_names(tmp_path: Path) -> None:
+    (tmp_path / "meshes").mkdir()
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "CMakeLists.txt").write_text(INSTALL.replace("urdf", "urdf meshes"))
+    file = tmp_path / "r.xacro"
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>'
+        '<xacro:property name="meshes" value="package://arm/meshes/"/></robot>'
+    )
+    assert check(file, select=["PKG002"]).diagnostics == ()
+
+
 CMAKE = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
 SETUP = """\
 from glob import glob

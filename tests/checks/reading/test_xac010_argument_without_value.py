@@ -65,6 +65,20 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
         assert told_of("XAC001", tmp_path / "robot.xacro", **arguments) == []
 
 
+def test_a_path_that_is_empty_unless_given(tmp_path: Path) -> None:
+    """Motoman's ``es165`` reads velocities from the file that a launch file chooses."""
+    write(
+        tmp_path,
+        robot='<xacro:arg name="speeds" default=""/><xacro:property name="file" '
+        """value="$(arg speeds)"/><link name="a${xacro.load_yaml(file)['x']}"/>""",
+    )
+    (found,) = told_of("XAC010", tmp_path / "robot.xacro")
+    assert found.message.startswith("argument 'speeds' must be given: with its default ''")
+    assert told_of("XAC001", tmp_path / "robot.xacro") == []
+    (tmp_path / "a.yaml").write_text("x: 1\n")
+    assert told_of("XAC010", tmp_path / "robot.xacro", speeds="a.yaml") == []
+
+
 def test_a_default_that_only_stands_in_for_the_file_to_include(tmp_path: Path) -> None:
     """Kinova's ``arm`` is ``NO_ARM_TYPE_DEFINED`` unless given, and part of the path of a macro."""
     write(

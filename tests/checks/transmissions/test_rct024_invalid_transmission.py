@@ -40,6 +40,13 @@ def test_an_invalid_type_or_ratio(old: str, new: str, message: str) -> None:
     assert messages("RCT024", SOUND.replace(old, new)) == [message]
 
 
+def test_a_misspelt_joint_is_not_missing_as_well() -> None:
+    misspelt = transmission("swing").replace("<joint", "<jont").replace("</joint", "</jont")
+    assert messages("RCT024", ROBOT + misspelt) == [
+        "transmission 't': unknown element <jont>; did you mean 'joint'?"
+    ]
+
+
 def test_typos_are_fixed() -> None:
     assert fixed("RCT024", SOUND.replace("SimpleT", "SimpelT")) == fixed("RCT024", SOUND)
 

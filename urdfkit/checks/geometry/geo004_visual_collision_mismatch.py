@@ -4,7 +4,7 @@ What is compared is the bounding boxes of all collisions and of all visuals of a
 
 - Their sizes differ by a factor of 5 in every direction; for two meshes, by 1.5 if it is the same
   factor in all. One of the two has the wrong unit: a mesh in millimetres or inches without its
-  `scale`, one with a scale that it does not need, a radius in centimetres.
+  `scale` (unless MSH012 says so), one with a scale that it does not need, a radius in centimetres.
 - One is rotated: after a quarter turn about the origin of one, the boxes would nearly coincide.
   Often a mesh was exported with other axes, or an `rpy` was written for the visual only. Meshes
   that programs rotate differently (MSH013) are not reported.
@@ -25,6 +25,7 @@ Sources:
 from urdfkit.core.spatial import Transform, length, minus
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
+from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.visual_collision import (
     LEAST_OVERLAP,
     Mismatch,
@@ -64,7 +65,9 @@ def check(context: Context) -> Findings:
     for one in pairs.mismatches.get(Mismatch.APART, ()):
         yield _apart(one)
     for one in pairs.mismatches.get(Mismatch.SIZE, ()):
-        yield _of_size(one, pairs.span)
+        wrong = one.unusual(pairs.span)
+        if not _is_in_millimetres(wrong, context):
+            yield _of_size(one, wrong)
     for one in pairs.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(one)
     yield from _diameters(context)
@@ -101,11 +104,18 @@ def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
     return f"add {way} to the <origin> of the collision, to center it on the visual"
 
 
-def _of_size(one: VisualCollisionPair, span: float) -> Finding:
+def _is_in_millimetres(body: Body, context: Context) -> bool:
+    """True for a mesh of which MSH012 says so, with a fix."""
+    if body.shape is None or body.shape.kind != "mesh":
+        return False
+    uses = context.measured.defects.get(MeshDefect.MILLIMETRES, ())
+    return any(use.shape is body.shape for use in uses)
+
+
+def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
     assert one.factor
     larger, smaller = ("visual", "collision") if one.factor > 1 else ("collision", "visual")
     factor = max(one.factor, 1 / one.factor)
-    wrong = one.unusual(span)
     is_visual = wrong is one.link.visuals[0]
     other = one.link.collisions[0] if is_visual else one.link.visuals[0]
     times = f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"

@@ -2,8 +2,8 @@
 
 `roslaunch` and `ros2 launch` stop before anything starts: the XML is not well formed, the root is
 not `<launch>`, or the Python of a ROS 2 launch file has a syntax error. A file of another program,
-as Eclipse writes them with the same suffix, a script that is run by itself, or a template, by its
-name, is an info.
+as Eclipse writes them with the same suffix, a script that is run by itself, a parameter file, or
+a template, by its name, is an info.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML

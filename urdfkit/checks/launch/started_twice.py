@@ -42,8 +42,10 @@ def _is_plain(started: StartedProgram) -> bool:
 
 def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
     """A controller manager beside the one that runs in Gazebo."""
-    if not any(map(spawner_of, started)):
+    spawners = list(filter(spawner_of, started))
+    if not spawners:
         return
+    simulated = Related(spawners[0].span, "the robot is put into Gazebo here")
     nodes = [one for one in started if one.executable == "ros2_control_node"]
     for description in context.launch.descriptions if nodes else ():
         robot = context.other_robot(description.path, description.arguments)
@@ -53,7 +55,7 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
                     Location(one.span, one.frame),
                     "ros2_control_node is a second controller manager: Gazebo's plugin runs one",
                     "remove ros2_control_node where the robot is simulated",
-                    related=(Related(plugin.at.span, "the plugin"),),
+                    related=(Related(plugin.at.span, "the plugin"), simulated),
                 )
 
 

@@ -104,7 +104,8 @@ def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Finding
             message = f"controller '{key}' has no {name}"
             yield Finding(Location(key.span), message, f"write {name}: {right}")
         elif isinstance(value, Value) and value.text.strip("/") != right:
-            message = f"controller '{key}' ({same[0].type}) has no {name} '{value.text}'"
+            wrong = f"{name} of controller '{key}' is '{value.text}'"
+            message = f"{wrong}, but {same[0].type} serves '{right}'"
             # A controller of the real robot may have the same name and another action.
             yield Finding(
                 Location(value.span), message, f"write {right}", severity=Severity.WARNING

@@ -107,7 +107,14 @@ def _missing(transmission: Element) -> list[str]:
     if not _has_text(transmission, "type"):
         attribute = " (the attribute is ignored)" if "type" in transmission.attributes else ""
         missing.append(f"<type>{attribute}")
-    missing += [f"<{tag}>" for tag in ("joint", "actuator") if transmission.child(tag) is None]
+    misspelt = {
+        nearest(child.tag, _CHILDREN["transmission"], _TYPO) for child in transmission.children
+    }
+    missing += [
+        f"<{tag}>"
+        for tag in ("joint", "actuator")
+        if transmission.child(tag) is None and tag not in misspelt
+    ]
     missing += [
         f"name in its <{child.tag}>"
         for child in transmission.children

@@ -170,7 +170,7 @@ class _PythonReader:
             self.values.text(executable) or "",
             self.values.words(words),
             self.values.span(call),
-            None,
+            self.frame,
             is_sure=not self._has_groups and self._condition(call) is True,
             is_remapped=argument(call, None, "remappings") is not None,
             parameters=self._parameters(parameters, argument(call, None, "ros_arguments")),
@@ -228,7 +228,7 @@ class _PythonReader:
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)
         is_sure = not self._has_groups and self._condition(call) is True
-        self.collector.started.append(StartedProgram("", "", words, span, None, is_sure))
+        self.collector.started.append(StartedProgram("", "", words, span, self.frame, is_sure))
 
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")

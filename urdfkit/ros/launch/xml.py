@@ -15,6 +15,7 @@ from urdfkit.ros.launch.argument_checks import (
 from urdfkit.ros.launch.collect import Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
+from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
@@ -28,6 +29,8 @@ from urdfkit.workspace.manifest import manifest_of
 MAX_LEVELS = 50
 #: The most problems that are reported of one launch file.
 MAX_PROBLEMS = 1000
+#: What to do about a file of another program.
+_FOREIGN = "leave it, or rename it: launch files are known by their names"
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
 #: Tags that hold for the nodes after them.
@@ -82,6 +85,8 @@ class _XmlReader(XmlLaunchFile):
             self._unreadable(broken[0].span, broken[0].message)
         elif document is not None and document.root.tag == "launchConfiguration":
             self._foreign("<launchConfiguration> is of Eclipse")
+        elif is_yaml and next(node_parameters(self.source), None):
+            self._foreign("it holds the parameters of nodes")
         elif not is_launch:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
@@ -102,7 +107,7 @@ class _XmlReader(XmlLaunchFile):
     def _foreign(self, reason: str) -> None:
         """The file is of another program, and only has the suffix of a launch file."""
         at, message = Span(self.source, 0, 0), f"not a launch file of ROS: {reason}"
-        problem = Problem("LAU001", at, message, frame=self.frame, severity=Severity.INFO)
+        problem = Problem("LAU001", at, message, _FOREIGN, self.frame, severity=Severity.INFO)
         self.collector.problems.append(problem)
 
     def _children(self, parent: Element) -> None:
