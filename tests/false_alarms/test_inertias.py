@@ -194,3 +194,35 @@ def test_the_box_of_a_tutorial() -> None:
     assert "same expression at iyy and izz" in found.help
     assert found.fix is None
     assert reported("INE003", macro % ("x", "x", "y", "y"), "r.xacro") == []
+
+
+def test_a_mesh_in_millimetres_has_no_volume_to_believe() -> None:
+    """Tom0Brien/Walk: legs of 3e5 m³, whose volume the help gave as that of the link."""
+    big = '<box size="50 60 100"/>'
+    base = part("base", 1, (0.01, 0, 0, 0.01, 0, 0.01), BALL)
+    for mass, help in (
+        (0.1, "the shape has 3e+05 m³: scale it if it is in mm, and write the tensor"),
+        (1e-4, "write the mass of the link, which has 3e+05 m³, and its tensor"),
+    ):
+        leg = part("leg", mass, (0, 0, 0, 0, 0, 0), big)
+        found = reported("INE005", base + leg + joint("base", "leg", "continuous"))
+        assert [one.help for one in found] == [help]
+
+
+def test_a_tensor_of_zeros_is_not_that_of_a_rod() -> None:
+    """kxr: the inertia about two axes is that of the mass fixed at the end of the link."""
+    zeros = (0, 0, 0, 0, 0, 0)
+    parts = [part(name, 1, zeros, BALL) for name in ("arm", "hand")]
+    base = part("base", 1, (0.01, 0, 0, 0.01, 0, 0.01), BALL)
+    wrist = joint("arm", "hand", xyz="0 0 1")
+    (found,) = reported("INE005", base + "".join(parts) + joint("base", "arm", "revolute") + wrist)
+    assert found.message.startswith("link 'arm' with the links fixed to it, moved by the revolute")
+    assert found.help == "write the tensor of the link: it is 0"
+
+
+def test_a_root_with_an_inertial_of_no_mass_is_not_to_be_given_one() -> None:
+    """ayspot_a0: "give it an <inertial>" beside the <inertial>."""
+    tensor = (0.01, 0, 0, 0.01, 0, 0.01)
+    robot = part("base", 0, tensor, BALL) + part("arm", 1, tensor, BALL)
+    found = reported("INE004", robot + joint("base", "arm", "revolute"), targets=("classic-ros1",))
+    assert [one.help[:20] for one in found] == ["write its mass in kg"]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.gazebos import BASE, WHEELS, block, plugin
+from tests.gazebos import BASE, WHEELS, plugin
 from tests.reported import messages
 
 CONTROL = plugin("libgazebo_ros_control.so")
@@ -21,10 +21,3 @@ def test_what_does_not_move_is_calm() -> None:
     assert messages("GAZ063", BASE + CONTROL + static) == []
     assert messages("GAZ063", WHEELS + static) == []
     assert messages("GAZ063", WHEELS + CONTROL + static.replace("true", "false")) == []
-
-
-def test_a_block_for_an_unknown_link() -> None:
-    """SO-101: `<gazebo reference="base_link">`, where the link is called base."""
-    for name, count in (("no_link", 0), ("base", 1)):
-        static = block("<static>true</static>", name)
-        assert len(messages("GAZ063", WHEELS + CONTROL + static)) == count

@@ -1,10 +1,12 @@
 """The robot is static in Gazebo, although it has movable joints and plugins.
 
 `<static>true</static>` fixes a model to the world: no joint moves, no wheel drives, and controllers
-load without an error. It is often left over from a first look at the model.
+load without an error. It is often left over from a first look at the model. Gazebo ignores the tag
+in a block with a reference, as in `<gazebo reference="world">`.
 
 Sources:
     SDF, model: http://sdformat.org/spec?ver=1.9&elem=model
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -23,10 +25,9 @@ def check(context: Context) -> Findings:
         return  # a model that is only displayed
     moving = [joint.name for joint in context.model.joints if joint.kind in DEGREES_OF_FREEDOM]
     who = f"joint '{moving[0]}'" if len(moving) == 1 else f"{len(moving)} joints"
-    names = {*context.model.links_by_name, *context.model.joints_by_name}
     for block in context.model.gazebo:
-        if (reference := block.attributes.get("reference")) and reference.value not in names:
-            continue  # GAZ001: nothing of it is read
+        if block.get("reference"):
+            continue
         for element in block.all("static"):
             if moving and is_true(element):
                 yield Finding(element, f"the model is static in Gazebo: {who} cannot move")

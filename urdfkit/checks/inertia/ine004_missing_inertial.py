@@ -43,6 +43,9 @@ _NAMED = 4
 #: Targets with an sdformat that drops tiny masses.
 _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
 
+#: Of a link with an <inertial> whose mass is 0.
+_HELP_OF_ZERO = "write its mass in kg, or give it a fixed joint if it is only a frame"
+
 
 @rule(
     Severity.INFO,
@@ -123,7 +126,7 @@ def _without_mass(context: Context) -> Findings:
         if not reported and (body.joint or context.targets.any_of(GAZEBO)):
             finding = _finding(body, context)
             if finding:
-                yield finding
+                yield finding._replace(help=_HELP_OF_ZERO) if zero else finding
 
 
 def _finding(body: RigidBody, context: Context) -> Finding | None:

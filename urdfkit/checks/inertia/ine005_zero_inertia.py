@@ -24,6 +24,7 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.inertials.defects import HEAVIEST, LIGHTEST
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.model import Joint
@@ -45,6 +46,9 @@ STAND_IN = 0.001
 
 #: In kg/m³: air has 1.2.
 MIN_DENSITY = 1.0
+
+#: In m.
+MILLIMETRE = 0.001
 
 
 @rule(
@@ -82,9 +86,10 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
     if one.is_measured and one.solid is not None:
         help, fix = as_solid(one), replacement(one, one.expected)
         if one.mass < MIN_DENSITY * one.solid.volume:  # a placeholder, which gives no tensor
-            help = (
-                f"write the mass of the link, which has {one.solid.volume:.3g} m³, and its tensor"
-            )
+            size = f"{one.solid.volume:.3g} m³"
+            help = f"write the mass of the link, which has {size}, and its tensor"
+            if LIGHTEST < one.mass / (one.solid.volume * MILLIMETRE**3) < HEAVIEST:
+                help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
             fix = None
     message = (
         f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
@@ -104,12 +109,15 @@ def _thin(context: Context) -> Findings:
         one = masses.by_name.get(body.top.name)
         if one is not None:
             low, middle, high = masses.moments_of(body)
+            others = " with the links fixed to it" if len(body.links) > 1 else ""
             yield Finding(
                 one.at,
-                f"link '{body.top.name}', moved by the {body.joint.kind} joint "
+                f"link '{body.top.name}'{others}, moved by the {body.joint.kind} joint "
                 f"'{body.joint.name}', has principal moments of inertia of {low:.1g}, "
                 f"{middle:.3g} and {high:.3g} kg·m²: almost 0 about one axis",
-                "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod",
+                "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod"
+                if any(one.tensor)
+                else "write the tensor of the link: it is 0",
                 weight=body.mass,
             )
 
