@@ -100,3 +100,18 @@ def test_an_element_whose_name_is_computed() -> None:
     robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{inside}</robot>'
     found = [one for one in reported("URD001", robot.encode()) if one.code == "URD001"]
     assert [(one.severity, one.fix) for one in found] == [(Severity.INFO, None)]
+
+
+@pytest.mark.parametrize(
+    ("geometry", "count"),
+    [
+        ('<mesh filename="a.stl"/><mesh filename="a.stl" scale=""/>', 0),
+        ('<box size="1 1 1"/><cylinder radius="1,5"/>', 0),
+        ('<mesh filename="a.stl" scale=""/><mesh filename="a.stl"/>', 1),
+    ],
+)
+def test_values_that_no_parser_reads(geometry: str, count: int) -> None:
+    """DiffBot's wheels: a second <mesh> with an empty scale, which URD007 tells."""
+    robot = f'<link name="a"><visual><geometry>{geometry}</geometry></visual></link>'
+    assert len(reported("URD005", robot) + reported("URD003", robot)) == count
+    assert len(reported("URD007", robot)) == 1

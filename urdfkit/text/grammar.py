@@ -242,7 +242,7 @@ class _Walk:
             self._add("URD005", element, attribute, rule.type)
 
     def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
-        """Missing, unknown and repeated children; those whose own content has a grammar."""
+        """Missing, unknown and repeated children; those that are read and have a grammar."""
         seen: dict[str, Element] = {}
         inner: list[tuple[Element, Grammar]] = []
         unknown: list[Element] = []
@@ -257,13 +257,15 @@ class _Walk:
                     continue
                 known = extensions.grammar_of(element.tag, tag) or schema.ANYTHING
             if not known.open:
-                inner.append((child, known))
                 if tag in seen and tag not in grammar.many:
                     self._add("URD007", child)
+                else:
+                    inner.append((child, known))
             seen.setdefault(tag, child)
         missing = [tag for tag in grammar.required if tag not in seen]
         if grammar.choice:
             unknown = self._choice(element, grammar, unknown)
+            del inner[1:]
         if unknown:
             missing = self._unknown_children(element, grammar, unknown, missing, seen)
         for tag in missing:
