@@ -137,3 +137,23 @@ def test_a_directory_is_no_package_to_declare(tmp_path: Path) -> None:
     path = tmp_path / "urdf/r.urdf"
     path.write_text(URDF.format(file="package://assets/part.stl"))
     assert check(path, select=["PKG001"]).diagnostics == ()
+
+
+@pytest.mark.parametrize(("link", "offered"), [("a", True), ("b", False)])
+def test_a_file_that_two_missing_ones_are_like(tmp_path: Path, link: str, offered: bool) -> None:
+    """quadruped_drone: motors and rotors of each leg, of which only the leg is there."""
+    package(tmp_path, "arm", "meshes/leg_left.stl")
+    mesh = '<visual><geometry><mesh filename="package://arm/meshes/{}"/></geometry></visual>'
+    text = '<link name="a">' + mesh.format("leg_motor_left.stl")
+    text += "" if link == "a" else f'</link><link name="{link}">'
+    text += mesh.format("leg_rotor_left.stl") + "</link>"
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{text}</robot>')
+    found = check(tmp_path / "r.urdf", select=["MSH001"]).diagnostics
+    assert ["leg_left.stl" in one.help for one in found] == [offered] * 2
+
+
+def test_a_path_of_another_machine_does_not_become_one_of_this(tmp_path: Path) -> None:
+    """auto-robotics-design: no package, and every mesh by its path in the author's home."""
+    put(tmp_path, "mesh/arm.stl")
+    (found,) = robot(tmp_path / "r.urdf", "/home/somebody/robots/mesh/arm.stl")
+    assert found.help == "did you mean 'mesh/arm.stl'?"

@@ -178,10 +178,14 @@ class MeshFiles:
 
         One of another format in the same directory, else a file of the same name elsewhere in the
         package, else one of a similar name in the same directory, else one of another format
-        elsewhere. It is sure if it is the only candidate and no other link uses it.
+        elsewhere. It is sure if it is the only candidate and no other link uses it. A file whose
+        name is like those of the missing ones of several links is not offered.
         """
         located = mesh.located
         similar = self._similar_name(located)
+        links = self._links_by_name_like.get(similar[0], {}).values()
+        if not similar[1] and not set.intersection(*links):
+            similar = None, False
         found = [self._same_name_elsewhere(located), similar]
         if similar[0] is not None and stem(similar[0]) == stem(located.relative):
             found.reverse()
@@ -190,7 +194,10 @@ class MeshFiles:
         if path is None:
             return None
         sure = sure and path not in self._used
-        return Suggestion(self.reference_to(path, mesh.located), path, sure)
+        reference = self.reference_to(path, located)
+        # The path of one machine is not replaced by that of another one.
+        portable = _relative(path, self._directory) if reference == path else reference
+        return Suggestion(portable, path, sure)
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same sort as another one if it can be."""
@@ -204,6 +211,16 @@ class MeshFiles:
     @property
     def _directory(self) -> str:
         return os.path.dirname(os.path.abspath(self.top))
+
+    @cached_property
+    def _links_by_name_like(self) -> dict[str | None, dict[str, set[str]]]:
+        """For each file, the names of missing files that its own is like, and their links."""
+        found: dict[str | None, dict[str, set[str]]] = {}
+        for mesh in self.missing:
+            path, _ = self._similar_name(mesh.located)
+            name = stem(mesh.located.relative)
+            found.setdefault(path, {}).setdefault(name, set()).add(mesh.link.name)
+        return found
 
     @cached_property
     def _used(self) -> set[str]:
