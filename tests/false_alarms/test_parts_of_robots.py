@@ -69,6 +69,26 @@ def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
     assert (found.code, found.severity) == ("XAC001", Severity.ERROR)
 
 
+@pytest.mark.parametrize(
+    ("command", "severity"),
+    [
+        ("xacro_add_files(\n  urdf/arm.urdf.xacro\n  INSTALL DESTINATION urdf)", Severity.WARNING),
+        ("xacro_add_xacro_file(urdf/arm.urdf.xacro)", Severity.WARNING),
+        ("# xacro_add_files(urdf/arm.urdf.xacro)", Severity.ERROR),
+        ("xacro_add_files(urdf/charm.urdf.xacro)", Severity.ERROR),
+        ("install(FILES urdf/arm.urdf.xacro DESTINATION share/arm)", Severity.ERROR),
+    ],
+)
+def test_a_file_that_the_build_expands(tmp_path: Path, command: str, severity: Severity) -> None:
+    """SO-ARM100: MoveIt's xacro includes the URDF that CMake makes of the robot's xacro."""
+    add_file(tmp_path / "CMakeLists.txt", command.encode())
+    add_file(tmp_path / "urdf" / "arm.urdf.xacro", _whole(b""))
+    include = b'<xacro:include filename="../urdf/arm.urdf"/>'
+    robot = add_file(tmp_path / "config" / "arm.urdf.xacro", _whole(include))
+    (found,) = engine.check(robot, select=["XAC001"]).diagnostics
+    assert found.severity == severity
+
+
 def test_an_srdf_of_macros_only_is_none(tmp_path: Path) -> None:
     """Franka's hand: macros for the SRDF files of arms, next to the hand's xacro."""
     robot = add_file(tmp_path / "hand.urdf", b'<robot name="hand"><link name="hand"/></robot>')

@@ -10,6 +10,7 @@ from fnmatch import fnmatch
 from functools import cached_property
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
@@ -135,6 +136,15 @@ class InstallRules:
             if command.lower() != "install":
                 known.add(first)
         return False
+
+
+def is_expanded(path: str) -> bool:
+    """True if the nearest CMake file above a xacro expands it: ``xacro_add_files`` and its like."""
+    files = (os.path.join(above, "CMakeLists.txt") for above in upwards(os.path.dirname(path)))
+    text = read_head(next(filter(disk.is_file, files), ""), MAX_BYTES).decode("utf-8", "replace")
+    name = re.escape(os.path.basename(path))
+    command = rf"""\bxacro_add\w*\s*\([^()]*(?<=[\s/"(]){name}\b"""
+    return re.search(command, re.sub(r"#.*", "", text)) is not None
 
 
 def _overlap(path: str, target: str) -> bool:

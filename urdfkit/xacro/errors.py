@@ -12,7 +12,7 @@ class FailedValue(str):
     __slots__ = ()
 
 
-#: Begins the message about a file that CMake's ``configure_file`` writes.
+#: Begins the message about a file that CMake makes: ``configure_file``, ``xacro_add_files``.
 UNBUILT = "the build has not made the file"
 
 #: The only one; a private character of Unicode around its text.

@@ -13,6 +13,7 @@ from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Span, shown
+from urdfkit.workspace.install_rules import is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import UNBUILT, BrokenYaml
@@ -208,6 +209,9 @@ def _missing_file(path: str) -> MessageText:
     if disk.is_file(f"{path}.in"):
         made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
         return MessageText(made, "build the workspace, or make the file with CMake's values")
+    if disk.is_file(f"{path}.xacro") and is_expanded(f"{path}.xacro"):
+        made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.xacro"
+        return MessageText(made, "build the workspace, or include the xacro itself")
     return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
 
 
