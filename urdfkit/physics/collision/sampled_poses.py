@@ -52,10 +52,11 @@ class SampledPoses:
             is_checked: of two links, whether their collisions are avoided; where two of these
                 overlap, the robot never is.
         """
+        # Limits of 0.0: how far apart meshes are that do not overlap takes most of the time.
         known = [self._pair(*pair) for pair in pairs]
         bound = [pair for pair in known if self._is_bound(pair) and self.chain.between(*pair)]
         rows = self.chain.samples(samples, 0, 0)
-        seen = self._examiner.query(bound).at(rows, count=True)
+        seen = self._examiner.query(bound, 0.0).at(rows, count=True)
         poses = {
             pair: self._poses(pair, rows[one.hits[:_POSES]])
             for pair, one in zip(bound, seen, strict=True)
@@ -69,13 +70,13 @@ class SampledPoses:
         ]
         every = np.concatenate(list(poses.values()))
         is_free = np.ones(len(every), dtype=bool)
-        for one in self._examiner.query(checked).at(every, count=True):
+        for one in self._examiner.query(checked, 0.0).at(every, count=True):
             is_free[one.hits] = False
         found: dict[Pair, Collision] = {}
         ends = np.cumsum([len(some) for some in poses.values()])[:-1]
         for (pair, some), free in zip(poses.items(), np.split(is_free, ends), strict=True):
             if free.any():
-                (nearest,) = self._examiner.query([pair]).at(some[free], count=True)
+                (nearest,) = self._examiner.query([pair], 0.0).at(some[free], count=True)
                 pose = self.chain.pose(some[free][nearest.row], *pair)
                 found[pair] = Collision(-nearest.distance, pose)
         return [found.get(pair) for pair in known]
