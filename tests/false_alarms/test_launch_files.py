@@ -426,3 +426,29 @@ def test_a_macro_with_the_name_of_one_of_a_missing_package(
     files = {"robot.xacro": _CALLING_ITSELF.format(include)}
     text = '<param name="robot_description" command="xacro $(dirname)/../robot.xacro"/>'
     assert len(reported(tmp_path / "arm", "LAU004", "a.launch", text, files)) == count
+
+
+@pytest.mark.parametrize(("kind", "mentions"), [("ament_python", []), ("ament_cmake", [1])])
+def test_a_build_file_that_the_build_does_not_read(
+    tmp_path: Path, kind: str, mentions: list[int]
+) -> None:
+    """Bipedal-URDF: a CMakeLists.txt, left from a template, in a package of Python."""
+    build = f"<export><build_type>{kind}</build_type></export>"
+    (tmp_path / "package.xml").write_text(f"<package><name>arm</name>{build}</package>")
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(amr)\ninstall(DIRECTORY launch DESTINATION share/arm)\n"
+    )
+    (tmp_path / "setup.py").write_text(
+        "package_name = 'arm'\n"
+        "setup(data_files=[('share/arm/urdf', glob('urdf/*')), ('share/arm/meshes', glob('*')),\n"
+        "    ('share/ament_index/resource_index/packages', ['setup.py'])])\n"
+    )
+    for directory in ("urdf", "meshes"):
+        (tmp_path / directory).mkdir()
+    (tmp_path / "meshes" / "a.stl").write_bytes(b"")
+    mesh = '<visual><geometry><mesh filename="package://arm/meshes/a.stl"/></geometry></visual>'
+    robot = tmp_path / "urdf" / "r.urdf"
+    robot.write_text(f'<robot name="r"><link name="a">{mesh}</link></robot>')
+    for code in ("PKG002", "PKG005"):
+        found = check(robot, select=[code]).diagnostics
+        assert [one.message.count("CMakeLists.txt") for one in found] == mentions

@@ -11,6 +11,7 @@ from functools import cached_property
 
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
+from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
@@ -23,8 +24,22 @@ _UNCLEAR = (
 _MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
+_IS_PYTHON = rb"<build_type\b[^>]*>\s*ament_python\s*<"
 #: Words of a setup.py that lists its files at build time.
 _WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
+
+
+def build_file(directory: str) -> str:
+    """The path of the file that the build of a package reads; empty if there is none.
+
+    Of a package of type ament_python, colcon reads setup.py, whatever lies beside it.
+    """
+    names = ["CMakeLists.txt", "setup.py"]
+    manifest = read_head(os.path.join(directory, "package.xml"), MAX_BYTES)
+    if re.search(_IS_PYTHON, without_comments(manifest)):
+        names.reverse()
+    paths = (os.path.join(directory, name) for name in names)
+    return next(filter(disk.is_file, paths), "")
 
 
 class InstallRules:
@@ -37,11 +52,7 @@ class InstallRules:
     @cached_property
     def file(self) -> str:
         """The build file; empty if there is none."""
-        for name in ("CMakeLists.txt", "setup.py"):
-            path = os.path.join(self._directory, name)
-            if disk.is_file(path):
-                return path
-        return ""
+        return build_file(self._directory)
 
     def installs(self, relative: str) -> bool:
         """True if a path below the package is installed, or if that is not clear."""

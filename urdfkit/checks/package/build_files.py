@@ -8,6 +8,7 @@ from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.install_rules import build_file
 
 #: Of a build file.
 _MAX_BYTES = 1024 * 1024
@@ -26,27 +27,27 @@ _INDEX = "share/ament_index/resource_index/packages"
 
 def other_name(name: str, directory: str) -> Findings:
     """A build file whose project has another name than the package."""
-    for file, pattern in _NAMES.items():
-        source = _read(directory, file)
-        if source is None:
-            continue
-        # With several projects, such as a superbuild around it, one of them is the package.
-        every = list(re.finditer(pattern, source.data))
-        if every and name not in [one.group(1).decode() for one in every]:
-            found = every[0]
-            yield Finding(
-                Location(Span(source, *found.span(1))),
-                f"project name '{found.group(1).decode()}' in {file} differs from the package name "
-                f"'{name}' in package.xml",
-                "use the same name in both files",
-                severity=Severity.WARNING,
-            )
+    file = os.path.basename(build_file(directory))
+    source = _read(directory, file) if file else None
+    if source is None:
         return
+    # With several projects, such as a superbuild around it, one of them is the package.
+    every = list(re.finditer(_NAMES[file], source.data))
+    if every and name not in [one.group(1).decode() for one in every]:
+        found = every[0]
+        yield Finding(
+            Location(Span(source, *found.span(1))),
+            f"project name '{found.group(1).decode()}' in {file} differs from the package name "
+            f"'{name}' in package.xml",
+            "use the same name in both files",
+            severity=Severity.WARNING,
+        )
 
 
 def not_finished(directory: str) -> Findings:
     """A CMakeLists.txt that does not end in ament_package(): ROS does not find the package."""
-    source = _read(directory, "CMakeLists.txt")
+    is_built = build_file(directory).endswith(".txt")
+    source = _read(directory, "CMakeLists.txt") if is_built else None
     text = re.sub(rb"#.*", b"", source.data) if source else b""
     found = source and re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
     if source and found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
@@ -77,7 +78,7 @@ def other_build_type(directory: str) -> Findings:
 
 def not_registered(name: str, directory: str) -> Findings:
     """A Python package of ROS 2 that ROS or colcon does not find."""
-    if disk.exists(os.path.join(directory, "CMakeLists.txt")):
+    if build_file(directory).endswith(".txt"):
         return
     manifest, setup = (_read(directory, file) for file in ("package.xml", "setup.py"))
     if manifest is None or setup is None:
