@@ -46,6 +46,21 @@ def test_a_tag_with_tags_in_it_is_no_switch() -> None:
 
 
 @pytest.mark.parametrize(
+    ("tag", "help"),
+    [
+        ("image_width", "write it as <camera><image><width>"),
+        ("near", "write it as <camera><clip><near>"),
+        ("vertical_fov", "remove it: width and height of <image> give it"),
+    ],
+)
+def test_a_tag_of_another_place_is_no_typo(tag: str, help: str) -> None:
+    """description_omni_robot: "did you mean 'image'?"; w3_600b: horizontal_fov, which it has."""
+    (found,) = reported("GAZ003", BASE + sensor("camera", f"<camera><{tag}>1</{tag}></camera>\n"))
+    assert "did you mean" not in found.message
+    assert found.help == help
+
+
+@pytest.mark.parametrize(
     ("target", "severity"), [("classic-ros1", "warning"), ("gz-harmonic", "error")]
 )
 def test_sensors_of_a_file_that_is_included_twice(

@@ -20,7 +20,7 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
 from urdfkit.ros.catalog.sensors import children
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.gazebo.sensors import sensors, written
+from urdfkit.ros.gazebo.sensors import SettingElement, sensors, written
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag
 
@@ -34,6 +34,7 @@ _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 _INSTEAD = {
     "frame_id": "name the frame by <gz_frame_id> in the <sensor>",
     "origin": "place it by <pose>x y z roll pitch yaw</pose>",
+    "vertical_fov": "remove it: width and height of <image> give it",
     "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
 }
 
@@ -81,12 +82,24 @@ def _in_sensors(model: RobotModel) -> Findings:
                 yield _in_sensor(child, sensor.who, "sensor", known)
         for inner in written(sensor):
             if inner.setting is None and ":" not in inner.at.tag:
-                yield _in_sensor(inner.at, sensor.who, inner.parent, inner.siblings)
+                yield _in_sensor(inner.at, sensor.who, inner.parent, inner.siblings, _nested(inner))
 
 
-def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> Finding:
+def _nested(inner: SettingElement) -> str:
+    """What replaces a tag that belongs one level deeper: ``image_width``, and ``near``."""
+    tag = inner.path  # without a slash: directly in the block
+    below = [path for path in inner.known if path.count("/") == 1]
+    deeper = [path for path in below if tag in (path.replace("/", "_"), path.split("/")[1])]
+    if len(deeper) != 1:
+        return ""
+    return f"write it as <{inner.parent}><{deeper[0].replace('/', '><')}>"
+
+
+def _in_sensor(
+    child: Element, who: str, parent: str, known: Iterable[str], nested: str = ""
+) -> Finding:
     message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
-    if instead := _INSTEAD.get(child.tag):
+    if instead := _INSTEAD.get(child.tag) or nested:
         return Finding(child, message, instead, group_key=child.tag)
     intended = nearest(child.tag, known, _TYPO)
     others = child.parent.children if child.parent else ()
