@@ -105,4 +105,5 @@ def _commanded_mimic(part: ControlPart, leader: str, humble: tuple[str, ...]) ->
             'delete the command interface, or write mimic="false" in this joint of <ros2_control>',
             severity=Severity.WARNING if humble else Severity.ERROR,
             targets=humble,
+            group_key="mimic",
         )
