@@ -109,17 +109,24 @@ def test_a_collision_does_not_follow_a_visual_in_millimetres(tmp_path: Path) -> 
     assert found.fix is None
 
 
-def test_no_tensor_comes_from_a_shape_in_another_unit(tmp_path: Path) -> None:
-    """A tensor that is right, beside a collision in millimetres and a visual in metres."""
+def boxes(directory: Path, mass: float, moments: str, visual: str, collision: str) -> Path:
+    """A robot of one link with a diagonal tensor, and boxes of these sizes."""
+    ixx, iyy, izz = moments.split()
     shape = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
-    robot = tmp_path / "box.urdf"
+    robot = directory / "boxes.urdf"
     robot.write_text(
-        '<robot name="r"><link name="a"><inertial><mass value="20"/>'
-        '<inertia ixx="0.3267" ixy="0" ixz="0" iyy="0.6667" iyz="0" izz="0.86"/></inertial>'
-        + shape.format("visual", "0.6 0.4 0.2")
-        + shape.format("collision", "600 400 200")
+        f'<robot name="r"><link name="a"><inertial><mass value="{mass}"/><inertia ixx="{ixx}" '
+        f'ixy="0" ixz="0" iyy="{iyy}" iyz="0" izz="{izz}"/></inertial>'
+        + shape.format("visual", visual)
+        + shape.format("collision", collision)
         + "</link></robot>"
     )
+    return robot
+
+
+def test_no_tensor_comes_from_a_shape_in_another_unit(tmp_path: Path) -> None:
+    """A tensor that is right, beside a collision in millimetres and a visual in metres."""
+    robot = boxes(tmp_path, 20, "0.3267 0.6667 0.86", "0.6 0.4 0.2", "600 400 200")
     assert fix(robot, unsafe=True, select=["INE006", "INE008"]).files == ()
 
 
@@ -153,27 +160,11 @@ def test_an_empty_element_of_a_xacro_may_be_a_macro_without_its_prefix(
 
 
 def test_a_tensor_that_fits_the_visual_does_not_follow_a_turned_collision(tmp_path: Path) -> None:
-    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
-    robot = tmp_path / "finger.urdf"
-    robot.write_text(
-        '<robot name="r"><link name="a"><inertial><mass value="0.5"/>'
-        '<inertia ixx="0.000483" ixy="0" ixz="0" iyy="0.000133" iyz="0" izz="0.000483"/></inertial>'
-        + body.format("visual", "0.04 0.1 0.04")
-        + body.format("collision", "0.1 0.04 0.04")
-        + "</link></robot>"
-    )
+    robot = boxes(tmp_path, 0.5, "0.000483 0.000133 0.000483", "0.04 0.1 0.04", "0.1 0.04 0.04")
     assert check(robot, select=["INE006"]).diagnostics == ()
 
 
 def test_no_tensor_comes_from_one_of_two_shapes_of_different_size(tmp_path: Path) -> None:
-    body = "<{0}><geometry><box size='{1}'/></geometry></{0}>"
-    robot = tmp_path / "arm.urdf"
-    robot.write_text(
-        '<robot name="r"><link name="a"><inertial><mass value="2"/>'
-        '<inertia ixx="0.0156" ixy="0" ixz="0" iyy="0.0156" iyz="0" izz="0.0012"/></inertial>'
-        + body.format("visual", "0.06 0.06 0.3")
-        + body.format("collision", "1.5 1.5 7.6")
-        + "</link></robot>"
-    )
+    robot = boxes(tmp_path, 2, "0.0156 0.0156 0.0012", "0.06 0.06 0.3", "1.5 1.5 7.6")
     (found,) = check(robot, select=["INE006", "INE008"]).diagnostics
     assert found.fix is None

@@ -5,10 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import MANIFEST, launch, reported
+from tests.launched import launch, reported
 from tests.workspaces import add_file, add_package
 from urdfkit import check
-from urdfkit.text.diagnostic import Severity
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -95,28 +94,6 @@ def test_the_cause_that_is_named_is_not_a_missing_package(tmp_path: Path) -> Non
     (found,) = reported(tmp_path / "arm", "LAU004", "a.launch", text, files)
     assert "'lost'" not in found.message
     assert found.message.endswith(", and 1 more")
-
-
-@pytest.mark.parametrize(("inner", "count"), [("arm", 0), ("other", 1)])
-def test_a_superbuild_around_the_package(tmp_path: Path, inner: str, count: int) -> None:
-    """Husarion: `project(SUPERBUILD NONE)`, and the package in the other branch."""
-    text = f"if(X)\n  project(SUPERBUILD NONE)\nelse()\n  project({inner})\nendif()\n"
-    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
-    assert len(found) == count
-
-
-def test_files_that_a_setup_py_puts_into_one_directory(tmp_path: Path) -> None:
-    """Nav2's loopback simulator and wheeltec: `glob('launch/*/*')` makes one flat directory."""
-    setup = (
-        "import os\nfrom glob import glob\nfrom setuptools import setup\n\nname = 'arm'\n"
-        "setup(name=name, data_files=[(os.path.join('share', name, 'launch'), "
-        "glob('launch/*.*') + glob('launch/*/*.*')), ('share/' + name, glob('config/*.yaml'))])\n"
-    )
-    files = {"setup.py": setup, "launch/nav/b.launch": "<launch/>", "config/a.yaml": ""}
-    found = '<include file="$(find arm)/launch/b.launch"/><rosparam file="$(find arm)/a.yaml"/>'
-    assert reported(tmp_path / "arm", "LAU003", "a.launch", found, files) == []
-    lost = found.replace("launch/b", "launch/nav/c").replace("a.yaml", "b.yaml")
-    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", lost, files)) == 2
 
 
 def test_a_path_from_where_the_user_starts_launch(tmp_path: Path) -> None:
@@ -233,21 +210,6 @@ def test_a_parameter_file_that_an_argument_chooses(tmp_path: Path) -> None:
         assert found.severity.value == severity
 
 
-def test_the_marker_of_a_package_with_another_name(tmp_path: Path) -> None:
-    """robotis_gz_sim, whose package.xml says robotis: one finding names the cause."""
-    manifest = "<package><name>arm</name><export><build_type>ament_python</build_type></export>"
-    setup = (
-        "package_name = 'arm_sim'\nsetup(\n    name=package_name,\n    data_files=["
-        "('share/ament_index/resource_index/packages', ['resource/' + package_name])])\n"
-    )
-    add_file(tmp_path / "package.xml", f"{manifest}</package>".encode())
-    add_file(tmp_path / "setup.py", setup.encode())
-    path = add_file(tmp_path / "launch" / "a.launch.py", b"")
-    found = check(path, select=["PKG005"]).diagnostics
-    assert not any("resource/" in one.message for one in found)
-    assert any("differs from the package name" in one.message for one in found)
-
-
 @pytest.mark.parametrize(
     ("path", "severities"),
     [("/tmp/robot.urdf", []), ("/none/r.urdf", ["warning"]), ("{}/arm/r.urdf", ["error"])],
@@ -299,36 +261,6 @@ def test_an_environment_variable_that_is_to_be_set(
     )
     files = {"robots/cob4/light.yaml": ""}
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text, files)) == count
-
-
-def test_what_colcon_still_does_by_itself(tmp_path: Path) -> None:
-    """A planner without `data_files`: colcon makes the entry in the index, and warns."""
-    manifest = MANIFEST.replace(
-        "</package>", "<export><build_type>ament_python</build_type></export></package>"
-    )
-    package = tmp_path / "arm"
-    files = {"setup.py": "from setuptools import setup\nsetup(name='arm')\n"}
-    reported(package, "PKG005", "a.launch", "", files)
-    (package / "package.xml").write_text(manifest)
-    (found,) = check(package / "launch" / "a.launch", select=["PKG005"]).diagnostics
-    assert found.severity is Severity.WARNING
-
-
-@pytest.mark.parametrize(("pattern", "count"), [("meshes/arm/*.stl", 0), ("meshes/*.stl", 1)])
-def test_a_directory_whose_files_are_installed(tmp_path: Path, pattern: str, count: int) -> None:
-    """AKROS2: an argument with the directory of the meshes, `package://.../meshes/`."""
-    setup = (
-        "from glob import glob\nfrom setuptools import setup\n"
-        f"setup(name='arm', data_files=[('share/arm/meshes', glob('{pattern}'))])\n"
-    )
-    robot = (
-        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
-        '<xacro:arg name="meshes" default="package://arm/meshes/arm/"/><link name="a"/></robot>'
-    )
-    files = {"setup.py": setup, "meshes/arm/a.stl": "", "urdf/r.xacro": robot}
-    reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
-    found = check(tmp_path / "arm" / "urdf" / "r.xacro", select=["PKG002"]).diagnostics
-    assert len(found) == count
 
 
 @pytest.mark.parametrize(
@@ -426,29 +358,3 @@ def test_a_macro_with_the_name_of_one_of_a_missing_package(
     files = {"robot.xacro": _CALLING_ITSELF.format(include)}
     text = '<param name="robot_description" command="xacro $(dirname)/../robot.xacro"/>'
     assert len(reported(tmp_path / "arm", "LAU004", "a.launch", text, files)) == count
-
-
-@pytest.mark.parametrize(("kind", "mentions"), [("ament_python", []), ("ament_cmake", [1])])
-def test_a_build_file_that_the_build_does_not_read(
-    tmp_path: Path, kind: str, mentions: list[int]
-) -> None:
-    """Bipedal-URDF: a CMakeLists.txt, left from a template, in a package of Python."""
-    build = f"<export><build_type>{kind}</build_type></export>"
-    (tmp_path / "package.xml").write_text(f"<package><name>arm</name>{build}</package>")
-    (tmp_path / "CMakeLists.txt").write_text(
-        "project(amr)\ninstall(DIRECTORY launch DESTINATION share/arm)\n"
-    )
-    (tmp_path / "setup.py").write_text(
-        "package_name = 'arm'\n"
-        "setup(data_files=[('share/arm/urdf', glob('urdf/*')), ('share/arm/meshes', glob('*')),\n"
-        "    ('share/ament_index/resource_index/packages', ['setup.py'])])\n"
-    )
-    for directory in ("urdf", "meshes"):
-        (tmp_path / directory).mkdir()
-    (tmp_path / "meshes" / "a.stl").write_bytes(b"")
-    mesh = '<visual><geometry><mesh filename="package://arm/meshes/a.stl"/></geometry></visual>'
-    robot = tmp_path / "urdf" / "r.urdf"
-    robot.write_text(f'<robot name="r"><link name="a">{mesh}</link></robot>')
-    for code in ("PKG002", "PKG005"):
-        found = check(robot, select=[code]).diagnostics
-        assert [one.message.count("CMakeLists.txt") for one in found] == mentions

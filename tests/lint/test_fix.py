@@ -2,34 +2,19 @@
 
 import os
 import subprocess
-from functools import partial
 from pathlib import Path
 
 import pytest
 
 from tests.conftest import MODELS
+from tests.fixing import FIXED_JOINT, XACRO, fix, write
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint import engine, fix_guard, rule_index
-from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
-from urdfkit.lint.fix import fix as fix_as_configured
 from urdfkit.lint.fix_guard import SLOW
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 
-#: An axis on a fixed joint is an info otherwise, whose fix nobody applies unasked.
-SEVERITIES = {"JNT020": Severity.WARNING}
-fix = partial(fix_as_configured, config=Config(severities=SEVERITIES))
-
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
-FIXED_JOINT = """\
-  <link name="a"/>
-  <link name="b"/>
-  <joint name="j" type="fixed">
-    <parent link="a"/><child link="b"/> <!-- stays -->
-    <axis xyz='0 1 0'/>
-  </joint>
-"""
 WITHOUT_AXIS = FIXED_JOINT.replace("    <axis xyz='0 1 0'/>\n", "")
 #: A swap of limits, which is unsafe.
 SWAPPED = """\
@@ -39,13 +24,6 @@ SWAPPED = """\
     <limit lower="0.9" upper="-0.8" effort="1" velocity="1"/>
   </joint>
 """
-
-
-def write(directory: Path, name: str, body: str, attributes: str = "") -> Path:
-    path = directory / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f'<?xml version="1.0"?>\n<robot name="r" {attributes}>\n{body}</robot>\n')
-    return path
 
 
 def test_a_safe_fix_is_applied_and_nothing_is_written_before_it_is_asked_for(
@@ -130,75 +108,6 @@ def test_a_file_that_changed_meanwhile_is_left_alone(tmp_path: Path) -> None:
     with pytest.raises(UnwritableFile, match="changed meanwhile"):
         fixes.write()
     assert file.read_text() == "<robot/>"
-
-
-@pytest.fixture
-def fleet(tmp_path: Path) -> Path:
-    """Two robots that include one file with a defect, each with one of its own."""
-    write(tmp_path, "shared.xacro", FIXED_JOINT, XACRO)
-    include = '<xacro:include filename="shared.xacro"/>\n'
-    own = FIXED_JOINT.replace('"a"', '"b"').replace('name="b"/>\n', "", 1)
-    own = own.replace('<link name="b"/>', '<link name="c"/>').replace(
-        'child link="b"', 'child link="c"'
-    )
-    own = own.replace("  <link   <link", "  <link").replace('name="j"', 'name="own"')
-    for name in ("one", "two"):
-        write(tmp_path, f"{name}.urdf.xacro", include + own, XACRO)
-    return tmp_path
-
-
-def test_a_file_of_several_robots_is_edited_once(fleet: Path) -> None:
-    assert check(fleet).count(Severity.ERROR) == 0
-    fixes = fix(fleet)
-    assert sorted(os.path.basename(file.path) for file in fixes.files) == [
-        "one.urdf.xacro",
-        "shared.xacro",
-        "two.urdf.xacro",
-    ]
-    assert all(b"axis" not in file.after for file in fixes.files)
-    shared = next(file for file in fixes.files if "shared" in file.path)
-    assert shared.after.count(b"<!-- stays -->") == 1
-
-
-def test_what_another_robot_needs_is_kept(tmp_path: Path) -> None:
-    """'arm_lnk' is a slip in one robot, which has 'arm_link', and right in the other."""
-    joint = '<joint name="j" type="fixed"><parent link="base"/><child link="arm_lnk"/></joint>\n'
-    write(tmp_path, "shared.xacro", f'<link name="base"/>\n{joint}', XACRO)
-    include = '<xacro:include filename="shared.xacro"/>\n'
-    one = write(tmp_path, "one.urdf.xacro", f'{include}<link name="arm_link"/>\n', XACRO)
-    alone = fix(one, unsafe=True)
-    assert [d.code for d in alone.applied] == ["REF001"]
-    write(tmp_path, "two.urdf.xacro", f'{include}<link name="arm_lnk"/>\n', XACRO)
-    for files in ((one,), (tmp_path,), (one, tmp_path / "two.urdf.xacro")):
-        fixes = fix(*files, unsafe=True)
-        assert fixes.files == ()
-        assert ("REF001", "skipped: another robot uses this text and is correct as it is") in {
-            (left.diagnostic.code, left.reason) for left in fixes.left
-        }
-
-
-MACRO = """\
-  <xacro:macro name="pair" params="name type">
-    <link name="${name}"/>
-    <joint name="${name}_joint" type="${type}">
-      <parent link="base"/><child link="${name}"/>
-      <axis xyz="0 0 1"/>
-    </joint>
-  </xacro:macro>
-  <link name="base"/>
-  <xacro:pair name="a" type="fixed"/>
-"""
-
-
-@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
-def test_a_macro_is_edited_only_where_all_calls_agree(
-    tmp_path: Path, other: str, agree: bool
-) -> None:
-    call = f'  <xacro:pair name="b" type="{other}"/>\n'
-    fixes = fix(write(tmp_path, "r.xacro", MACRO + call, XACRO))
-    assert [one.code for one in fixes.applied] == ["JNT020"] * agree
-    found = [left.diagnostic for left in fixes.left if left.diagnostic.code == "JNT020"]
-    assert [one.fix for one in found] == [None] * (not agree)
 
 
 def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path: Path) -> None:
@@ -326,65 +235,6 @@ def test_a_robot_that_a_launch_file_gives_controllers_disputes_no_fix(tmp_path: 
         '<rosparam file="$(dirname)/arm.yaml"/></launch>'
     )
     assert len(fix(tmp_path).files) == len(fix(tmp_path / "r.urdf").files) == 1
-
-
-TYPED = """\
-  <xacro:arg name="type" default="fixed"/>
-  <link name="a"/>
-  <link name="b"/>
-  <joint name="j" type="$(arg type)">
-    <parent link="a"/><child link="b"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-"""
-
-
-@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
-def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agree: bool) -> None:
-    file = str(write(tmp_path, "r.xacro", TYPED, XACRO))
-    robots = (RobotEntry(file, "one", {}), RobotEntry(file, "two", {"type": other}))
-    fixes = fix(file, config=Config(robots=robots, severities=SEVERITIES))
-    assert [one.code for one in fixes.applied] == ["JNT020"] * agree
-    reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}
-    text = "skipped: another robot uses this text and is correct as it is"
-    assert reasons == (set() if agree else {text})
-
-
-@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
-def test_robots_that_were_not_named_must_agree_as_well(
-    tmp_path: Path, other: str, agree: bool
-) -> None:
-    write(tmp_path, "part.xacro", TYPED, XACRO)
-    include = '  <xacro:include filename="part.xacro"/>\n'
-    one = write(tmp_path, "one.urdf.xacro", include, XACRO)
-    argument = f'  <xacro:arg name="type" default="{other}"/>\n'
-    write(tmp_path, "two.urdf.xacro", argument + include, XACRO)
-    assert [found.code for found in fix(one).applied] == ["JNT020"] * agree
-    assert [found.code for found in fix(tmp_path).applied] == ["JNT020"] * agree
-
-
-BLOCK = """\
-  <xacro:property name="turn"><axis xyz="0 0 2"/></xacro:property>
-  <link name="a"/><link name="b"/><link name="c"/>
-  <joint name="i" type="continuous">
-    <parent link="a"/><child link="b"/><xacro:insert_block name="turn"/>
-  </joint>
-  <joint name="j" type="{}">
-    <parent link="b"/><child link="c"/><xacro:insert_block name="turn"/>
-  </joint>
-"""
-
-
-@pytest.mark.parametrize(("other", "agree"), [("continuous", True), ("fixed", False)])
-def test_a_block_that_is_inserted_twice_is_edited_for_both(
-    tmp_path: Path, other: str, agree: bool
-) -> None:
-    """Two joints that move want a unit axis; a fixed one beside a moving one wants none."""
-    file = write(tmp_path, "r.xacro", BLOCK.format(other), XACRO)
-    fixes = fix(file, unsafe=True, select=["JNT006", "JNT020"])
-    assert [one.code for one in fixes.applied] == ["JNT006"] * 2 * agree
-    text = fixes.files[0].after.decode() if fixes.files else file.read_text()
-    assert ('<axis xyz="0 0 1"/>' in text) is agree
 
 
 PREFIX = """\
