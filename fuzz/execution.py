@@ -17,8 +17,9 @@ from random import Random
 from types import FrameType
 from typing import NamedTuple
 
-from fuzz.harnesses import HARNESSES, ROOT, Harness
+from fuzz.harnesses import HARNESSES, Harness
 from fuzz.mutations import MAX_SIZE, mutate
+from fuzz.seeds import ROOT
 from urdfkit.errors import NotEnoughMemory, UrdfkitError
 
 #: Of the processor, that one input may take.

@@ -1,4 +1,4 @@
-"""What is fuzzed: seeds, and the call of the library that takes an input.
+"""What is fuzzed: the seeds of each harness, and the call of the library that takes an input.
 
 A harness raises nothing but what is a defect: what cannot be done is an `UrdfkitError`.
 """
@@ -12,19 +12,20 @@ import re
 import tarfile
 import tempfile
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from functools import lru_cache
 from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from fuzz import seeds
+from fuzz.seeds import HEAD, ROOT
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import config_reader, engine, rule_index
+from urdfkit.lint import config_reader, engine
 from urdfkit.lint.ignore_comments import ignores
 from urdfkit.lint.options import Options
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.lint.rules import Rule
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, DRIVE, DRIVEN
 from urdfkit.ros.launch import read_launch
 from urdfkit.scan import models as scanned
@@ -39,10 +40,6 @@ from urdfkit.xacro import expand
 
 if TYPE_CHECKING:
     from mcp.server.mcpserver import MCPServer
-
-ROOT = Path(__file__).resolve().parents[1]
-MODELS = ROOT / "models"
-_HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 
 class Harness(NamedTuple):
@@ -59,118 +56,6 @@ class Harness(NamedTuple):
 
 class CrashedRule(Exception):
     """A rule failed; the check went on without it."""
-
-
-# ------------------------------------------------------------------ seeds
-
-
-@lru_cache
-def _rules() -> list[Rule]:
-    return [rule_index.get(code) for code in rule_index.codes()]
-
-
-def _examples(*families: str) -> Iterator[bytes]:
-    """The examples of rules whose code begins with one of some words."""
-    for rule in _rules():
-        if rule.code.startswith(families):
-            for which in ("BAD", "GOOD"):
-                text = rule.example(which)
-                if text:
-                    yield whole_robot(text).encode("utf-8", "surrogateescape")
-
-
-def _files(*suffixes: str) -> list[bytes]:
-    """The files beside the examples of rules, and those of the models."""
-    import sys
-
-    found = [
-        path.read_bytes() for path in sorted(MODELS.rglob("*")) if path.name.endswith(suffixes)
-    ]
-    for rule in _rules():
-        rule.example("BAD")  # which imports it
-        files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
-        found += [data for name, data in files.items() if name.endswith(suffixes)]
-    return list(dict.fromkeys(one for one in found if one and len(one) < 20_000))
-
-
-def _robots() -> list[bytes]:
-    plain = [one for one in _examples("") if b"<robot" in one and b"xacro:" not in one]
-    return [*plain, *_files(".urdf")]
-
-
-def _xacros() -> list[bytes]:
-    return [*(one for one in _examples("") if b"xacro:" in one), *_files(".xacro")]
-
-
-def _expressions() -> list[bytes]:
-    written = re.findall(rb"\$[{(][^\n\"]*[)}]", b"\n".join(_xacros()))
-    return [
-        *dict.fromkeys(written),
-        b"${'%d-%s' % (1, 'a')}",
-        b"${[x*2 for x in python.range(3) if x]}",
-        b"${dict(a=1)['a'] + sum([1, 2])}",
-        b"${'a'.join(sorted(['b', 'c'], key=len)).upper().split('x')}",
-        b"${radians(90) if True and not False else max(1, 2) ** 2 // 3 % 4 << 5}",
-        b"${'{:>8.3f}{}'.format(pi, 'a')}${str(round(1.5, 1))}",
-        b"${python.set([1]) | python.set([2])}${list(map(float, '1 2'.split()))}",
-        b"${xacro.load_yaml('a.yaml')['a'][0]}$(eval arg('a') + 1)$(arg a)$(env ROS_DISTRO)",
-    ]
-
-
-def _launches() -> list[bytes]:
-    return [
-        *(one for one in _examples("LAU", "GAZ") if b"launch" in one),
-        *_files(".launch", ".py"),
-    ]
-
-
-def _srdfs() -> list[bytes]:
-    body = """<group name="arm"><chain base_link="a" tip_link="b"/><joint name="j"/></group>
-    <group_state name="up" group="arm"><joint name="j" value="0.5"/></group_state>
-    <end_effector name="hand" parent_link="b" group="hand" parent_group="arm"/>
-    <virtual_joint name="v" type="fixed" parent_frame="world" child_link="a"/>
-    <passive_joint name="j"/><disable_default_collisions link="a"/>
-    <disable_collisions link1="a" link2="b" reason="Adjacent"/>"""
-    return [f'<robot name="r">{body}</robot>'.encode(), *_files(".srdf")]
-
-
-def _manifests() -> list[bytes]:
-    return _files("package.xml")
-
-
-def _configurations() -> list[bytes]:
-    """The settings of the documentation, each by itself."""
-    text = (ROOT / "docs" / "configuration.md").read_text(encoding="utf-8")
-    (example,) = re.findall(r"(?s)```toml\n(.*?)```", text)
-    table = [part.encode() for part in re.split(r"\n(?=\[)", example)]
-    return [*table, *table[0].splitlines(), example.encode()]
-
-
-def _meshes(*suffixes: str) -> Callable[[], list[bytes]]:
-    def seeds() -> list[bytes]:
-        from urdfkit.mesh import samples
-        from urdfkit.mesh.io.load import load_bytes
-        from urdfkit.mesh.writers import encode
-
-        box = samples.stl(samples.box((0, 0, 0), (0.1, 0.1, 0.3)))
-        mesh = load_bytes(box, "a.stl")
-        made = [box] if ".stl" in suffixes else []
-        for suffix in set(suffixes) - {".gltf"}:
-            made += encode(mesh, f"a{suffix}").values()
-        return [*made, *_files(*suffixes)]
-
-    return seeds
-
-
-def _command_lines() -> list[bytes]:
-    """The command lines of the documentation, with files of the scratch directory."""
-    text = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "docs").rglob("*.md"))
-    lines = re.findall(r"(?m)^\s*(?:\$ )?urdfkit ([\w -]+.*)$", text)
-    named = [_FILE_NAME.sub(lambda found: _SCRATCH.get(found[1], "r.urdf"), one) for one in lines]
-    return [one.encode() for one in dict.fromkeys(named) if one.split()[0] not in _NEVER]
-
-
-# -------------------------------------------------------------------- runs
 
 
 def _check(path: str, data: bytes | None = None, *, select: tuple[str, ...] = ()) -> None:
@@ -205,7 +90,7 @@ def _expression(data: bytes) -> None:
     """A text with expressions as the value of an attribute."""
     text = data.decode("utf-8", "replace").replace("&", "&amp;").replace("<", "&lt;")
     text = "".join(char for char in text if char >= " ").replace('"', "&quot;")
-    body = f'{_HEAD}<xacro:arg name="a" default="1"/><link name="{text}"/></robot>'
+    body = f'{HEAD}<xacro:arg name="a" default="1"/><link name="{text}"/></robot>'
     found = expand(Source("r.xacro", body.encode("utf-8", "replace")), Resolver(environment={}))
     if found.document is not None:
         found.text()
@@ -218,7 +103,7 @@ def _yaml(data: bytes) -> None:
     located_yaml.load(source)
     located_yaml.mistake(source)
     _write("a.yaml", data)
-    robot = f"{_HEAD}<link name=\"${{xacro.load_yaml('a.yaml')}}\"/></robot>"
+    robot = f"{HEAD}<link name=\"${{xacro.load_yaml('a.yaml')}}\"/></robot>"
     expand(Source(os.path.abspath("y.xacro"), robot.encode()), Resolver(environment={}))
 
 
@@ -283,7 +168,7 @@ def _worlds() -> list[bytes]:
     <geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>"""
     whole = b"""<sdf version="1.9"><world name="hall"><physics type="ode"><max_step_size>0.001
     </max_step_size></physics>%s%s</world></sdf>"""
-    return [whole % (include, floor), *_files(".sdf")]
+    return [whole % (include, floor), *seeds.files(".sdf")]
 
 
 def _package(data: bytes) -> None:
@@ -356,6 +241,14 @@ _UNSAFE = re.compile(r"\.\.|/|~|\$")
 #: A path of the documentation, and what stands for it by suffix.
 _FILE_NAME = re.compile(r"[\w./$-]+\.(urdf|xacro|stl|dae|obj|launch)\b")
 _SCRATCH = {"xacro": "r.xacro", "stl": "a.stl", "dae": "a.stl", "obj": "a.stl"}
+
+
+def _command_lines() -> list[bytes]:
+    """The command lines of the documentation, with files of the scratch directory."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "docs").rglob("*.md"))
+    lines = re.findall(r"(?m)^\s*(?:\$ )?urdfkit ([\w -]+.*)$", text)
+    named = [_FILE_NAME.sub(lambda found: _SCRATCH.get(found[1], "r.urdf"), one) for one in lines]
+    return [one.encode() for one in dict.fromkeys(named) if one.split()[0] not in _NEVER]
 
 
 def _arguments(data: bytes) -> None:
@@ -512,26 +405,26 @@ def _write(name: str, data: bytes) -> None:
 
 
 HARNESSES: dict[str, Harness] = {
-    "text": Harness(lambda: [*_robots(), *_xacros()], _text),
-    "robot": Harness(_robots, _robot),
-    "xacro": Harness(_xacros, _xacro),
-    "expression": Harness(_expressions, _expression),
-    "yaml": Harness(lambda: _files(".yaml"), _yaml),
-    "launch": Harness(_launches, _launch),
-    "srdf": Harness(_srdfs, _srdf),
-    "controllers": Harness(lambda: [DRIVE, *_files(".yaml")], _controllers),
-    "package": Harness(_manifests, _package),
-    "configuration": Harness(_configurations, _configuration),
-    "stl": Harness(_meshes(".stl"), _mesh("a.stl")),
-    "collada": Harness(_meshes(".dae"), _mesh("a.dae")),
-    "obj": Harness(_meshes(".obj"), _mesh("a.obj")),
-    "ply": Harness(_meshes(".ply"), _mesh("a.ply")),
-    "gltf": Harness(_meshes(".glb", ".gltf"), _mesh("a.glb")),
-    "bringup": Harness(lambda: _files(".yaml"), _bringup("p.yaml")),
+    "text": Harness(lambda: [*seeds.robots(), *seeds.xacros()], _text),
+    "robot": Harness(seeds.robots, _robot),
+    "xacro": Harness(seeds.xacros, _xacro),
+    "expression": Harness(seeds.expressions, _expression),
+    "yaml": Harness(lambda: seeds.files(".yaml"), _yaml),
+    "launch": Harness(seeds.launches, _launch),
+    "srdf": Harness(seeds.srdfs, _srdf),
+    "controllers": Harness(lambda: [DRIVE, *seeds.files(".yaml")], _controllers),
+    "package": Harness(seeds.manifests, _package),
+    "configuration": Harness(seeds.configurations, _configuration),
+    "stl": Harness(seeds.meshes(".stl"), _mesh("a.stl")),
+    "collada": Harness(seeds.meshes(".dae"), _mesh("a.dae")),
+    "obj": Harness(seeds.meshes(".obj"), _mesh("a.obj")),
+    "ply": Harness(seeds.meshes(".ply"), _mesh("a.ply")),
+    "gltf": Harness(seeds.meshes(".glb", ".gltf"), _mesh("a.glb")),
+    "bringup": Harness(lambda: seeds.files(".yaml"), _bringup("p.yaml")),
     "world": Harness(_worlds, _bringup("w.sdf")),
     "archive": Harness(_archives, _archive),
-    "command": Harness(_robots, _command),
+    "command": Harness(seeds.robots, _command),
     "tool": Harness(_tool_calls, _tool),
     "arguments": Harness(_command_lines, _arguments),
-    "lsp": Harness(lambda: [*_robots(), *_xacros()], _lsp),
+    "lsp": Harness(lambda: [*seeds.robots(), *seeds.xacros()], _lsp),
 }

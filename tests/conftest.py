@@ -137,6 +137,7 @@ SLOW = (
     "tests/test_kills.py",
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
+    "tests/lint/test_fix_consistency.py",
     "tests/lint/test_formatting.py",
     "tests/lint/test_rule_packages.py",
     "tests/lsp/test_server.py",
