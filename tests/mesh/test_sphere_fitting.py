@@ -12,7 +12,7 @@ pytest.importorskip("trimesh", reason="meshes need the extra meshes")
 from urdfkit.mesh import solids
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 from urdfkit.mesh.inside import are_inside, closed, points_inside
-from urdfkit.mesh.sphere_fitting import Covering, Spheres, choose
+from urdfkit.mesh.sphere_fitting import Covering, Spheres, fit
 from urdfkit.mesh.sphere_quality import measure, total
 
 
@@ -30,7 +30,7 @@ def of_rod() -> Covering:
 
 
 def spheres_of(covering: Covering, *, margin: float = 0.01, most: int = 100) -> Spheres:
-    return covering.refined(choose([covering], margin, most)[0])
+    return fit([covering], margin, most)[0]
 
 
 def test_a_ball_is_one_sphere() -> None:
@@ -71,13 +71,22 @@ def test_fewer_spheres_stick_out_by_more() -> None:
     assert few.protrusion_p95 > many.protrusion_p95
 
 
+def test_a_budget_is_used_as_well_as_an_even_row() -> None:
+    """Nine spheres in a row that cover the rod to its edges stick out by 16 mm."""
+    quality = measure(ROD, spheres_of(of_rod(), margin=0.001, most=9))
+    even = np.sqrt(2 * 0.02**2 + (0.4 / 18) ** 2) - 0.02
+    assert quality.spheres == 9
+    assert quality.protrusion_max < even
+    assert quality.coverage > 0.985
+
+
 @pytest.mark.usefixtures("rough_meshes")
 def test_the_budget_is_shared_and_each_solid_has_a_sphere() -> None:
     coverings = [Covering(surface, 0.99) for surface in (BALL, ROD, ROD)]
-    chosen = choose(coverings, 0.001, 9)
-    assert len(chosen[0]) == 1
-    assert sum(map(len, chosen)) <= 9
-    assert [len(one) for one in choose(coverings, 0.001, 1)] == [1, 1, 1]
+    counts = [len(one.radii) for one in fit(coverings, 0.001, 9)]
+    assert counts[0] == 1
+    assert sum(counts) == 9
+    assert [len(one.radii) for one in fit(coverings, 0.001, 1)] == [1, 1, 1]
 
 
 def test_the_same_every_time() -> None:

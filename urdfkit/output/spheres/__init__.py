@@ -82,7 +82,7 @@ def fit_spheres(
     Raises:
         UrdfkitError: there is no geometry to cover.
     """
-    from urdfkit.mesh.sphere_fitting import Covering, choose
+    from urdfkit.mesh.sphere_fitting import Covering, fit
     from urdfkit.mesh.sphere_quality import measure, total
 
     context = robot if isinstance(robot, Context) else read(robot)
@@ -100,12 +100,17 @@ def fit_spheres(
             coverings[name] = Covering(triangles, coverage)
         report(number, 2 * len(solids))
     left = most - sum(len(one.radii) for one in exact.values())
-    chosen = dict(zip(coverings, choose([*coverings.values()], margin, left), strict=True))
-    links = []
-    for number, (name, triangles) in enumerate(solids.items(), len(solids) + 1):
-        spheres = exact.get(name) or coverings[name].refined(chosen[name])
-        links.append(LinkSpheres(name, spheres, measure(triangles, spheres)))
-        report(number, 2 * len(solids))
+    fitted = fit(
+        [*coverings.values()],
+        margin,
+        left,
+        lambda done: report(len(solids) + done, 2 * len(solids)),
+    )
+    every = {**exact, **dict(zip(coverings, fitted, strict=True))}
+    links = [
+        LinkSpheres(name, every[name], measure(triangles, every[name]))
+        for name, triangles in solids.items()
+    ]
     whole = total([one.quality for one in links])
     return RobotSpheres(tuple(links), whole, tuple(left_out), tuple(replaced))
 
