@@ -11,7 +11,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
 from urdfkit.text.document import CallFrame
-from urdfkit.text.file_kinds import is_extension, is_list_of_joints, has_srdf_tags
+from urdfkit.text.file_kinds import has_srdf_tags, is_extension, is_list_of_joints
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
