@@ -133,6 +133,9 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
         message = f"nothing in the robot has the topic '{topic.topic}'; that of {other.who} is "
         message += f"'/{other.name}', which is not bridged"
         help = f"write /{other.name}"
+        if other.name.strip("'\"") != other.name:
+            message += ": the quotes are part of it"
+            help = "remove the quotes in the robot's <topic>"
         if other.is_default and not other.is_system:
             message = (
                 f"nothing in the robot has the topic '{topic.topic}': {other.who} has no <topic>"
