@@ -147,9 +147,8 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
 
 def _topics(context: Context) -> Iterator[GazeboTopic]:
     """The topics of the robots that are described; none if not all of them are known."""
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None and description.is_whole:
+    for description, robot in context.described_robots:
+        if description.is_whole:
             yield from topics(robot.model)
 
 
