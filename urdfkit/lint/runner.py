@@ -71,7 +71,7 @@ def run_rules(
         lacking = context.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.explains_failure()
-        looks_elsewhere = bool(others) and not run.skipped  # at no robot
+        looks_elsewhere = others and {*map(rule_index.family_of, others)} <= LAUNCH_FAMILIES
         is_unchecked = is_unexplained and not (context.is_readable or looks_elsewhere)
         if is_unchecked or context.unchecked:
             run.rules([rule_index.NOT_CHECKED])

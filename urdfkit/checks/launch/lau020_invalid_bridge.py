@@ -133,6 +133,9 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
         message = f"nothing in the robot has the topic '{topic.topic}'; that of {other.who} is "
         message += f"'/{other.name}', which is not bridged"
         help = f"write /{other.name}"
+        if other.name.strip("'\"") != other.name:
+            message += ": the quotes are part of it"
+            help = "remove the quotes in the robot's <topic>"
         if other.is_default and not other.is_system:
             message = (
                 f"nothing in the robot has the topic '{topic.topic}': {other.who} has no <topic>"
@@ -144,9 +147,8 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
 
 def _topics(context: Context) -> Iterator[GazeboTopic]:
     """The topics of the robots that are described; none if not all of them are known."""
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None and description.is_whole:
+    for description, robot in context.described_robots:
+        if description.is_whole:
             yield from topics(robot.model)
 
 
