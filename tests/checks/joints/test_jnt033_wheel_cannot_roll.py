@@ -26,10 +26,11 @@ def robot(
 
 
 def test_the_axis_or_the_shape_lies_across() -> None:
-    assert messages("JNT033", robot("1 0 0")) == [
+    (message,) = messages("JNT033", robot("1 0 0"))
+    assert message == (
         "joint 'j' turns wheel 'wheel' about 1 0 0, "
         "but the axis of its collision cylinder is 0 -1 0"
-    ]
+    )
     assert messages("JNT033", robot("0 0 1"))
     assert messages("JNT033", robot(rpy="0 0 0"))
 

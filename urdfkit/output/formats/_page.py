@@ -179,7 +179,7 @@ def _unsaid(message: str, said: str) -> str:
     words, known = without_search(message).split(" "), without_search(said).split(" ")
     alike = takewhile(lambda pair: pair[0] == pair[1], zip(words[::-1], known[::-1], strict=False))
     shared = len(list(alike))
-    return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words)
+    return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words).rstrip(":;,")
 
 
 def _shared(traces: Sequence[Sequence[Step]]) -> int:
