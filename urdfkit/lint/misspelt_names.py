@@ -36,7 +36,7 @@ def _names(context: Context, kind: str) -> Iterator[str]:
     if kind == "joint":
         for component in components(model):
             yield from (joint.name for joint in component.joints)
-        yield from (element.get("name") or "" for element, _ in driven_joints(model))
+        yield from (element.get("name") or "" for element, _ in driven_joints(model.transmissions))
     yield from (block.get("reference") or "" for block in model.gazebo)
     for plugin in context.plugins:
         yield from (one.name for one in plugin.references() if one.kind == kind)

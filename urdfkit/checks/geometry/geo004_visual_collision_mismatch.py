@@ -201,10 +201,10 @@ def _sides(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool
     inertia = context.masses.by_name.get(link.name)
     if inertia is None or not inertia.is_of(one.collision) or inertia.is_of(one.visual):
         return collision, visual, True
-    joint = next(iter(context.tree.parents[link.name]), None)
-    if joint and _turns_about_own_axis(collision, joint):
+    joints = context.tree.parents[link.name]
+    if any(_turns_about_own_axis(collision, joint) for joint in joints):
         return visual, collision, True
-    return collision, visual, bool(joint) and _turns_about_own_axis(visual, joint)
+    return collision, visual, any(_turns_about_own_axis(visual, joint) for joint in joints)
 
 
 def _turns_about_own_axis(body: Body, joint: Joint) -> bool:
