@@ -25,7 +25,7 @@ PARTS = {
     Need.FILES: ("files",),
     Need.MESHES: ("files", "measured", "meshes"),
     Need.GAZEBO: {"gazebo", "plugins"},
-    Need.LAUNCH: {"launch", "other_robot"},
+    Need.LAUNCH: {"launch", "other_robot", "described_robots"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics"},
     Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},

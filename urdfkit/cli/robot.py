@@ -159,6 +159,8 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
             progress=progress,
         )
     except UnreadableRobot as error:
+        if not error.problems:
+            raise
         raise first_of(error, file) from error
     if not context.model.links and context.document.root.tag != "robot":
         root = context.document.root

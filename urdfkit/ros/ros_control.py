@@ -6,7 +6,7 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.model import RobotModel
@@ -139,9 +139,9 @@ def reads_transmissions(targets: Targets) -> bool:
     return targets.any_of(ROS1) or not targets.any_of(ROS2)
 
 
-def driven_joints(model: RobotModel) -> Iterator[tuple[Element, Element]]:
-    """Each joint of each transmission of ROS 1, and that transmission."""
-    for transmission in model.transmissions:
+def driven_joints(transmissions: Iterable[Element]) -> Iterator[tuple[Element, Element]]:
+    """Each joint of each transmission, and that transmission."""
+    for transmission in transmissions:
         for joint in transmission.all("joint"):
             yield joint, transmission
 

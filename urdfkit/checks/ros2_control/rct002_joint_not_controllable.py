@@ -82,7 +82,7 @@ def _driven(context: Context) -> Iterator[tuple[Element, str]]:
         for joint in component.joints:
             yield joint.at, component.called
     if context.model.transmissions and reads_transmissions(context.targets):
-        for element, transmission in driven_joints(context.model):
+        for element, transmission in driven_joints(context.model.transmissions):
             if not _is_of_a_vendor(element):
                 yield element, called(transmission)
 

@@ -13,6 +13,7 @@ Sources:
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Severity, reported, rule
+from urdfkit.text.file_kinds import is_extension
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="${side}_arm"/>'
@@ -32,7 +33,7 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 def check(context: Context) -> Findings:
     for finding in reported(context, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
-        lowered = Severity.INFO if context.is_extension else Severity.WARNING
+        lowered = Severity.INFO if is_extension(context.document.root) else Severity.WARNING
         yield finding._replace(help=help, severity=lowered)
     data = context.source.data
     if context.reading.xacro or (b"${" not in data and b"$(" not in data):
