@@ -28,6 +28,10 @@ SIZES = {
     "sphere": ("radius",),
 }
 
+#: Two shapes of a link are in different units if one is longer by this factor (GEO004); which of
+#: them is right is unknown.
+OTHER_UNIT = 5.0
+
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
