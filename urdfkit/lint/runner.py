@@ -61,7 +61,7 @@ def run_rules(
     context.run = RunState(options.config.options)
     run = _RuleRun(context, options)
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
+    own = [code for code in chosen if code in rule_index.of_family(OWN_FAMILY)]
     others = [code for code in chosen if code not in own]
     run.rules(others)
     context.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
