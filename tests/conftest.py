@@ -113,7 +113,9 @@ def model_id(entry: object) -> str | None:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
     "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm",
+    "tests/checks/gazebo_sensors/test_gaz072_view_blocked.py::test_primitives_agree",
     "tests/cli/mesh/test_shaping.py",
+    "tests/cli/mesh/test_spheres.py",
     "tests/cli/test_collisions.py",
     "tests/cli/test_configured.py",
     "tests/cli/test_main.py::test_ctrl_c_ends",
@@ -154,6 +156,7 @@ SLOW = (
     "tests/physics/",
     "tests/pytest_plugin/",
     "tests/render/",
+    "tests/robot/inertials/test_diagnosis.py::test_no_proposal",
     "tests/ros/gazebo/test_conversion.py",
     "tests/ros/importers/test_against_engines.py",
     "tests/ros/launch/test_corpus.py",
@@ -172,6 +175,7 @@ SLOW = (
     "tests/test_pages.py",
     "tests/test_planted.py",
     "tests/test_playground.py",
+    "tests/test_safe_fixes.py",
     "tests/test_site.py",
     "tests/test_testing.py",
     "tests/text/editing/test_formatter.py",
@@ -180,6 +184,7 @@ SLOW = (
     "tests/xacro/test_bombs.py",
     "tests/xacro/test_budget.py",
     "tests/xacro/test_identity.py",
+    "tests/xacro/test_places.py::test_every_attribute",
     "tests/xacro/test_upstream.py",
 )
 

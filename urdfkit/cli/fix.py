@@ -116,7 +116,8 @@ def _left(fixes: Fixes) -> Iterator[str]:
     for one, reason in fixes.left:
         key = (one.severity.rank, f"{one.severity.value:<7}  {one.code}  {one.name}", reason)
         groups.setdefault(shown(one.span.source.path), {}).setdefault(key, []).append(one)
-    for path, kinds in sorted(groups.items()):
+    # The files with errors first.
+    for path, kinds in sorted(groups.items(), key=lambda of_file: (min(of_file[1])[0], of_file[0])):
         yield f"left in {printable(path)}:"
         for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):
             yield _row(what + (f" ({_why(reason, found[0])})" if reason else ""), found)

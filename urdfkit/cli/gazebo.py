@@ -81,9 +81,13 @@ def render(conversion: SdfConversion) -> Iterator[str]:
     lost, added = len(model.joints) - len(conversion.joints), len(conversion.added_joints)
     yield (
         f"{len(model.joints)} joints become {len(conversion.joints) + added}"
-        + (f"; {lost} are merged or dropped" if lost else "")
-        + (f"; {added} are added as SDF by <gazebo>" if added else "")
+        + (f"; {lost} {_are(lost)} merged or dropped" if lost else "")
+        + (f"; {added} {_are(added)} added as SDF by <gazebo>" if added else "")
     )
+
+
+def _are(count: int) -> str:
+    return "is" if count == 1 else "are"
 
 
 def _mass(link: Element) -> str:

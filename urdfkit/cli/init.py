@@ -46,7 +46,7 @@ def command(directory: str, only_print: bool) -> int:
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
     path = os.path.join(directory, _FILE)
     atomic.write(path, output.encode(text))
-    output.write(f"{path}: {counted(len(found.robots), 'robot')}\n")
+    output.write(f"wrote {path}: {counted(len(found.robots), 'robot')}\n")
     return 0
 
 

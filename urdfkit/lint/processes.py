@@ -16,6 +16,7 @@ from urdfkit.lint.plan import Job
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from collections import deque
     from concurrent.futures import Future, ProcessPoolExecutor
     from typing import TypeAlias
 
@@ -45,19 +46,33 @@ def in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Che
     waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
     with _pool(count, known) as pool:
         try:
-            while batches or waiting:
-                while batches and len(waiting) < 4 * count:  # results must not pile up
-                    waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
-                    batches.popleft()
-                done = waiting[0][1].result()
-                waiting.popleft()
-                yield from _noted(done)
+            yield from _in_order(pool, batches, waiting, 4 * count)
         except BrokenProcessPool:
             _wait_for_ctrl_c()
     if waiting:
         yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
     if batches:
         yield from in_processes([job for batch in batches for job in batch], known, count)
+
+
+def _in_order(
+    pool: ProcessPoolExecutor,
+    batches: deque[list[Job]],
+    waiting: deque[tuple[list[Job], Future[Batch]]],
+    most: int,
+) -> Iterator[list[Checked]]:
+    """The results of some batches; what is not done stays in ``batches`` and ``waiting``.
+
+    Args:
+        most: that wait at a time, for results must not pile up.
+    """
+    while batches or waiting:
+        while batches and len(waiting) < most:
+            waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
+            batches.popleft()
+        done = waiting[0][1].result()
+        waiting.popleft()
+        yield from _noted(done)
 
 
 def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:

@@ -17,8 +17,9 @@ from tests.physics.collision.robots import (
     robot,
     sphere,
 )
-from urdfkit.lint.context import MAX_BODIES, Context, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.loading import read
+from urdfkit.lint.requirements import MAX_BODIES
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.contacts import Contacts
 

@@ -40,7 +40,7 @@ from urdfkit.ros.catalog.controllers import (
     successor,
 )
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
-from urdfkit.ros.controllers import Controller, Section, managers, named_sections
+from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.located_yaml import Node, Value
@@ -81,7 +81,7 @@ def check(context: Context) -> Findings:
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
-    for file, found in context.controllers:
+    for file, found in by_file(context.controllers):
         names = {one.name for one in found}
         others = {name: section for name, section in sections.items() if name not in names}
         for one in found:

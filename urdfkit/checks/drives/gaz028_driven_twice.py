@@ -11,6 +11,7 @@ Sources:
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
+from urdfkit.ros.ros_control import driven_joints
 from urdfkit.text.document import Element
 
 _JOINT = "<joint_name>shoulder</joint_name>"
@@ -39,13 +40,11 @@ def _controlled(context: Context) -> dict[str, tuple[str, Element]]:
     """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
     found: dict[str, tuple[str, Element]] = {}
     names = " ".join(use.filename for use in context.plugins)
-    if "ros2_control" in names:
-        for control in context.model.ros2_controls:
-            for joint in control.all("joint"):
-                if joint.child("command_interface"):
-                    found[joint.get("name") or ""] = ("<ros2_control>", joint)
+    for control in context.model.ros2_controls if "ros2_control" in names else ():
+        for joint in control.all("joint"):
+            if joint.child("command_interface"):
+                found[joint.get("name") or ""] = ("<ros2_control>", joint)
     if "gazebo_ros_control" in names:
-        for transmission in context.model.transmissions:
-            for joint in transmission.all("joint"):
-                found[joint.get("name") or ""] = ("a <transmission>", transmission)
+        for joint, transmission in driven_joints(context.model.transmissions):
+            found[joint.get("name") or ""] = ("a <transmission>", transmission)
     return found

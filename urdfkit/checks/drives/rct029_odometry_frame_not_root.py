@@ -56,12 +56,11 @@ def check(context: Context) -> Findings:
         yield from _of_plugin(use, context)
     if context.is_part or len(context.tree.roots) != 1:
         return
-    for file, found in context.controllers:
-        for controller in found:
-            yield from _odometry(controller, context)
-            if frame := _frame(controller):
-                for finding in _of_controller(controller, frame, context):
-                    yield finding._replace(related=(file.note,))
+    for file, controller in context.controllers:
+        yield from _odometry(controller, context)
+        if frame := _frame(controller):
+            for finding in _of_controller(controller, frame, context):
+                yield finding._replace(related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, context: Context) -> Findings:

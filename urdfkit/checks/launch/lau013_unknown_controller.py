@@ -70,10 +70,8 @@ def _loaded(context: Context) -> set[str]:
     found: set[str] = set()
     for file in context.launch.parameters:
         found |= _defined(context, file.path)
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            found.update(one.name for _, several in in_files(robot) for one in several)
+    for _, robot in context.described_robots:
+        found.update(one.name for _, one in in_files(robot))
     return found
 
 

@@ -74,10 +74,8 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
     if not published or all(one.package != "robot_state_publisher" for one in started):
         return
     joints: dict[str, Joint] = {}
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
+    for _, robot in context.described_robots:
+        joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
     for one, transform in published:
         child = transform.child
         joint = joints.get(_frame(child))

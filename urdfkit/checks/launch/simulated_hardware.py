@@ -14,9 +14,8 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
     """A robot with Gazebo's control plugin, which loads none of its mock hardware."""
     if not any(map(spawner_of, started)):
         return
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if not description.is_whole or robot.reading.document is None:
+    for description, robot in context.described_robots:
+        if not description.is_whole:
             continue
         plugins = control_plugins(robot.model)
         found = components(robot.model)

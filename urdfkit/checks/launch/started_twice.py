@@ -55,9 +55,8 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
         return
     simulated = Related(spawners[0].span, "the robot is put into Gazebo here")
     nodes = [one for one in started if one.executable == "ros2_control_node"]
-    for description in context.launch.descriptions if nodes else ():
-        robot = context.other_robot(description.path, description.arguments)
-        for plugin in control_plugins(robot.model) if robot.reading.document else ():
+    for _, robot in context.described_robots if nodes else ():
+        for plugin in control_plugins(robot.model):
             for one in nodes if "ros2_control" in (plugin.at.get("filename") or "") else ():
                 yield Finding(
                     Location(one.span, one.frame),

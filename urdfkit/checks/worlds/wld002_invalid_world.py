@@ -26,7 +26,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
+from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
@@ -200,7 +200,7 @@ def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
 
 
 def _lacking(context: Context, kinds: list[str]) -> Iterator[Sensor]:
-    for robot in robots(context) if kinds else ():
+    for _, robot in context.described_robots if kinds else ():
         yield from (one for one in sensors(robot.model) if one.type in kinds)
 
 

@@ -45,22 +45,19 @@ class UsdProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True if all differences are within the bounds."""
         is_placed = self.frames <= LENGTH and self.axes <= AXIS
         return is_placed and max(self.masses, self.joints) <= PART
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds."""
         return "the stage agrees with the robot on frames, masses, inertia, axes and limits"
 
     @property
-    def differences(self) -> str:
-        """The differences in words."""
+    def disagreed(self) -> str:
         return (
+            "the USD does not agree with the robot: "
             f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
-            f"joints {self.joints:.2g}; "
-            f"most at '{self.part}'"
+            f"joints {self.joints:.2g}; most at '{self.part}'"
         )
 
 

@@ -199,13 +199,8 @@ class _PythonReader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
-                    if name == "robot_description" and self.frame is None:
-                        self._unexpanded(value)
-                    if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
-                        items = self.values.items(value)
-                        lists[name] = tuple(self.values.text(item) for item in items)
-                    if name == "config_file" and self.values.text(value):
-                        self._file(value, "configuration of the bridge")
+                    lists.update(self._listed(name or "", value))
+                    self._note_files(name or "", value)
             elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
                 file = self._path(path)
                 files += [file] if file else []
@@ -214,6 +209,19 @@ class _PythonReader:
                 is_whole = False
         found.pop("", None)
         return GivenParameters(found, tuple(files), is_whole, lists)
+
+    def _listed(self, name: str, value: ast.expr) -> dict[str, tuple[str | None, ...]]:
+        """The items of a parameter, by its name; empty if it is no list."""
+        if not name or not isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
+            return {}
+        return {name: tuple(self.values.text(item) for item in self.values.items(value))}
+
+    def _note_files(self, name: str, value: ast.expr) -> None:
+        """Note the file that is the value of a parameter, or whose text is."""
+        if name == "robot_description" and self.frame is None:
+            self._unexpanded(value)
+        if name == "config_file" and self.values.text(value):
+            self._file(value, "configuration of the bridge")
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")

@@ -119,7 +119,7 @@ class Srdf:
         virtual = {joint.get("name") or "" for joint in self.virtual_joints}
         return virtual | set(self.tree.model.joints_by_name)
 
-    def chain(self, base: str, tip: str) -> list[Joint] | None:
+    def joints_between(self, base: str, tip: str) -> list[Joint] | None:
         """The joints from a link down to another one; None if the second is not below."""
         joints = self.tree.path(tip)
         if base == tip:
@@ -147,7 +147,7 @@ class Srdf:
         if part.tag == "group":
             return self.links_of(name, seen)
         if part.tag == "chain":
-            joints = self.chain(part.get("base_link") or "", part.get("tip_link") or "")
+            joints = self.joints_between(part.get("base_link") or "", part.get("tip_link") or "")
             return {joint.child_name for joint in joints or ()}
         return set()
 
