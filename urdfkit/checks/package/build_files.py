@@ -61,13 +61,13 @@ def not_finished(directory: str) -> Findings:
 
 
 def missing_directories(name: str, directory: str) -> Findings:
-    """Files and directories that a CMakeLists.txt installs and that do not exist."""
+    """Files and directories that a CMakeLists.txt of ROS 2 installs and that do not exist."""
     source = _read(directory, "CMakeLists.txt") if build_file(directory).endswith(".txt") else None
     text = re.sub(rb"#[^\n]*", lambda one: b" " * len(one[0]), source.data) if source else b""
     is_sure = not re.search(rb"\b(OPTIONAL|EXISTS)\b", text)
-    if source is None or not is_sure or InstallRules(directory, name).makes_files:
-        return
     is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
+    if source is None or not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
+        return
     for path in dict.fromkeys(one.source for one in read_rules(directory, name)):
         place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
         if place and _is_missing(directory, path):
@@ -75,7 +75,6 @@ def missing_directories(name: str, directory: str) -> Findings:
                 Location(Span(source, *place.span())),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
                 f"remove it, or create {path}; git keeps no empty directory",
-                severity=None if is_ament else Severity.INFO,
             )
 
 

@@ -10,8 +10,8 @@ nowhere.
   installs the files below that name, or catkin stops: "package name does not match project name".
 - CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package.
 - CMakeLists.txt installs a file or directory that does not exist, and the build ends: "file INSTALL
-  cannot find". An empty directory is not in a clone, since git keeps files only. In ROS 1 it is an
-  info: catkin's devel space installs nothing.
+  cannot find". An empty directory is not in a clone, since git keeps files only. Not in ROS 1:
+  catkin's devel space installs nothing.
 - CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 has none.
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
