@@ -10,7 +10,6 @@ from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
-from urdfkit.workspace.revisions import is_ignored
 
 #: Of a build file.
 _MAX_BYTES = 1024 * 1024
@@ -80,8 +79,11 @@ def missing_directories(name: str, directory: str) -> Findings:
 
 def _is_missing(directory: str, path: str) -> bool:
     whole = os.path.normpath(os.path.join(directory, path))
-    is_inside = whole.startswith(os.path.join(directory, ""))
-    return is_inside and not disk.exists(whole) and not is_ignored(whole)
+    if not whole.startswith(os.path.join(directory, "")) or disk.exists(whole):
+        return False
+    from urdfkit.workspace.revisions import is_ignored  # which runs git
+
+    return not is_ignored(whole)
 
 
 def finds_catkin(directory: str) -> Findings:
