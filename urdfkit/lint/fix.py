@@ -19,7 +19,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
 from urdfkit.lint.fix_guard import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
-from urdfkit.lint.options import Options, choose, external_codes
+from urdfkit.lint.options import Options, choose, external_codes, words
 from urdfkit.lint.report import Fixable, Report
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
@@ -74,9 +74,9 @@ def fix(
     given = options.given(
         arguments=arguments,
         packages=packages,
-        select=tuple(select),
-        ignore=tuple(ignore),
-        targets=tuple(targets),
+        select=words("select", select),
+        ignore=words("ignore", ignore),
+        targets=words("targets", targets),
         trust=trust,
         config=config,
     )

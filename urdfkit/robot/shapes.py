@@ -77,6 +77,10 @@ class BoundingBox(Record):
         x, y, z = self.edges
         return x * y * z
 
+    def gap(self, other: BoundingBox) -> float:
+        """How far apart two boxes are along an axis at most, in m; below 0 if they overlap."""
+        return max(max(a - d, c - b) for a, b, c, d in zip(*self, *other, strict=True))
+
     def common_volume(self, other: BoundingBox) -> float:
         """Volume of the intersection in m^3."""
         volume = 1.0

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.core.record import Record
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import number
+from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import control_plugin
 from urdfkit.ros.targets import Targets
 from urdfkit.text.document import Element
@@ -144,6 +145,17 @@ def driven_joints(transmissions: Iterable[Element]) -> Iterator[tuple[Element, E
     for transmission in transmissions:
         for joint in transmission.all("joint"):
             yield joint, transmission
+
+
+def joints_and_owners(description: RosDescription) -> Iterator[tuple[Element, str]]:
+    """The joints of ros2_control and of transmissions that something reads, and whose each is."""
+    for component in components(description.model):
+        for joint in component.joints:
+            yield joint.at, component.called
+    transmissions = description.model.transmissions
+    if transmissions and reads_transmissions(description.targets):
+        for element, transmission in driven_joints(transmissions):
+            yield element, called(transmission)
 
 
 def _component(element: Element) -> Component:

@@ -91,7 +91,8 @@ def check(context: Context) -> Findings:
             for one in named
             if one.name not in known
             and one.key not in given
-            and (one.key or not _is_shown(one.name, of_others, last_words))
+            and (one.key or one.name not in of_others)
+            and not _is_in_namespace(one, launch, last_words)
         ]
         parents = {}
         if not _has_foreign_publishers(context):
@@ -103,10 +104,12 @@ def check(context: Context) -> Findings:
     yield from _other_world(context)
 
 
-def _is_shown(name: str, of_others: frozenset[str], last_words: set[str]) -> bool:
-    """True for a frame of RViz that a driver or a robot in a namespace publishes."""
-    _, namespace, last = name.rpartition("/")
-    return name in of_others or bool(namespace and last in last_words)
+def _is_in_namespace(frame: NamedFrame, launch: Launch, last_words: set[str]) -> bool:
+    """True for a frame that a robot may publish if another launch file starts it in a namespace."""
+    _, namespace, last = frame.name.rpartition("/")
+    if frame.key:
+        return bool(namespace and not launch.descriptions)
+    return bool(namespace and last in last_words)
 
 
 def _of_drivers(launch: Launch) -> frozenset[str]:
@@ -166,7 +169,7 @@ def _published(context: Context) -> frozenset[str]:
     launch = context.launch
     links = _of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
-    if not launch.descriptions and _includes_foreign(context):
+    if not launch.descriptions and (_includes_foreign(context) or _publishes(launch)):
         return frozenset()  # one of these may start another robot
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
@@ -206,6 +209,11 @@ def _renames_frames(launch: Launch) -> bool:
         for one in publishers
     )
     return any(renaming) or (bool(launch.descriptions) and not publishers)
+
+
+def _publishes(launch: Launch) -> bool:
+    """True if it starts robot_state_publisher."""
+    return any(one.package == _PUBLISHER for one in _started(launch))
 
 
 def _is_viewer(launch: Launch) -> bool:

@@ -20,9 +20,8 @@ Sources:
     PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
-from collections.abc import Iterator
-
 from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -32,10 +31,9 @@ from urdfkit.ros.ros_control import (
     components,
     control_plugins,
     driven_joints,
+    joints_and_owners,
     parameter,
-    reads_transmissions,
 )
-from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
@@ -65,25 +63,16 @@ def check(context: Context) -> Findings:
 
 
 def _of_robot(context: Context, suggester: Suggester) -> Findings:
-    for name, owner in _named(context):
-        if name.value in context.model.joints_by_name or is_expression(name.value):
+    for joint, owner in joints_and_owners(context):
+        name = joint.attributes.get("name")
+        if name is None or name.value in context.model.joints_by_name or is_expression(name.value):
             continue
         hint = suggester.hint(name.value)
         message = f"{owner}: unknown joint '{name.value}'{hint}"
-        fix = fix_value(name, suggester.suggested(name.value))
+        suggested = suggester.suggested(name.value)
+        defined = context.model.joints_by_name.get(suggested)
+        fix = corrected_definition(context, defined, name.value) or fix_value(name, suggested)
         yield Finding(name, message, fix=fix, group_key="" if hint else owner)
-
-
-def _named(context: Context) -> Iterator[tuple[Attribute, str]]:
-    """The names of joints, each with who gives it."""
-    for component in components(context.model):
-        for joint in component.joints:
-            if "name" in joint.at.attributes:
-                yield joint.at.attributes["name"], component.called
-    if context.model.transmissions and reads_transmissions(context.targets):
-        for element, transmission in driven_joints(context.model.transmissions):
-            if "name" in element.attributes:
-                yield element.attributes["name"], called(transmission)
 
 
 def _not_in_block(context: Context) -> Findings:

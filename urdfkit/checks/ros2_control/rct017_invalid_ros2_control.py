@@ -57,13 +57,17 @@ def check(context: Context) -> Findings:
         yield from _elements(block)
         yield from _type(component)
         for transmission in block.all("transmission"):
-            for part in transmission.children:
-                if part.tag in ("joint", "actuator") and not part.get("role"):
-                    message = f"<{part.tag}> of a transmission has no role"
-                    yield Finding(part, message, f'add role="{part.tag}1"')
+            yield from _roles(transmission)
         yield from invalid_values(component)
     for finding in invalid_interfaces(context):
         yield finding._replace(severity=finding.severity or Severity.WARNING)
+
+
+def _roles(transmission: Element) -> Findings:
+    for part in transmission.children:
+        if part.tag in ("joint", "actuator") and not part.get("role"):
+            message = f"<{part.tag}> of a transmission has no role"
+            yield Finding(part, message, f'add role="{part.tag}1"')
 
 
 def _elements(block: Element) -> Findings:

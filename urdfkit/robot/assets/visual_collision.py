@@ -155,8 +155,7 @@ class VisualCollisionPair:
         concentric = other.moved(Transform(position=minus(one.center, other.center)))
         if _overlap(one, concentric) >= SAME:
             return True
-        gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
-        return gap > max(*one.edges, *other.edges)
+        return one.gap(other) > max(*one.edges, *other.edges)
 
     @property
     def _is_near(self) -> bool:

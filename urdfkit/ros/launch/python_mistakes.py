@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from urdfkit.core.suggest import nearest
-from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source, Span
 
@@ -78,12 +78,9 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
 
 def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
     """A path that begins with a slash behind others, which ``os.path.join`` then drops."""
-    parts: list[ast.expr] = list(call.args)
-    if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
-        parts = list(parts[0].elts)
     if called(call) not in ("join", "PathJoinSubstitution"):
         return None
-    for part in parts[1:]:
+    for part in parts_of_path(call)[1:]:
         text = part.value if isinstance(part, ast.Constant) else None
         if isinstance(text, str) and text.startswith("/"):
             message = f"'{text}' begins with a slash, so the directories before it are dropped"
