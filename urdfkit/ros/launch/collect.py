@@ -211,6 +211,4 @@ def _leaves(path: str, directory: str) -> bool:
     """True if a path goes out of a directory on the way, wherever it ends."""
     parts = path.split(os.sep)
     ends = (end for end, part in enumerate(parts, 1) if part == os.pardir)
-    return any(
-        not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends
-    )
+    return any(not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends)
