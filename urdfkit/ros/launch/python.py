@@ -16,6 +16,7 @@ from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
     entry_point,
+    joined,
     mistakes,
     not_started,
 )
@@ -116,8 +117,9 @@ class _PythonReader:
         for call in self.calls:
             if call not in self._idle:
                 problems += mistakes(call, self.values)
-            if dropped := dropped_directory(call, self.values):
-                problems.append(dropped)
+            found = dropped_directory(call, self.values) or joined(call, self.values)
+            if found:
+                problems.append(found)
         for node in self._expressions:
             if mistake := added(node, self.values):
                 problems.append(mistake)
@@ -144,7 +146,7 @@ class _PythonReader:
             if is_path and node not in self._idle:
                 path = self.values.text(node)
                 if path and os.path.isabs(path):
-                    self.collector.mention(os.path.normpath(path), self.values.span(node))
+                    self.collector.mention(path, self.values.span(node))
 
     # ---------------------------------------------------------------- calls
 
