@@ -61,13 +61,13 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
         if not values["quiet"]:
             _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
+        report = _with_baseline(report, known, values)
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
-        report = _check(values, chosen)
+        report = _with_baseline(_check(values, chosen), known, values)
         if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
-    report = _with_baseline(report, known, values)
     _show_crashes(report)
     written = _write(report, outputs, values)
     code = report.exit_code(fail_on(values, chosen))

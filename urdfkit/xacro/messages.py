@@ -100,6 +100,10 @@ def _of_call(text: str, macro: Any) -> MessageText | None:
     params: list[str] = list(macro.params) if macro is not None else []
     if found := _PARAMETER.search(text):
         name = found.group(1)
+        if any(name in param.split(",") for param in params if "," in param):
+            words = " ".join(params).replace(",", " ").split()
+            message = f"{who} has no parameter '{name}': its params are separated by commas"
+            return MessageText(message, f'write params="{" ".join(words)}"')
         has = ", ".join(params) or "none"
         return MessageText(
             f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"

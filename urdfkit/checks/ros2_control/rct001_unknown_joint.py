@@ -21,6 +21,7 @@ Sources:
 """
 
 from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -68,7 +69,9 @@ def _of_robot(context: Context, suggester: Suggester) -> Findings:
             continue
         hint = suggester.hint(name.value)
         message = f"{owner}: unknown joint '{name.value}'{hint}"
-        fix = fix_value(name, suggester.suggested(name.value))
+        suggested = suggester.suggested(name.value)
+        defined = context.model.joints_by_name.get(suggested)
+        fix = corrected_definition(context, defined, name.value) or fix_value(name, suggested)
         yield Finding(name, message, fix=fix, group_key="" if hint else owner)
 
 

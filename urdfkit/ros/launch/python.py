@@ -17,6 +17,7 @@ from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
     entry_point,
+    joined,
     mistakes,
     not_started,
 )
@@ -118,8 +119,9 @@ class _PythonReader:
         for call in self.calls:
             if call not in self._idle:
                 problems += mistakes(call, self.values)
-            if dropped := dropped_directory(call, self.values):
-                problems.append(dropped)
+            found = dropped_directory(call, self.values) or joined(call, self.values)
+            if found:
+                problems.append(found)
         for node in self._expressions:
             if mistake := added(node, self.values):
                 problems.append(mistake)
