@@ -60,8 +60,8 @@ def check(context: Context) -> Findings:
 
 def _origins(model: RobotModel) -> Findings:
     # A robot may stand anywhere in the world.
-    joints = (joint for joint in model.joints if joint.parent_name != "world")
-    reaches = [(joint, length(joint.origin.position)) for joint in joints]
+    placed = (joint for joint in model.joints if joint.parent_name != "world")
+    reaches = [(joint, length(joint.origin.position)) for joint in placed]
     far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
     if not far:
         return
