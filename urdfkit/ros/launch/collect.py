@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
@@ -85,8 +86,13 @@ class Collector:
         return exists
 
     def mention(self, path: str, span: Span) -> None:
-        """Record a path of a package whose use is not known, if something is there."""
-        if self.resolver.packages.enclosing(path) and disk.exists(path):
+        """Record a path of a package whose use is not known, if something is there.
+
+        One that leaves its package on the way leads elsewhere once the package is installed.
+        """
+        home = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
+        path, written = os.path.normpath(path), path
+        if home and not _leaves(written, home[1]) and disk.exists(path):
             self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
@@ -199,3 +205,10 @@ def path_from(source: Source, text: str) -> str:
     """A path as launch finds it: absolute, or relative to the launch file."""
     directory = os.path.dirname(os.path.abspath(source.path))
     return os.path.normpath(os.path.join(directory, text))
+
+
+def _leaves(path: str, directory: str) -> bool:
+    """True if a path goes out of a directory on the way, wherever it ends."""
+    parts = path.split(os.sep)
+    ends = (end for end, part in enumerate(parts, 1) if part == os.pardir)
+    return any(not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends)

@@ -148,7 +148,7 @@ class _PythonReader:
             if is_path and node not in self._idle:
                 path = self.values.text(node)
                 if path and os.path.isabs(path):
-                    self.collector.mention(os.path.normpath(path), self.values.span(node))
+                    self.collector.mention(path, self.values.span(node))
 
     # ---------------------------------------------------------------- calls
 
