@@ -103,3 +103,22 @@ def test_a_path_from_the_share_directory_back_to_the_sources(
     (tmp_path / "src").mkdir()
     found = of_launch(tmp_path / "src" / "arm", "PKG002", "a.launch.py", LAUNCH.format(way), files)
     assert len(found) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("hand_controller", 0), ("haed_controller", 1)])
+def test_a_controller_of_a_hand_is_no_misspelt_one_of_the_head(
+    tmp_path: Path, name: str, count: int
+) -> None:
+    """A launch file that loads nothing: who includes it has the parameters of the hand."""
+    text = f'<node name="s" pkg="controller_manager" type="spawner" args="{name}"/>'
+    files = {"config/c.yaml": "head_controller: {type: effort_controllers/X}\n"}
+    assert len(of_launch(tmp_path / "arm", "LAU013", "a.launch", text, files)) == count
+
+
+def test_a_misspelt_option_is_not_to_be_removed(tmp_path: Path) -> None:
+    node = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 't', '-r', '1'])"
+    text = LAUNCH.format('"a"').replace("print(path)", node)
+    text = text.replace("import os", "import os\nfrom launch_ros.actions import Node")
+    (found,) = of_launch(tmp_path / "arm", "LAU016", "a.launch.py", text)
+    assert found.message == "create has no option '-r' (ignored); did you mean '-R'?"
+    assert found.help == "write -R"
