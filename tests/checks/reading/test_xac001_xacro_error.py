@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.xacros import codes, marked, reported, told_of, write
+from urdfkit import check
 
 MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
 
