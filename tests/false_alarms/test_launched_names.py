@@ -153,3 +153,12 @@ def test_a_parameter_of_hardware_that_is_not_known(tmp_path: Path) -> None:
         )
     )
     assert "RCT017" not in [found.code for found in check(tmp_path / "ws").diagnostics]
+
+
+@pytest.mark.parametrize("sim", ["gazebo_ros_control/DefaultRobotHWSim", "my_arm/ArmHWSim"])
+def test_simulations_of_hardware(tmp_path: Path, sim: str) -> None:
+    shutil.copytree(CARRIERS / "crawler", tmp_path / "ws")
+    path = tmp_path / "ws" / "urdf" / "crawler.xacro"
+    tag = "<robotNamespace>/</robotNamespace>"
+    path.write_text(path.read_text().replace(tag, f"{tag}<robotSimType>{sim}</robotSimType>"))
+    assert check(path, select=["RCT010"]).diagnostics == ()
