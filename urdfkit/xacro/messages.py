@@ -12,7 +12,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
-from urdfkit.text.source import Span, shown
+from urdfkit.text.source import Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
@@ -51,7 +51,9 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
     if isinstance(cause, FileNotFoundError) and cause.filename:
         return _missing_file(os.fspath(cause.filename))
     if isinstance(cause, OSError) and cause.filename:
-        return MessageText(f"{cause.filename}: {cause.strerror}")
+        path = os.fspath(cause.filename)
+        reason, _, help = why_unreadable(path, cause).partition("; ")
+        return MessageText(f"{shown(path)}: {reason}", help)
     if isinstance(cause, SyntaxError):
         return MessageText(f"not an expression: {cause.msg}", "write it as Python would read it")
     if isinstance(cause, BrokenYaml):

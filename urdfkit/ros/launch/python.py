@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from urdfkit.core import disk
 from urdfkit.ros.launch import moveit_builder
+from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
@@ -77,6 +78,7 @@ class _PythonReader:
             called(call) == "GroupAction" and argument(call, None, "condition")
             for call in self.calls
         )
+        self._decided = decided_calls(tree)
         #: Expressions whose value nothing reads.
         self._idle = unread(tree)
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
@@ -264,7 +266,7 @@ class _PythonReader:
         """Whether the condition of an action holds; None if that is known at run time only."""
         written = argument(action, None, "condition")
         if written is None:
-            return True
+            return None if action in self._decided else True
         condition = self.values.suggested(written)
         if not isinstance(condition, ast.Call):
             return None
@@ -272,7 +274,9 @@ class _PythonReader:
         holds = {"true": True, "1": True, "false": False, "0": False}.get(value)
         if holds is None or called(condition) not in ("IfCondition", "UnlessCondition"):
             return None
-        return holds is (called(condition) == "IfCondition")
+        if holds is (called(condition) != "IfCondition"):
+            return False
+        return None if action in self._decided else True
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")
