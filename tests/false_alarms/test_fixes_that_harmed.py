@@ -244,3 +244,11 @@ def test_no_reference_is_changed_where_the_name_of_its_link_is_misspelt(tmp_path
     fixes = fix(robot, unsafe=True)
     assert [one.code for one in fixes.applied] == ["URD003"]
     assert fixes.files[0].after.decode() == text.format("name")
+
+
+def test_a_moment_becomes_that_of_the_shape_that_the_others_are_of(tmp_path: Path) -> None:
+    """A tenth of 0.05 is possible, and ten times too much."""
+    moments = "0.00602 0.00602 {}"
+    robot = boxes(tmp_path, 1.2, moments.format("0.05"), "0.05 0.05 0.24", "0.05 0.05 0.24")
+    fixes = fix(robot, unsafe=True, select=["INE003"])
+    assert [one.fix.title for one in fixes.applied if one.fix] == ['write izz="0.0005"']

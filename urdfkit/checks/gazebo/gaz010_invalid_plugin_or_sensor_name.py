@@ -29,6 +29,7 @@ Sources:
 
 import re
 
+from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
@@ -37,7 +38,7 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.targets import CLASSIC, GZ
 from urdfkit.text.diagnostic import Edit
-from urdfkit.text.editing.edits import fix_value
+from urdfkit.text.editing.edits import fix_value, rename_attribute
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.source import Span
 
@@ -72,7 +73,8 @@ def _missing(context: Context, use: PluginUse) -> Findings:
         other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
         who = f"plugin {other}" if other else "<plugin>"
         help = f'add {attribute}="..."' + (" with the library" if attribute == "filename" else "")
-        fix = _named(context, use) if attribute == "name" else None
+        fix = _renamed(use, attribute)
+        fix = fix or (_named(context, use) if attribute == "name" else None)
         yield Finding(use.at, f"{who} has no {attribute}: {REJECTED}", help, fix)
 
 
@@ -139,6 +141,16 @@ def _shared_topics(context: Context) -> Findings:
 
 def _in_macro(sensor: Sensor) -> bool:
     return any(step.kind == "macro" for step in sensor.at.via)
+
+
+def _renamed(use: PluginUse, missing: str) -> Fix | None:
+    """Rename an attribute such as ``nmae``."""
+    for attribute in use.at.attributes.values():
+        if attribute.name != missing and is_typo(attribute.name, missing):
+            return Fix.of(
+                f"rename {attribute.name} to {missing}", rename_attribute(attribute, missing)
+            )
+    return None
 
 
 def _named(context: Context, use: PluginUse) -> Fix | None:
