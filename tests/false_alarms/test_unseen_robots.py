@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebos import BASE, plugin, sensor
+from tests.checks.worlds.started import INCLUDE, systems
+from tests.checks.worlds.started import found as of_world
+from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.launched import reported as of_launch
 from tests.physics.collision.robots import box, joint, link, revolute, sphere
 from tests.reported import messages, reported
@@ -122,3 +124,55 @@ def test_a_misspelt_option_is_not_to_be_removed(tmp_path: Path) -> None:
     (found,) = of_launch(tmp_path / "arm", "LAU016", "a.launch.py", text)
     assert found.message == "create has no option '-r' (ignored); did you mean '-R'?"
     assert found.help == "write -R"
+
+
+@pytest.mark.parametrize(
+    ("project", "count"),
+    [("driver-${KIND}", 0), ("driver-$ENV{KIND}", 0), ("driver-x", 1), ("driver", 1)],
+)
+def test_a_project_whose_name_ends_in_a_variable(tmp_path: Path, project: str, count: int) -> None:
+    """A driver for several cameras, whose name the command line completes."""
+    files = {"CMakeLists.txt": f"project({project})\nament_package()\n"}
+    assert len(of_launch(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
+
+
+@pytest.mark.parametrize(("declared", "count"), [("", 1), ('<arg name="arm_id" default="a"/>', 0)])
+def test_substitutions_in_a_file_take_the_arguments_of_the_launch_file(
+    tmp_path: Path, declared: str, count: int
+) -> None:
+    """Controllers of one and of two arms in one file: `subst_value` alone stops roslaunch."""
+    text = f'{declared}<rosparam file="$(find arm)/c.yaml"/>'
+    (tmp_path / "arm").mkdir()
+    (found,) = of_launch(
+        tmp_path / "arm", "LAU019", "a.launch", text, {"c.yaml": "one: $(arg arm_id)_joint\n"}
+    )
+    assert found.help == 'write subst_value="true"' + ', and declare <arg name="arm_id"/>' * count
+
+
+@pytest.mark.parametrize("of_arm", [False, True])
+def test_a_flag_that_the_link_has_into_which_another_one_is_merged(of_arm: bool) -> None:
+    """Universal Robots' tool flange: its <selfCollide> adds nothing to that of the last wrist."""
+    ball = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    robot = BASE.replace("</link>", f"{ball}</link>") + child("hand", "fixed")
+    robot += block("<selfCollide>true</selfCollide>", "hand")
+    robot += child("gripper", "fixed").replace("</inertial>", f"</inertial>{ball}")
+    if of_arm:
+        robot += block("<selfCollide>true</selfCollide>")
+    assert len(messages("GAZ067", robot)) == (not of_arm)
+
+
+def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
+    tmp_path: Path,
+) -> None:
+    """Its plugins are right; to remove them breaks it where it is started as it should be."""
+    classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
+    classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
+    (found,) = of_world(tmp_path, "WLD002", world=systems("physics", "sensors"), launch=classic)
+    assert found.message == (
+        "world 'hall' is for gz-sim, and is started in Gazebo Classic, which loads none of its "
+        "2 plugins"
+    )
+    assert found.span.source.path.endswith(".launch.py")
+    mixed = systems("physics") + '<plugin name="p" filename="libgazebo_ros_state.so"/>'
+    (found,) = of_world(tmp_path, "WLD002", world=mixed, launch=classic)
+    assert found.help == "remove it"

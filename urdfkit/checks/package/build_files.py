@@ -15,7 +15,8 @@ from urdfkit.workspace.installs import read_rules
 _MAX_BYTES = 1024 * 1024
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
-    "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
+    # No part of a name, such as that in front of a variable.
+    "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)(?![\w$-])",
     "setup.py": rb"(?m)^[ \t]*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
 }
 #: Of each build type its build file, and that of the other.
