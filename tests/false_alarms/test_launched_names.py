@@ -162,3 +162,10 @@ def test_simulations_of_hardware(tmp_path: Path, sim: str) -> None:
     tag = "<robotNamespace>/</robotNamespace>"
     path.write_text(path.read_text().replace(tag, f"{tag}<robotSimType>{sim}</robotSimType>"))
     assert check(path, select=["RCT010"]).diagnostics == ()
+
+
+@pytest.mark.parametrize(("count", "codes"), [(6, []), (3, ["RCT034"])])
+def test_lengths_of_covariances(tmp_path: Path, count: int, codes: list[str]) -> None:
+    controllers = "porter_description/config/controllers.yaml"
+    line = f"enable_odom_tf: false\n    twist_covariance_diagonal: {[0.001] * count}"
+    assert _porter(tmp_path / "ws", controllers, "enable_odom_tf: false", line) == codes

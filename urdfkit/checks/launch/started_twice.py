@@ -21,7 +21,7 @@ _FILTER = {
     "publish_tf": "true",
     "odom_frame": "odom",
     "world_frame": "odom",
-    "base_link_frame": "base_link",
+    "base_link_frame": "",  # base_link; a section that is not found may give another
 }
 _ODOM, _BASE = "odom_frame", "base_link_frame"
 #: Roots that are frames of their own.
