@@ -229,3 +229,26 @@ def test_a_robot_is_not_raised_by_the_one_wheel_that_is_too_large(tmp_path: Path
         )
         (found,) = check(robot, select=["TRE008"]).diagnostics
         assert (found.fix is not None) == is_fixable
+
+
+def test_no_reference_is_changed_where_the_name_of_its_link_is_misspelt(tmp_path: Path) -> None:
+    """``naame`` hides camera_link, and its references are not those of camera_lens."""
+    text = (
+        '<robot name="r"><link name="base"/><link name="camera_lens"/><link {}="camera_lnk"/>'
+        '<joint name="a" type="fixed"><parent link="base"/><child link="camera_lnk"/></joint>'
+        '<joint name="b" type="fixed"><parent link="camera_lnk"/><child link="camera_lens"/>'
+        "</joint></robot>"
+    )
+    robot = tmp_path / "camera.urdf"
+    robot.write_text(text.format("naame"))
+    fixes = fix(robot, unsafe=True)
+    assert [one.code for one in fixes.applied] == ["URD003"]
+    assert fixes.files[0].after.decode() == text.format("name")
+
+
+def test_a_moment_becomes_that_of_the_shape_that_the_others_are_of(tmp_path: Path) -> None:
+    """A tenth of 0.05 is possible, and ten times too much."""
+    moments = "0.00602 0.00602 {}"
+    robot = boxes(tmp_path, 1.2, moments.format("0.05"), "0.05 0.05 0.24", "0.05 0.05 0.24")
+    fixes = fix(robot, unsafe=True, select=["INE003"])
+    assert [one.fix.title for one in fixes.applied if one.fix] == ['write izz="0.0005"']

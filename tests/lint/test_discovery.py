@@ -116,6 +116,14 @@ def test_an_included_file_that_is_gone_leads_to_its_robot(repository):
     assert names(found) == ["robot.xacro"]
 
 
+def test_a_directory_that_is_excluded_as_a_whole_says_so(package):
+    config = Config("urdfkit.toml", exclude=("*",))
+    with pytest.raises(
+        UnreadableFile, match=r"not counting what 'exclude' in .*urdfkit\.toml names$"
+    ):
+        discover(str(package), config, Resolver())
+
+
 def test_excluded_files_are_passed_over(package):
     config = Config(str(package / "urdfkit.toml"), exclude=("urdf/base.urdf",))
     assert names(discover(str(package), config, Resolver())) == ["arm.xacro"]

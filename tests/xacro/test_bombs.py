@@ -321,13 +321,19 @@ def checked(file: Path, *program: str) -> dict[str, set[int]]:
 on_unix = pytest.mark.skipif(sys.platform == "win32", reason="there are no limits of a process")
 
 
-@on_unix
-@pytest.mark.parametrize("what", BOMBS)
-def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
+def placed_bomb(what: str, workspace: Path) -> tuple[Path, str]:
+    """A file that holds a bomb, and the code that is reported."""
     text, code = BOMBS[what]
     (workspace / "part.xacro").write_text(models.document("<l/>"), encoding="utf-8")
     file = workspace / "robot.xacro"
     file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
+    return file, code
+
+
+@on_unix
+@pytest.mark.parametrize("what", BOMBS)
+def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
+    file, code = placed_bomb(what, workspace)
     assert code in checked(file)
 
 
@@ -335,10 +341,7 @@ def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
 @pytest.mark.parametrize("what", BOMBS)
 def test_a_bomb_ends_in_a_report_without_the_system(what: str, workspace: Path) -> None:
     """By the bounds of the sandbox alone, as in the language server and on Windows."""
-    text, code = BOMBS[what]
-    (workspace / "part.xacro").write_text(models.document("<l/>"), encoding="utf-8")
-    file = workspace / "robot.xacro"
-    file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
+    file, code = placed_bomb(what, workspace)
     assert code in checked(file, "-c", IN_THREAD)
 
 

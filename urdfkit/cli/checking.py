@@ -226,7 +226,7 @@ def apply_fixes(
     values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
 ) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
-    from urdfkit.lint.fix import fix
+    from urdfkit.lint.fix import changes, fix
 
     files = options.files(values)
     if "-" in files:
@@ -235,9 +235,12 @@ def apply_fixes(
     unsafe, force = values["unsafe_fixes"], values["force"]
     now = chosen._replace(progress=progress)
     try:
-        fixes = fix(
-            *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
-        )
+        if values["diff"] and not generate_meshes:
+            fixes = changes(files, now, unsafe=unsafe, force=force)
+        else:
+            fixes = fix(
+                *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
+            )
         if values["diff"]:
             output.write_diff(fixes.diff(), values["color"])
             return fixes

@@ -87,6 +87,23 @@ def fix(
     return _with_meshes(fixes, files, given._replace(texts=texts), force=force)
 
 
+def changes(
+    files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
+) -> Fixes:
+    """What ``fix`` would write, for a diff.
+
+    What is left does not matter where something is fixed: the robots are not checked once more in
+    the end, and what slow rules report is missing.
+
+    Args:
+        files: as of ``fix``, as the others are.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    return _session(files, options, unsafe=unsafe, force=force).run(only_files=True)
+
+
 def _session(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> FixSession:

@@ -11,7 +11,6 @@ Sources:
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
-from urdfkit.ros.ros_control import driven_joints
 from urdfkit.text.document import Element
 
 _JOINT = "<joint_name>shoulder</joint_name>"
@@ -45,6 +44,7 @@ def _controlled(context: Context) -> dict[str, tuple[str, Element]]:
             if joint.child("command_interface"):
                 found[joint.get("name") or ""] = ("<ros2_control>", joint)
     if "gazebo_ros_control" in names:
-        for joint, transmission in driven_joints(context.model.transmissions):
-            found[joint.get("name") or ""] = ("a <transmission>", transmission)
+        for transmission in context.model.transmissions:
+            for joint in transmission.all("joint"):
+                found[joint.get("name") or ""] = ("a <transmission>", transmission)
     return found

@@ -4,8 +4,9 @@
 topic" and goes on with the rest, so that the topic is there on one side and silent on the other.
 The same happens to an entry of its YAML file without both types or with another direction than
 `GZ_TO_ROS`, `ROS_TO_GZ` or `BIDIRECTIONAL`. A word of its command line that is no
-`topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. Messages that
-are not in the table of urdfkit are not reported, for later releases add some.
+`topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. So does a name
+that ROS rejects: Gazebo's `/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit.
+Messages that are not in the table of urdfkit are not reported, for later releases add some.
 
 A topic that no sensor or system of the robot publishes or reads, while one with that message has
 another topic that is not passed on, is a warning. A sensor without `<topic>` publishes below
@@ -15,9 +16,11 @@ is passed on in the wrong direction only is a warning, too.
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
     ros_gz_bridge, bridge_config.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/bridge_config.cpp
+    gazebosim/ros_gz#269: https://github.com/gazebosim/ros_gz/issues/269
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
@@ -81,6 +84,13 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
             "direction",
             f"unknown direction '{topic.direction}'{hint}",
             f"write one of {', '.join(DIRECTIONS)}",
+        )
+    part = next((one for one in topic.ros_topic.split("/") if re.match(r"\d", one)), "")
+    if part:
+        yield (
+            "ros_topic_name" if "ros_topic_name" in topic.places else "topic_name",
+            f"ROS rejects the topic '{topic.ros_topic}': '{part}' begins with a digit",
+            "give it another ros_topic_name in a config_file, and keep gz_topic_name",
         )
     package, _, name = topic.ros_type.partition("/")
     if "/msg/" not in topic.ros_type and gazebo_messages(f"{package}/msg/{name}"):

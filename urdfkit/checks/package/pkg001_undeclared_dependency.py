@@ -42,7 +42,10 @@ FIXED_FILES = {
 }
 
 #: colcon and catkin reject cyclic dependencies of packages.
-_CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the reverse makes a cycle"
+_CYCLE = (
+    "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
+    "or this one to '{0}'"
+)
 
 
 #: Packages of ROS 2 that are there to bring others, and these.

@@ -10,6 +10,8 @@
   limits of the URDF and no bound on acceleration.
 - `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
+- `ompl_planning.yaml` with a misspelt planner of a group (warning): "Could not find the planner
+  configuration"; or a misspelt planning plugin: "Exception while loading planner".
 - `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
   group cannot be moved to a pose.
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
@@ -33,6 +35,8 @@ Sources:
     MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
     ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
     MoveIt, moveit_simple_controller_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_plugins/moveit_simple_controller_manager/src/moveit_simple_controller_manager.cpp
+    moveit/moveit#955: https://github.com/moveit/moveit/issues/955
+    moveit/moveit_planners#6: https://github.com/moveit/moveit_planners/issues/6
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 

@@ -194,6 +194,9 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
         if suggested and is_possible(suggested) and (keys := opposite(link.tensor, suggested)):
             cause = f"has {' and '.join(keys)} with the opposite sign"
             return Diagnosis(cause, suggested, Confidence.INFERRED)
+        shape = _of_shape(link)
+        if shape and [_differs(key, link, shape) for key in Tensor._fields].count(True) == 1:
+            return Diagnosis("", shape, Confidence.INFERRED)  # all other entries are of the shape
     for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     for other in _symmetric_pairs(link, masses):

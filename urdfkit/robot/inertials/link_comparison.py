@@ -136,7 +136,7 @@ class LinkInertia:
         """The tensor that the uniform solid has, along the axes of the ``<inertial>``."""
         return self._uniform(self.solid) if self.solid else None
 
-    def _uniform(self, solid: LinkSolid) -> Tensor:
+    def _uniform(self, solid: LinkSolid | Primitive) -> Tensor:
         tensor = solid.properties(self.mass).tensor
         return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
 
@@ -150,8 +150,7 @@ class LinkInertia:
             return None
         x, y, z = part.size
         larger = part._replace(size=(2 * x, 2 * y, 2 * z), radius=2 * part.radius)
-        tensor = larger.properties(self.mass).tensor
-        return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
+        return self._uniform(larger)
 
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
