@@ -21,7 +21,7 @@ from urdfkit.ros.launch.contents import (
 )
 from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.comments import blank_comments
-from urdfkit.text.diagnostic import Problem
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -30,7 +30,8 @@ from urdfkit.workspace.resolve import Resolver
 UNKNOWN = "/package-not-found"
 
 
-_XACRO = ("xacro", "xacro.py")
+_FORMER = "xacro.py"
+_XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
 #: Reads a launch file with the values of its arguments, included at a place.
 Reader: TypeAlias = (
@@ -107,6 +108,10 @@ class Collector:
             words = words[1:]  # rosrun xacro xacro
         if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
             return
+        if os.path.basename(words[0]) == _FORMER and frame.outer is None:
+            message = f"{_FORMER} was removed with ROS Noetic, and ROS 2 has none"
+            severity = Severity.WARNING if span.source.path.endswith(".py") else Severity.INFO
+            self.problems.append(Problem("LAU003", span, message, "write xacro", severity=severity))
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
         arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
         if len(files) == 1:
