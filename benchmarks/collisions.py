@@ -23,7 +23,7 @@ import pinocchio as pin
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.batch_kinematics import tree_arrays
 from urdfkit.physics.collision.sampling import collisions
 from urdfkit.robot.adjacency import Adjacency
 
@@ -84,7 +84,7 @@ def loop(context: Context, package: Path, name: str, scratch: Path, *, all_pairs
 
 def configurations(context: Context, model: Any) -> Floats:
     """The first samples of urdfkit as Pinocchio has them: its followers have columns, too."""
-    arrays = chain(context.tree)
+    arrays = tree_arrays(context.tree)
     rows = arrays.samples(PART, 0, 0)
     found = np.zeros((PART, model.nq))
     columns = {axis.joint: column for column, axis in enumerate(arrays.axes)}

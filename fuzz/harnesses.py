@@ -237,7 +237,8 @@ def _mesh(name: str) -> Callable[[bytes], None]:
 
 #: Commands that serve until they are ended, start other programs, or write beside their files.
 _NEVER = frozenset("lsp view scan init clean".split())
-_UNSAFE = re.compile(r"\.\.|/|~|\$")
+#: Nor what dies where an allocation fails, as all of these processes bound their memory: USD.
+_UNSAFE = re.compile(r"\.\.|/|~|\$|^usd$|=usd$")
 #: A path of the documentation, and what stands for it by suffix.
 _FILE_NAME = re.compile(r"[\w./$-]+\.(urdf|xacro|stl|dae|obj|launch)\b")
 _SCRATCH = {"xacro": "r.xacro", "stl": "a.stl", "dae": "a.stl", "obj": "a.stl"}

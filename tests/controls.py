@@ -1,6 +1,10 @@
 """Pieces of robots under control, for the tests of the rules RCT."""
 
+from pathlib import Path
+
 from tests.jointed import joint, limit, mimic, robot
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
 
 #: Joints: 'swing' without end, 'slide' of 0 to 0.5 m, 'weld' fixed, 'follow' after 'swing'.
 ROBOT = robot(
@@ -15,6 +19,7 @@ NEXT = 3 + 2 * 4
 MOCK = "mock_components/GenericSystem"
 CLASSIC = "gazebo_ros2_control/GazeboSystem"
 GZ = "gz_ros2_control/GazeboSimSystem"
+TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
 def control(*parts: str, plugin: str = MOCK, name: str = "c", kind: str = "system") -> str:
@@ -52,3 +57,19 @@ def transmission(
 def plugin(filename: str, content: str = "") -> str:
     """A plugin of Gazebo, on one line."""
     return f'<gazebo><plugin name="p" filename="{filename}">{content}</plugin></gazebo>\n'
+
+
+def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
+    """A controller; its parameters begin on the fourth line."""
+    lines = "".join(f"    {key}: {value}\n" for key, value in parameters.items())
+    return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
+
+
+def reported_with_file(code: str, directory: Path, text: str, blocks: str) -> list[Diagnostic]:
+    """What a rule says of ROBOT and a parameter file, ``c.yaml``, that its plugin names."""
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(directory / "r.urdf", select=[code])
+    assert report.crashed == ()
+    return list(report.diagnostics)

@@ -14,7 +14,7 @@ def reported(
     data = whole_robot(text).encode() if isinstance(text, str) else text
     report = engine.check(Source(path, data), select=[code], targets=targets)
     assert report.crashed == ()
-    return list(report.diagnostics)
+    return [found for found in report.diagnostics if found.code.startswith(code)]
 
 
 def messages(code: str, text: str, path: str = "robot.urdf") -> list[str]:

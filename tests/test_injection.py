@@ -78,8 +78,11 @@ def named(name: str) -> str:
     return f"\"${{'{text}'}}\""
 
 
-def part(name: str) -> str:
-    """Two links with the payload in all names, and something wrong about each."""
+def part(number: int, name: str) -> str:
+    """Two links with the payload in all names, and something wrong about each.
+
+    They overlap those of the next number alone: all in one place are thousands of pairs.
+    """
     return f"""<material name={named(name + "m")}/>
 <link name={named(name + "a")}>
   <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="5" ixy="0" ixz="0" iyz="0"/></inertial>
@@ -93,7 +96,7 @@ def part(name: str) -> str:
   <collision><geometry><box size="1 1 1"/></geometry></collision>
 </link>
 <joint name={named(name + "i")} type="fixed"><parent link="root"/><child link={named(name + "a")}/>
-</joint>
+  <origin xyz="{0.7 * number:g} 0 0"/></joint>
 <joint name={named(name + "j")} type="revolute"><parent link={named(name + "a")}/>
   <child link={named(name + "b")}/><axis xyz="1 0 0"/>
   <limit lower="1" upper="-1" effort="1" velocity="1"/><mimic joint={named(name + "k")}/></joint>
@@ -107,7 +110,7 @@ def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, small_pictures: None) 
     """A xacro with all payloads, in a file that has such a name."""
     (tmp_path / "LICENSE").touch()
     head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
-    parts = "".join(map(part, PAYLOADS.values()))
+    parts = "".join(part(*one) for one in enumerate(PAYLOADS.values()))
     name = named(" ".join(PAYLOADS.values()))
     (tmp_path / FILE).write_text(f'{head} name={name}>\n<link name="root"/>\n{parts}</robot>\n')
     monkeypatch.chdir(tmp_path)

@@ -136,9 +136,9 @@ function list() { // errors first, as on the command line
     item.className = finding.severity;
     item.dataset.links = JSON.stringify(finding.links);
     const place = document.createElement("small");
-    place.textContent = `${finding.path}:${finding.line} ${finding.severity} ${finding.code} `;
+    place.textContent = `${finding.path}:${finding.line} ${finding.severity} ${finding.code}`;
     const help = document.createElement("small");
-    help.textContent = finding.help && ` ${finding.help}`;
+    help.textContent = finding.help;
     item.append(place, finding.message, help);
     item.onclick = () => go(finding);
     if (finding.fix) {

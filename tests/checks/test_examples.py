@@ -25,7 +25,7 @@ PARTS = {
     Need.FILES: ("files",),
     Need.MESHES: ("files", "measured", "meshes"),
     Need.GAZEBO: {"gazebo", "plugins"},
-    Need.LAUNCH: {"launch", "other_robot"},
+    Need.LAUNCH: {"launch", "other_robot", "described_robots"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics"},
     Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},
@@ -35,6 +35,8 @@ PARTS = {
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
 OPTIONAL |= {"XAC024": {"other_robot"}}
+#: Of a name that is misspelt, everything else that may have it.
+OPTIONAL |= {code: {"plugins", "srdf"} for code in ("REF001", "GAZ001", "SRD001", "RCT001")}
 #: Of the robots that a launch file starts.
 OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 

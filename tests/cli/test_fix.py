@@ -1,5 +1,6 @@
 """``urdfkit fix`` and ``urdfkit check --fix``: what they write, print and exit with."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,15 @@ def test_a_diff_of_nothing_says_what_is_left(
     assert "0 would be fixed in 0 files, 1 left" in err
     assert main(["fix", "--diff", "-q", str(robot), "--select", "RCT029"]) == 0
     assert capsys.readouterr().err == ""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such modes")
+def test_a_diff_of_nothing_says_why(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot.chmod(0o444)
+    assert main(["fix", "--diff", str(robot), "--select", "JNT020"]) == 0
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "\nnot fixable: 3 (the file is read-only" in err
 
 
 def test_check_fixes_and_reports_what_is_left(

@@ -31,7 +31,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_every_robot_with_the_arguments_it_needs(project: Path, capsys) -> None:
     assert main(["init"]) == 0
-    assert capsys.readouterr().out == "./urdfkit.toml: 2 robots\n"
+    assert capsys.readouterr().out == "wrote ./urdfkit.toml: 2 robots\n"
     assert (
         (project / "urdfkit.toml").read_text()
         == """\

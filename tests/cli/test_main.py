@@ -426,6 +426,21 @@ def test_a_slip_in_the_name_of_a_command(
     assert capsys.readouterr().err == f"error: {message} (see 'urdfkit --help')\n"
 
 
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["tree"], "missing argument 'FILE [NAME:=VALUE]...'"),
+        (["inertia", GOOD, "--mass", "heavy"], "invalid value for '--mass': 'heavy' is not a "),
+        (["inertia", GOOD, "--mass", "1", "--density", "1"], "--mass, --density and --material"),
+    ],
+)
+def test_usage_errors_begin_like_all_others(
+    words: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    assert capsys.readouterr().err.startswith(f"error: {message}")
+
+
 @UNIX
 def test_an_error_that_nobody_reads_is_an_error_still() -> None:
     reader, writer = os.pipe()

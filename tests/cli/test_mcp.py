@@ -12,12 +12,13 @@ from typing import Any
 import pytest
 
 pytest.importorskip("mcp")
-from mcp import ClientSession, StdioServerParameters, stdio_client
+from mcp import Client, StdioServerParameters
+from mcp.server.mcpserver import MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
 
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
-from urdfkit.cli.mcp_tools import MAX_BYTES, Tools
+from urdfkit.cli.mcp_tools import MAX_BYTES, Tools, server
 
 MODEL = "gazebo_pkg/urdf/waking_robot_new.xacro"
 
@@ -31,28 +32,33 @@ def workspace(tmp_path: Path) -> Path:
     return tmp_path / "ws"
 
 
-def talk(
-    workspace: Path, conversation: Callable[[ClientSession], Awaitable[None]], *options: str
-) -> None:
-    """A whole session."""
+Conversation = Callable[[Client], Awaitable[None]]
 
+
+def talk(workspace: Path, conversation: Conversation, *, may_write: bool = False) -> None:
+    """A whole session with a server in this process."""
+    converse(server(str(workspace), may_write=may_write), conversation)
+
+
+def converse(with_: MCPServer | StdioServerParameters, conversation: Conversation) -> None:
     async def session() -> None:
-        command = ["-m", "urdfkit", "mcp", str(workspace), *options]
-        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-        server = StdioServerParameters(
-            command=sys.executable, args=command, env=environment, cwd=workspace
-        )
-        async with (
-            stdio_client(server) as (read, write),
-            ClientSession(read, write) as client,
-        ):
-            await client.initialize()
+        async with Client(with_) as client:
             await conversation(client)
 
     asyncio.run(session())
 
 
-async def ask(client: ClientSession, tool: str, **words: Any) -> str:
+def program(workspace: Path, *options: str) -> StdioServerParameters:
+    """The command."""
+    return StdioServerParameters(
+        command=sys.executable,
+        args=["-m", "urdfkit", "mcp", str(workspace), *options],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        cwd=workspace,
+    )
+
+
+async def ask(client: Client, tool: str, **words: Any) -> str:
     """The answer of a tool that answers."""
     done = await client.call_tool(tool, words)
     (content,) = done.content
@@ -62,7 +68,7 @@ async def ask(client: ClientSession, tool: str, **words: Any) -> str:
     return content.text
 
 
-async def failure(client: ClientSession, tool: str, **words: Any) -> str:
+async def failure(client: Client, tool: str, **words: Any) -> str:
     """Why a tool does not answer."""
     done = await client.call_tool(tool, words)
     assert done.is_error
@@ -72,7 +78,7 @@ async def failure(client: ClientSession, tool: str, **words: Any) -> str:
 
 
 def test_what_reads(workspace: Path) -> None:
-    async def conversation(client: ClientSession) -> None:
+    async def conversation(client: Client) -> None:
         tools = {tool.name: tool for tool in (await client.list_tools()).tools}
         assert set(tools) == {"check", "explain", "trace", "expand", "fix", "render"}
         hints = [tool.annotations for tool in tools.values()]
@@ -91,7 +97,7 @@ def test_what_reads(workspace: Path) -> None:
         assert content.type == "image"
         assert base64.b64decode(content.data).startswith(b"\x89PNG")
 
-    talk(workspace, conversation)
+    converse(program(workspace), conversation)
 
 
 def test_a_long_answer_is_read_page_by_page(
@@ -100,7 +106,7 @@ def test_a_long_answer_is_read_page_by_page(
     assert main(["expand", str(workspace / MODEL)]) == 0
     whole = capsys.readouterr().out.splitlines()
 
-    async def conversation(client: ClientSession) -> None:
+    async def conversation(client: Client) -> None:
         lines: list[str] = []
         while len(lines) < len(whole):
             page = await ask(client, "expand", path=MODEL, start=len(lines) + 1)
@@ -126,7 +132,7 @@ def test_a_fix_is_a_diff_until_writing_is_allowed(workspace: Path) -> None:
     file = workspace / MODEL
     before = file.read_bytes()
 
-    async def looks(client: ClientSession) -> None:
+    async def looks(client: Client) -> None:
         diff = await ask(client, "fix", path=MODEL, unsafe=True, select=["URD008"])
         assert f"--- {MODEL}" in diff
         assert "started without --write" in await failure(client, "fix", path=MODEL, write=True)
@@ -137,13 +143,13 @@ def test_a_fix_is_a_diff_until_writing_is_allowed(workspace: Path) -> None:
     talk(workspace, looks)
     assert file.read_bytes() == before
 
-    async def writes(client: ClientSession) -> None:
+    async def writes(client: Client) -> None:
         await ask(client, "fix", path=MODEL, unsafe=True, select=["URD008"])
         assert file.read_bytes() == before
         words = {"unsafe": True, "select": ["URD008"]}
         assert "8 fixed" in await ask(client, "fix", path=MODEL, write=True, **words)
 
-    talk(workspace, writes, "--write")
+    converse(program(workspace, "--write"), writes)
     assert file.read_bytes() != before
 
 
@@ -160,12 +166,12 @@ def test_nothing_leads_out_of_the_workspace(workspace: Path) -> None:
     )
     shared = (workspace.parent / "shared.xacro").read_bytes()
 
-    async def conversation(client: ClientSession) -> None:
+    async def conversation(client: Client) -> None:
         for path in ("../outside.urdf", str(workspace.parent / "outside.urdf"), "link.urdf", "a\0"):
             assert "secret" not in await failure(client, "check", path=path)
             await failure(client, "expand", path=path)
         await failure(client, "check", path="--config=x.toml")
-        await failure(client, "explain", code="--rules=evil")
+        assert "is no name" in await failure(client, "explain", code="--rules=evil")
         await failure(client, "check", path=MODEL, select=["--trust"])
         await failure(client, "check", path=MODEL, arguments={"--trust": ""})
         await failure(client, "trace", path=MODEL, element="--trust")
@@ -175,7 +181,7 @@ def test_nothing_leads_out_of_the_workspace(workspace: Path) -> None:
         reason = await failure(client, "fix", write=True, **words)
         assert "outside of the workspace" in reason
 
-    talk(workspace, conversation, "--write")
+    talk(workspace, conversation, may_write=True)
     assert (workspace.parent / "shared.xacro").read_bytes() == shared
 
 

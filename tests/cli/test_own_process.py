@@ -156,6 +156,17 @@ def test_stopping_the_command_stops_its_process(
     process.communicate()
 
 
+def test_a_signal_to_the_whole_group_stops_it_without_a_word() -> None:
+    """`timeout` sends SIGTERM to the command, and then to its group."""
+    process = start('print("begun", file=sys.stderr, flush=True); time.sleep(1000)')
+    assert process.stderr is not None
+    assert process.stderr.readline() == "begun\n"
+    process.send_signal(signal.SIGTERM)
+    os.killpg(process.pid, signal.SIGTERM)
+    out, error = process.communicate(timeout=60)
+    assert (process.returncode, out, error.strip()) == (143, "", "")
+
+
 @pytest.mark.parametrize("option", ["--timeout", "--memory"])
 def test_limits_have_defaults(option: str) -> None:
     command = [sys.executable, "-m", "urdfkit", "mesh", "hull", "--help"]

@@ -98,6 +98,20 @@ def test_trust_takes_a_word_of_the_user(project: Project, words: list[str]) -> N
     assert ("'trust' must be confirmed on the command line" in err) is not bool(words)
 
 
+def test_what_a_baseline_holds_is_not_offered_to_be_fixed(project: Project) -> None:
+    project.write(
+        "a.urdf",
+        '<robot name="r"><material name="m"><color rgba="255 0 0 1"/></material>'
+        '<link name="a"/></robot>',
+    )
+    words = (".", "--select", "GEO007", "--baseline", "known.json")
+    assert "an unsafe fix" in project.check(*words[:3])[1]
+    for more in (["--write-baseline"], []):
+        _, out, _ = project.check(*words, *more)
+        assert out.endswith("(1 finding in the baseline)\n")
+        assert "fix" not in out
+
+
 def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     code, out, _ = project.check(".", "--baseline", "known.json", "--write-baseline")
     assert code == 0

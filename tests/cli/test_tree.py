@@ -23,6 +23,14 @@ def test_it_cannot_draw_what_is_not_there(capsys: pytest.CaptureFixture[str]) ->
     assert capsys.readouterr().out == ""
 
 
+def test_a_launch_file_without_a_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The error has no finding behind it: it once was its own cause, and the command hung."""
+    launch = tmp_path / "view.launch.py"
+    launch.write_text("def generate_launch_description(): pass\n")
+    assert main(["tree", str(launch)]) == 2
+    assert "describes no robot" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("command", ["tree", "info", "mass", "kinematics", "statics"])
 def test_no_name_steers_the_terminal(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -8,6 +8,7 @@ import multiprocessing
 import os
 import sys
 import tempfile
+from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,6 +16,9 @@ from typing import NamedTuple, Protocol
 
 #: Seconds for one program with one robot.
 LIMIT = 600
+
+#: Imported once, for all processes: they start no thread, which a fork would lose.
+SHARED = ("mujoco", "pinocchio", "pybullet")
 
 #: The programs; each has a file in ``oracles``.
 PROGRAMS = ("mujoco", "pinocchio", "drake", "yourdfpy", "newton", "pybullet")
@@ -64,21 +68,28 @@ def is_installed(name: str) -> bool:
 
 def read(name: str, text: bytes, folder: Path) -> Reading | str:
     """What a program makes of a URDF in a folder; its error if it rejects it."""
-    context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload([oracle(name).MODULE])
     with tempfile.TemporaryDirectory() as scratch:
         urdf = Path(scratch, "robot.urdf")
         urdf.write_bytes(text)
-        process = context.Process(target=_read, args=(name, urdf, folder))
-        process.start()
-        process.join(LIMIT)
-        if process.exitcode is None:
-            process.kill()
+        code = run(_read, name, urdf, folder)
+        if code is None:
             return f"no end within {LIMIT} s"
-        if process.exitcode:
+        if code:
             said = urdf.with_suffix(".txt").read_text(encoding="utf-8", errors="replace")
-            return said.strip() or f"exit code {process.exitcode}"
+            return said.strip() or f"exit code {code}"
         return Reading(**json.loads(urdf.with_suffix(".json").read_bytes()))
+
+
+def run(function: Callable[..., None], *arguments: object) -> int | None:
+    """Call a function in a process of its own; its exit code, or None if it does not end."""
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["__main__", *filter(find_spec, SHARED)])
+    process = context.Process(target=function, args=arguments)
+    process.start()
+    process.join(LIMIT)
+    if process.exitcode is None:
+        process.kill()
+    return process.exitcode
 
 
 def _read(name: str, urdf: Path, folder: Path) -> None:

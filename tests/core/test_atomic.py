@@ -84,7 +84,7 @@ def test_what_cannot_be_written_is_said_with_the_remedy(tmp_path: Path) -> None:
 
 
 def temporary(path: Path) -> Path:
-    return Path(atomic._temporary(str(path)))
+    return Path(atomic.temporary_name(str(path), ".tmp"))
 
 
 @UNIX

@@ -168,3 +168,87 @@ def test_no_tensor_comes_from_one_of_two_shapes_of_different_size(tmp_path: Path
     robot = boxes(tmp_path, 2, "0.0156 0.0156 0.0012", "0.06 0.06 0.3", "1.5 1.5 7.6")
     (found,) = check(robot, select=["INE006", "INE008"]).diagnostics
     assert found.fix is None
+
+
+#: A rod on a joint, its visual turned and its collision not.
+ROD = """\
+<robot name="r">
+  <link name="base"/>
+  <joint name="j" type="{kind}">
+    <parent link="base"/><child link="rod"/><axis xyz="{axis}"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint>
+  <link name="rod">
+    <inertial><mass value="1"/>
+      <inertia ixx="0.0210" ixy="0" ixz="0" iyy="0.0210" iyz="0" izz="0.0002"/></inertial>
+    <visual><origin rpy="1.5708 0 0"/><geometry>{shape}</geometry></visual>
+    <collision><geometry>{shape}</geometry></collision>
+  </link>
+</robot>
+"""
+CYLINDER = '<cylinder radius="0.02" length="0.5"/>'
+
+
+@pytest.mark.parametrize(
+    ("kind", "axis", "shape", "title"),
+    [
+        ("revolute", "1 0 0", CYLINDER, None),
+        ("fixed", "0 0 1", CYLINDER, None),
+        ("revolute", "0 0 1", '<box size="0.036 0.036 0.5"/>', None),
+        ("continuous", "0 1 0", CYLINDER, "give the collision the <origin> of the visual"),
+        ("continuous", "0 0 1", CYLINDER, "remove the <origin> of the visual"),
+    ],
+)
+def test_of_a_turned_visual_and_a_collision_that_its_tensor_fits_either_may_be_wrong(
+    tmp_path: Path, kind: str, axis: str, shape: str, title: str | None
+) -> None:
+    """A cylinder turns about its own axis; of another shape nothing shows which was turned."""
+    robot = tmp_path / "rod.urdf"
+    robot.write_text(ROD.format(kind=kind, axis=axis, shape=shape))
+    (found,) = check(robot, select=["GEO004"]).diagnostics
+    assert (found.fix and found.fix.title) == title
+    if title is None:
+        assert fix(robot, unsafe=True, select=["GEO004", "INE006", "INE008"]).files == ()
+
+
+def test_a_robot_is_not_raised_by_the_one_wheel_that_is_too_large(tmp_path: Path) -> None:
+    link = (
+        '<link name="{0}"><collision><geometry><sphere radius="{1}"/></geometry></collision></link>'
+        '<joint name="{0}_joint" type="continuous"><origin xyz="0 {2} 0"/>'
+        '<parent link="base_link"/><child link="{0}"/><axis xyz="0 1 0"/></joint>'
+    )
+    robot = tmp_path / "rover.urdf"
+    for radius, is_fixable in (("0.05", True), ("0.08", False), ("0.5", False)):
+        robot.write_text(
+            '<robot name="r"><link name="base_footprint"/><link name="base_link"/>'
+            '<joint name="j" type="fixed"><parent link="base_footprint"/>'
+            '<child link="base_link"/></joint>'
+            + link.format("left", "0.05", "0.1")
+            + link.format("right", radius, "-0.1")
+            + "</robot>"
+        )
+        (found,) = check(robot, select=["TRE008"]).diagnostics
+        assert (found.fix is not None) == is_fixable
+
+
+def test_no_reference_is_changed_where_the_name_of_its_link_is_misspelt(tmp_path: Path) -> None:
+    """``naame`` hides camera_link, and its references are not those of camera_lens."""
+    text = (
+        '<robot name="r"><link name="base"/><link name="camera_lens"/><link {}="camera_lnk"/>'
+        '<joint name="a" type="fixed"><parent link="base"/><child link="camera_lnk"/></joint>'
+        '<joint name="b" type="fixed"><parent link="camera_lnk"/><child link="camera_lens"/>'
+        "</joint></robot>"
+    )
+    robot = tmp_path / "camera.urdf"
+    robot.write_text(text.format("naame"))
+    fixes = fix(robot, unsafe=True)
+    assert [one.code for one in fixes.applied] == ["URD003"]
+    assert fixes.files[0].after.decode() == text.format("name")
+
+
+def test_a_moment_becomes_that_of_the_shape_that_the_others_are_of(tmp_path: Path) -> None:
+    """A tenth of 0.05 is possible, and ten times too much."""
+    moments = "0.00602 0.00602 {}"
+    robot = boxes(tmp_path, 1.2, moments.format("0.05"), "0.05 0.05 0.24", "0.05 0.05 0.24")
+    fixes = fix(robot, unsafe=True, select=["INE003"])
+    assert [one.fix.title for one in fixes.applied if one.fix] == ['write izz="0.0005"']

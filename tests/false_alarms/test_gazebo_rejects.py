@@ -87,7 +87,7 @@ def test_links_and_joints_of_sdf_belong_to_the_result(
     page = capsys.readouterr().out
     assert page.startswith("2 links become 3, ")
     assert "finger       0.17  added as SDF by <gazebo>\n" in page
-    assert page.endswith("1 joints become 2; 1 are added as SDF by <gazebo>\n")
+    assert page.endswith("1 joint becomes 2; 1 is added as SDF by <gazebo>\n")
     assert main(["gazebo", "--format", "json", str(tmp_path / "r.urdf")]) == 0
     added = json.loads(capsys.readouterr().out)["added"]
     assert added == {"links": ["finger"], "joints": ["slide"]}

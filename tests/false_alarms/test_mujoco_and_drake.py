@@ -55,3 +55,22 @@ def test_mujoco_reads_it(case: str) -> None:
     mujoco = pytest.importorskip("mujoco")
     model = mujoco.MjModel.from_xml_string(CASES[case][0])
     assert model.njnt == 1
+
+
+@pytest.mark.parametrize(("kind", "is_error"), [("revolute", True), ("fixed", False)])
+def test_a_link_world_that_a_joint_moves(tmp_path: Path, kind: str, is_error: bool) -> None:
+    """MuJoCo rejects a joint in its world, and merges what a fixed joint holds."""
+    text = robot(kind, FULL).replace('"arm"', '"world"')
+    assert ("NAM004" in errors(text, tmp_path, "mujoco")) is is_error
+
+
+@pytest.mark.parametrize(("directory", "count"), [("meshes", 0), ("/home/ana/meshes", 1)])
+def test_a_directory_of_meshes_that_is_elsewhere(
+    tmp_path: Path, directory: str, count: int
+) -> None:
+    (tmp_path / "meshes").mkdir()
+    tags = f'<mujoco><compiler meshdir="{directory}"/></mujoco>'
+    mesh = '<collision><geometry><mesh filename="a.stl"/></geometry></collision>'
+    (tmp_path / "r.urdf").write_text(robot(limit=FULL, more=tags, shape=mesh))
+    found = check(tmp_path / "r.urdf", select=["MSH039"], targets=["mujoco"]).diagnostics
+    assert len(found) == count

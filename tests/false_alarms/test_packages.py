@@ -92,7 +92,7 @@ def test_a_build_file_that_the_build_does_not_read(
         "setup(data_files=[('share/arm/urdf', glob('urdf/*')), ('share/arm/meshes', glob('*')),\n"
         "    ('share/ament_index/resource_index/packages', ['setup.py'])])\n"
     )
-    for directory in ("urdf", "meshes"):
+    for directory in ("launch", "urdf", "meshes"):
         (tmp_path / directory).mkdir()
     (tmp_path / "meshes" / "a.stl").write_bytes(b"")
     mesh = '<visual><geometry><mesh filename="package://arm/meshes/a.stl"/></geometry></visual>'

@@ -3,14 +3,17 @@
 import os
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.conftest import MODELS
-from tests.fixing import FIXED_JOINT, XACRO, fix, write
+from tests.fixing import FIXED_JOINT, SEVERITIES, XACRO, fix, write
 from urdfkit.errors import UnwritableFile
-from urdfkit.lint import engine, fix_guard, rule_index
+from urdfkit.lint import engine, fix_guard, processes, rule_index
+from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check
+from urdfkit.lint.fix import changes
 from urdfkit.lint.fix_guard import SLOW
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
@@ -310,13 +313,36 @@ def test_many_fixes_cost_three_checks(tmp_path: Path, monkeypatch: pytest.Monkey
     path = write(tmp_path, "r.urdf", '<link name="base"/>' + "".join(parts))
     checked: list[object] = []
 
-    def counting(*arguments: object) -> object:
+    def counting(*arguments: Any, **options: Any) -> object:
         checked.append(arguments)
-        return engine.check_with(*arguments)  # type: ignore[arg-type]
+        return engine.check_with(*arguments, **options)
 
     monkeypatch.setattr(fix_guard, "check_with", counting)
     fixes = fix(path, select=["JNT020"])
     assert len(fixes.applied) == count
     assert len(checked) <= 3
+    checked.clear()
+    config = Config(severities=SEVERITIES)
+    only = changes([path], Options(select=("JNT020",), config=config), unsafe=False, force=False)
+    assert only.files == fixes.files
+    assert len(checked) == 2  # for a diff, what is left does not matter
     changed = [line for line in fixes.diff().splitlines() if line.startswith(("-", "+"))]
     assert len(changed) == 2 + len(fixes.applied)  # the names of the file, and a line for each
+
+
+def test_the_processes_of_a_check_serve_the_next_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They know the meshes already."""
+    made: list[int] = []
+
+    def counting(count: int, known: processes.Known) -> object:
+        made.append(count)
+        return make(count, known)
+
+    make = processes._pool
+    monkeypatch.setattr(processes, "_pool", counting)
+    files = [write(tmp_path, f"{name}.urdf", FIXED_JOINT) for name in "ab"]
+    fixes = fix(*files, select=["JNT020"], options=Options(jobs=2))
+    assert len(fixes.files) == 2
+    assert made == [2]

@@ -127,3 +127,16 @@ def test_a_launch_file_of_no_robot_or_of_several(tmp_path: Path) -> None:
     launch.write_text(f"<launch>{both.replace('<launch>', '').replace('</launch>', '')}</launch>")
     with pytest.raises(UnreadableRobot, match=r"describes several robots; pass one of .*r\.xacro"):
         load(launch)
+
+
+def test_another_format_is_no_robot() -> None:
+    """An empty robot would tell nobody that the file is an SDF."""
+    with pytest.raises(UnreadableRobot, match="the root element is <sdf>, not <robot>"):
+        load(Source("m.sdf", b'<sdf version="1.9"><model name="m"/></sdf>'))
+
+
+@pytest.mark.parametrize("call", [urdfkit.check, urdfkit.fix])
+@pytest.mark.parametrize("name", ["select", "ignore", "targets"])
+def test_one_text_is_no_list_of_words(call: Callable[..., object], name: str) -> None:
+    with pytest.raises(TypeError, match=rf"{name} must be a list of words, such as \['MSH'\]"):
+        call(Source("r.urdf", ARGUED), **{name: "MSH"})

@@ -2,7 +2,8 @@
 
 import asyncio
 import sys
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +91,16 @@ class Editor:
         self.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
         return lsp.TextDocumentIdentifier(uri)
 
+    async def close_all(self) -> None:
+        """Close the open files; what was found in them is not there for the next conversation."""
+        for uri in self.versions:
+            file = lsp.TextDocumentIdentifier(uri)
+            self.client.text_document_did_close(lsp.DidCloseTextDocumentParams(file))
+        for uri in list(self.found):
+            await self.until(uri, lambda found: found == [])
+        for seen in (self.versions, self.found, self.messages):
+            seen.clear()
+
     def change(self, uri: str, *changes: Any) -> None:
         self.versions[uri] += 1
         self.client.text_document_did_change(
@@ -121,18 +132,29 @@ class Editor:
             )
 
 
-def talk(
-    conversation: Callable[[Editor], Awaitable[None]],
-    encoding: str | None = None,
-    *,
-    pulls: bool = False,
-) -> None:
+Conversation = Callable[[Editor], Awaitable[None]]
+
+
+def talk(conversation: Conversation, encoding: str | None = None, *, pulls: bool = False) -> None:
     """A whole session; it ends in good order."""
+    with session(encoding, pulls=pulls) as held:
+        held(conversation)
 
-    async def session() -> None:
-        editor = Editor()
-        await editor.start(encoding, pulls=pulls)
-        await conversation(editor)
-        assert await editor.stop() == 0
 
-    asyncio.run(session())
+@contextmanager
+def session(
+    encoding: str | None = None, *, pulls: bool = False
+) -> Iterator[Callable[[Conversation], None]]:
+    """A server for several conversations; it ends in good order."""
+    editor = Editor()
+
+    async def hold(conversation: Conversation) -> None:
+        try:
+            await conversation(editor)
+        finally:
+            await editor.close_all()
+
+    with closing(asyncio.new_event_loop()) as loop:
+        loop.run_until_complete(editor.start(encoding, pulls=pulls))
+        yield lambda conversation: loop.run_until_complete(hold(conversation))
+        assert loop.run_until_complete(editor.stop()) == 0

@@ -54,6 +54,7 @@ def found(file: Edited) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
     [
         ('link="ba', "se", [(11, "base")], [(7, "base")]),
         ("<xacro:le", 'g prefix="left"', [(4, "leg")], [(n, "leg") for n in (12, 12, 13, 13)]),
+        ("<xac", 'ro:leg prefix="left"', [(4, "leg")], [(n, "leg") for n in (12, 12, 13, 13)]),
         # A parameter hides the property in its macro, and nowhere else.
         ('mass value="${ma', 's', [(4, "mass")], [(5, "mass"), (12, "mass")]),
         ("2 * ma", "ss", [(2, "mass")], [(11, "mass")]),

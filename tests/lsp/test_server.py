@@ -4,6 +4,7 @@ import asyncio
 import os
 import random
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from lsprotocol import types as lsp
 import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION, XACRO
-from tests.lsp.editor import PATIENCE, Editor, talk
+from tests.lsp.editor import PATIENCE, Conversation, Editor, session, talk
 from urdfkit.core.installation import install_command
 from urdfkit.lsp.text import to_path, to_uri
 from urdfkit.lsp.workspace import slow_rules
@@ -35,8 +36,17 @@ def codes(found: list[lsp.Diagnostic]) -> list[str]:
 
 TEXT = MISSION.read_text(encoding="utf-8")
 
+Held = Callable[[Conversation], None]
 
-def test_findings_while_typing() -> None:
+
+@pytest.fixture(scope="module")
+def held() -> Iterator[Held]:
+    """One server for all conversations that ask nothing else of it."""
+    with session() as hold:
+        yield hold
+
+
+def test_findings_while_typing(held: Held) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(MISSION, TEXT)
         expected = [found.code for found in urdfkit.check(MISSION).diagnostics]
@@ -61,10 +71,10 @@ def test_findings_while_typing() -> None:
         editor.client.text_document_did_save(params)
         await editor.until(file.uri, lambda found: codes(found) == expected)
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_calls_of_a_macro_are_related_places() -> None:
+def test_calls_of_a_macro_are_related_places(held: Held) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(MISSION, TEXT)
         await editor.until(file.uri, lambda found: "INE006" in codes(found))
@@ -73,10 +83,10 @@ def test_calls_of_a_macro_are_related_places() -> None:
         assert [place.location.range.start.line for place in places] == [30, 90, 111, 132, 153]
         assert "link 'wheel_4'" in places[-1].message
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_every_question_has_an_answer() -> None:
+def test_every_question_has_an_answer(held: Held) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(MISSION, TEXT)
         await editor.until(file.uri, lambda found: "XAC007" in codes(found))
@@ -116,7 +126,7 @@ def test_every_question_has_an_answer() -> None:
         assert [change.new_text for change in fix.edit.changes[file.uri]] == ["${pi}"]
         assert accept.title == "Suppress XAC007 here with a comment"
 
-    talk(conversation)
+    held(conversation)
 
 
 def applied(text: str, edits: Any) -> str:
@@ -133,7 +143,7 @@ def applied(text: str, edits: Any) -> str:
     return text
 
 
-def test_formatting_and_all_safe_fixes() -> None:
+def test_formatting_and_all_safe_fixes(held: Held) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(MISSION, TEXT)
         await editor.until(file.uri, lambda found: "JNT020" in codes(found))
@@ -160,10 +170,10 @@ def test_formatting_and_all_safe_fixes() -> None:
         editor.retype(file.uri, TEXT[:200])
         assert await editor.client.text_document_formatting_async(params) is None
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_an_attribute_comes_with_its_quotes(tmp_path: Path) -> None:
+def test_an_attribute_comes_with_its_quotes(held: Held, tmp_path: Path) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(tmp_path / "r.urdf", "<robot><joint ty/>\n<joint ty='fixed'>")
         for line, character, text in ((0, 16, 'type="$1"'), (1, 9, "type")):
@@ -172,10 +182,10 @@ def test_an_attribute_comes_with_its_quotes(tmp_path: Path) -> None:
             (item,) = [one for one in items if one.label == "type"]
             assert item.text_edit.new_text == text
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_a_chain_of_3000_links_has_an_outline(tmp_path: Path) -> None:
+def test_a_chain_of_3000_links_has_an_outline(held: Held, tmp_path: Path) -> None:
     links = "".join(f'<link name="l{n}"/>' for n in range(3000))
     joints = "".join(
         f'<joint name="j{n}" type="fixed"><parent link="l{n}"/><child link="l{n + 1}"/></joint>'
@@ -190,7 +200,7 @@ def test_a_chain_of_3000_links_has_an_outline(tmp_path: Path) -> None:
         assert entries[0].name == "l0"
         assert len(entries) > 1
 
-    talk(conversation)
+    held(conversation)
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-32"])
@@ -215,7 +225,7 @@ def test_positions_count_as_the_client_counts(tmp_path: Path, encoding: str) -> 
     talk(conversation, encoding)
 
 
-def test_nothing_that_is_typed_ends_the_server(tmp_path: Path) -> None:
+def test_nothing_that_is_typed_ends_the_server(held: Held, tmp_path: Path) -> None:
     """Damaged texts, and at each every question at any place: all are answered, none fails."""
     chance = random.Random(11)
     junk = ["<", ">", '"', "${", "$(", "}", "</", "<!--", "&", "\x00", "\r", "轮", "]]>", "<xacro:"]
@@ -252,7 +262,7 @@ def test_nothing_that_is_typed_ends_the_server(tmp_path: Path) -> None:
         await editor.until(file.uri, lambda found: "XAC007" in codes(found))
         assert editor.messages == []
 
-    talk(conversation)
+    held(conversation)
 
 
 def test_standard_error_has_no_traceback_after_damage(tmp_path: Path) -> None:
@@ -275,7 +285,7 @@ def test_standard_error_has_no_traceback_after_damage(tmp_path: Path) -> None:
     assert asyncio.run(session()) == b""
 
 
-def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
+def test_closing_and_files_that_change_on_disk(held: Held, tmp_path: Path) -> None:
     parts, top = tmp_path / "parts.xacro", tmp_path / "top.xacro"
     head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
     parts.write_text(f'{head}<link name="a"/></robot>')
@@ -295,10 +305,10 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
         await editor.until(file.uri, lambda found: found == [])
         await editor.until(to_uri(str(parts)), lambda found: found == [])
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_values_of_expressions_stand_behind_them(tmp_path: Path) -> None:
+def test_values_of_expressions_stand_behind_them(held: Held, tmp_path: Path) -> None:
     text = XACRO.format(
         '<xacro:property name="d" value="0.1"/>\n'
         '<xacro:macro name="wheel" params="name x">\n'
@@ -324,10 +334,10 @@ def test_values_of_expressions_stand_behind_them(tmp_path: Path) -> None:
         hints = await editor.client.text_document_inlay_hint_async(lsp.InlayHintParams(file, only))
         assert [hint.label for hint in hints] == ["a, b"]
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_files_are_links(tmp_path: Path) -> None:
+def test_files_are_links(held: Held, tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
     for name in ("a.stl", "b.stl", "parts.xacro"):
         (tmp_path / name).write_text(XACRO.format(""))
@@ -353,10 +363,10 @@ def test_files_are_links(tmp_path: Path) -> None:
         )
         assert [Path(to_path(link.target)).name for link in links] == ["r.xacro"]
 
-    talk(conversation)
+    held(conversation)
 
 
-def test_names_are_found_in_all_files_of_open_robots(tmp_path: Path) -> None:
+def test_names_are_found_in_all_files_of_open_robots(held: Held, tmp_path: Path) -> None:
     parts = XACRO.format('<xacro:macro name="leg" params="n"><link name="leg_${n}"/></xacro:macro>')
     (tmp_path / "parts.xacro").write_text(parts)
     text = XACRO.format('<xacro:include filename="parts.xacro"/><xacro:leg n="2"/><link name="b"/>')
@@ -375,7 +385,7 @@ def test_names_are_found_in_all_files_of_open_robots(tmp_path: Path) -> None:
             *("b", "leg", "leg_2")
         }
 
-    talk(conversation)
+    held(conversation)
 
 
 def test_a_client_that_pulls_gets_no_finding_twice(tmp_path: Path) -> None:

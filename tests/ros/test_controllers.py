@@ -138,7 +138,7 @@ def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
         (str(here), str(here)),
         ("/nowhere/c.yaml", None),
     ]
-    ((file, (drive,)),) = controllers(model)
+    ((file, drive),) = controllers(model)
     assert file.element is not None
     assert file.element.text == f" {here} "
     assert drive.name == "drive"

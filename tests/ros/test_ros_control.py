@@ -74,7 +74,7 @@ def test_control_plugins_among_others() -> None:
 
 def test_transmissions() -> None:
     model = context(ROBOT + transmission("swing") + PR2).model
-    ((joint, of),) = driven_joints(model)
+    ((joint, of),) = driven_joints(model.transmissions)
     assert (joint.get("name"), of) == ("swing", model.transmissions[0])
     assert [is_of_pr2(one) for one in model.transmissions] == [False, True]
     mistake = '<transmission type="SimpleTransmission"><joint name="swing"/>{}</transmission>'

@@ -16,7 +16,7 @@ from urdfkit.text.source import Source
         ("robot.xml", "file not found; did you mean 'robot.urdf'?"),
         ("missing.urdf", "file not found"),  # the suffix alone is no likeness
         ("none/robot.urdf", "no such directory '{}/none'"),
-        ("", "is a directory; pass the files in it"),
+        ("", "is a directory; name a file in it"),
     ],
 )
 def test_a_missing_file_is_told_with_the_one_that_was_meant(

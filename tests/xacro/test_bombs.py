@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -185,9 +186,14 @@ def launches(body: str) -> dict[str, str]:
     return {"b.launch": f"<launch>{body}</launch>"}
 
 
+def numbered(count: int) -> str:
+    """So many attributes."""
+    return " ".join(f'a{n}=""' for n in range(count))
+
+
 #: Files, of which the first is checked, and the beginning of a code that tells what is wrong with
-#: it; empty where nothing is.
-FILES: dict[str, tuple[dict[str, str], str]] = {
+#: it; empty where nothing is. Texts of megabytes are made where they are needed.
+FILES: dict[str, tuple[Mapping[str, str | Callable[[], str]], str]] = {
     "aliases": ({"b.xacro": LOAD, "b.yaml": LAUGHING}, "XAC013"),
     "a number to the base of 60": (
         {"b.xacro": LOAD, "b.yaml": "a: 1" + ":1" * 400_000},
@@ -252,15 +258,14 @@ FILES: dict[str, tuple[dict[str, str], str]] = {
         "",
     ),
     "attributes": (
-        {
-            "r.urdf": '<robot name="r"><link {}/></robot>'.format(
-                " ".join(f'a{n}=""' for n in range(1_000_000))
-            )
-        },
+        {"r.urdf": lambda: f'<robot name="r"><link {numbered(1_000_000)}/></robot>'},
         "XAC013",
     ),
-    "a long text": ({"r.urdf": f'<robot name="r">{"a " * 10_000_000}<link name="a"/></robot>'}, ""),
-    "elements": ({"r.urdf": f'<robot name="r">{"<a/>" * 2_000_000}</robot>'}, "XAC013"),
+    "a long text": (
+        {"r.urdf": lambda: f'<robot name="r">{"a " * 10_000_000}<link name="a"/></robot>'},
+        "",
+    ),
+    "elements": ({"r.urdf": lambda: f'<robot name="r">{"<a/>" * 2_000_000}</robot>'}, "XAC013"),
     "a manifest": (
         {"r.urdf": ROBOT, "package.xml": "<package>" + "<depend>a</depend>" * 50_000},
         "",
@@ -316,13 +321,19 @@ def checked(file: Path, *program: str) -> dict[str, set[int]]:
 on_unix = pytest.mark.skipif(sys.platform == "win32", reason="there are no limits of a process")
 
 
-@on_unix
-@pytest.mark.parametrize("what", BOMBS)
-def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
+def placed_bomb(what: str, workspace: Path) -> tuple[Path, str]:
+    """A file that holds a bomb, and the code that is reported."""
     text, code = BOMBS[what]
     (workspace / "part.xacro").write_text(models.document("<l/>"), encoding="utf-8")
     file = workspace / "robot.xacro"
     file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
+    return file, code
+
+
+@on_unix
+@pytest.mark.parametrize("what", BOMBS)
+def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
+    file, code = placed_bomb(what, workspace)
     assert code in checked(file)
 
 
@@ -330,10 +341,7 @@ def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
 @pytest.mark.parametrize("what", BOMBS)
 def test_a_bomb_ends_in_a_report_without_the_system(what: str, workspace: Path) -> None:
     """By the bounds of the sandbox alone, as in the language server and on Windows."""
-    text, code = BOMBS[what]
-    (workspace / "part.xacro").write_text(models.document("<l/>"), encoding="utf-8")
-    file = workspace / "robot.xacro"
-    file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
+    file, code = placed_bomb(what, workspace)
     assert code in checked(file, "-c", IN_THREAD)
 
 
@@ -364,7 +372,7 @@ def test_an_expression_ends_in_one_finding_at_its_place(what: str, workspace: Pa
 def test_files_end_in_a_report(what: str, workspace: Path) -> None:
     files, code = FILES[what]
     for name, text in files.items():
-        (workspace / name).write_text(text, encoding="utf-8")
+        (workspace / name).write_text(text if isinstance(text, str) else text(), encoding="utf-8")
     found = checked(workspace / next(iter(files)))
     assert not code or code in found
 

@@ -61,13 +61,13 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
         if not values["quiet"]:
             _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
+        report = _with_baseline(report, known, values)
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
-        report = _check(values, chosen)
+        report = _with_baseline(_check(values, chosen), known, values)
         if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
-    report = _with_baseline(report, known, values)
     _show_crashes(report)
     written = _write(report, outputs, values)
     code = report.exit_code(fail_on(values, chosen))
@@ -226,7 +226,7 @@ def apply_fixes(
     values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
 ) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
-    from urdfkit.lint.fix import fix
+    from urdfkit.lint.fix import changes, fix
 
     files = options.files(values)
     if "-" in files:
@@ -235,9 +235,12 @@ def apply_fixes(
     unsafe, force = values["unsafe_fixes"], values["force"]
     now = chosen._replace(progress=progress)
     try:
-        fixes = fix(
-            *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
-        )
+        if values["diff"] and not generate_meshes:
+            fixes = changes(files, now, unsafe=unsafe, force=force)
+        else:
+            fixes = fix(
+                *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
+            )
         if values["diff"]:
             output.write_diff(fixes.diff(), values["color"])
             return fixes

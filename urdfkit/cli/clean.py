@@ -1,6 +1,8 @@
 """``urdfkit clean``: removes what is kept between runs."""
 
 import os
+from contextlib import suppress
+from errno import EEXIST, ENOTEMPTY
 
 from urdfkit.cli import output
 from urdfkit.cli.cache_contents import contents
@@ -18,10 +20,22 @@ def command() -> int:
     found = contents()
     try:
         for entry in found.files:
-            os.unlink(entry)
+            with suppress(FileNotFoundError):  # removed by another process
+                os.unlink(entry)
         for directory in found.directories:
-            os.rmdir(directory)
+            _remove(directory)
     except OSError as error:
         raise UnwritableFile(f"{error.filename}: cannot be removed: {error.strerror}") from error
     output.page([f"{cache_directory() or 'no cache'}: {len(found.files)} entries removed"])
     return 0
+
+
+def _remove(directory: str) -> None:
+    """Remove a directory, unless another process has removed it or has put an entry into it."""
+    try:
+        os.rmdir(directory)
+    except FileNotFoundError:
+        pass
+    except OSError as error:
+        if error.errno not in (ENOTEMPTY, EEXIST):
+            raise

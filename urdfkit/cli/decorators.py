@@ -97,6 +97,8 @@ COLOR = click.option(
     metavar="WHEN",
     help="Colours on standard output: auto, always or never.",
 )
+DIFF = click.option("--diff", is_flag=True, help="Show what --write would change.")
+SEED = click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
 RULES = click.option(
     "--rules",
     multiple=True,

@@ -51,7 +51,7 @@ _PACKAGES = (
     ("coal", "collisions", "dynamics"),
     ("mujoco", "convert, simulate", "simulate"),
     ("urdf-usd-converter", "convert --to usd", "usd"),
-    ("Pillow", "pictures", "render"),
+    ("Pillow", "images", "render"),
     ("Jinja2", "report pages", "report"),
     ("starlette", "the viewer", "report"),
     ("uvicorn", "the viewer", "report"),

@@ -106,11 +106,23 @@ def _robots(rule: Rule) -> dict[str, str]:
 
 
 def _fill(paragraph: str) -> str:
-    """A paragraph at 80 columns, or fewer; a list or an example stays as it is, code unbroken."""
-    lines = paragraph.splitlines()
-    if any(line.startswith((" ", "-", "*", "|")) for line in lines):
+    """A paragraph or a list at 80 columns, or fewer; an example stays as it is, code unbroken."""
+    if paragraph.startswith("- "):
+        return "\n".join(_filled(item, "  ") for item in re.split(r"\n(?=- )", paragraph))
+    if any(line.startswith((" ", "-", "*", "|")) for line in paragraph.splitlines()):
         return paragraph
-    whole = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), paragraph)
+    return _filled(paragraph)
+
+
+def _filled(text: str, indentation: str = "") -> str:
+    """A text in lines.
+
+    Args:
+        indentation: of all lines but the first.
+    """
+    whole = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), " ".join(text.split()))
     width = min(output.width(), 80)
-    filled = fill(whole, width, break_long_words=False, break_on_hyphens=False)
+    filled = fill(
+        whole, width, subsequent_indent=indentation, break_long_words=False, break_on_hyphens=False
+    )
     return filled.replace(_HARD, " ")

@@ -1,6 +1,7 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
 import sys
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -30,7 +31,8 @@ def _fix(**values: Any) -> int:
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         if not fixes.files and not values["quiet"] and sys.stderr is not None:
-            print(_total(fixes, "would be fixed"), file=sys.stderr)  # what is printed is a patch
+            # What is printed is a patch.
+            print(_total(fixes, "would be fixed"), *_reasons(fixes), sep="\n", file=sys.stderr)
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
@@ -116,7 +118,8 @@ def _left(fixes: Fixes) -> Iterator[str]:
     for one, reason in fixes.left:
         key = (one.severity.rank, f"{one.severity.value:<7}  {one.code}  {one.name}", reason)
         groups.setdefault(shown(one.span.source.path), {}).setdefault(key, []).append(one)
-    for path, kinds in sorted(groups.items()):
+    # The files with errors first.
+    for path, kinds in sorted(groups.items(), key=lambda of_file: (min(of_file[1])[0], of_file[0])):
         yield f"left in {printable(path)}:"
         for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):
             yield _row(what + (f" ({_why(reason, found[0])})" if reason else ""), found)
@@ -141,3 +144,11 @@ def _total(fixes: Fixes, verb: str) -> str:
     text = f"{len(fixes.applied)} {verb} in {counted(len(fixes.files), 'file')}, "
     text += f"{len(fixes.left)} left"
     return text + (f", {unsafe} of them with an unsafe fix (--unsafe-fixes)" if unsafe else "")
+
+
+def _reasons(fixes: Fixes) -> Iterator[str]:
+    """Why fixes are left that no other option applies, each reason once."""
+    reasons = Counter(left.reason for left in fixes.left if left.diagnostic.fix)
+    for reason, count in reasons.items():
+        if reason not in ("", "info", "unsafe"):
+            yield f"not fixable: {count} ({printable(reason)})"

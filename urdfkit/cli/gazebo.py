@@ -8,6 +8,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion, SimulatedJoint, SimulatedLink
@@ -66,7 +67,7 @@ def render(conversion: SdfConversion) -> Iterator[str]:
     """The lines of the report: a table of links before and after, then joints and shapes."""
     model = conversion.model
     links = len(conversion.links) + len(conversion.added_links)
-    yield f"{len(model.links)} links become {links}, by {conversion.converter.name}"
+    yield f"{_become(len(model.links), 'link')} {links}, by {conversion.converter.name}"
     yield ""
     rows = [("link", f"{'mass / kg':>10}  after conversion")]
     rows += ((printable(link.name), _row(conversion, link.name, link.mass)) for link in model.links)
@@ -80,10 +81,18 @@ def render(conversion: SdfConversion) -> Iterator[str]:
         yield from _link(link)
     lost, added = len(model.joints) - len(conversion.joints), len(conversion.added_joints)
     yield (
-        f"{len(model.joints)} joints become {len(conversion.joints) + added}"
-        + (f"; {lost} are merged or dropped" if lost else "")
-        + (f"; {added} are added as SDF by <gazebo>" if added else "")
+        f"{_become(len(model.joints), 'joint')} {len(conversion.joints) + added}"
+        + (f"; {lost} {_are(lost)} merged or dropped" if lost else "")
+        + (f"; {added} {_are(added)} added as SDF by <gazebo>" if added else "")
     )
+
+
+def _become(count: int, thing: str) -> str:
+    return f"{counted(count, thing)} become{'s' if count == 1 else ''}"
+
+
+def _are(count: int) -> str:
+    return "is" if count == 1 else "are"
 
 
 def _mass(link: Element) -> str:

@@ -72,7 +72,8 @@ def run(words: Sequence[str]) -> int:
     except click.Abort as error:
         raise KeyboardInterrupt from error
     except click.UsageError as error:
-        message = " ".join(error.format_message().split())
+        message = " ".join(error.format_message().split()).removesuffix(".")
+        message = message[:1].lower() + message[1:]  # as all other errors begin
         # Where click leaves the context out, an option of the command is at fault.
         command = error.ctx.command_path if error.ctx else f"urdfkit {words[0]}"
         raise UsageError(f"{message} (see '{command} --help')") from error

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, choice, in_formats, limited, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, choice, in_formats, limited, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
@@ -43,7 +43,7 @@ VERSION = 1
 @click.option("--link", "links", multiple=True, metavar="NAME", help="Only this link.")
 @click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")
 @click.option("--write", is_flag=True, help="Write the suggested values into the source files.")
-@click.option("--diff", is_flag=True, help="Show what --write would change.")
+@DIFF
 @COLOR
 @in_formats("text", "json")
 @one_robot

@@ -46,7 +46,7 @@ def command(directory: str, only_print: bool) -> int:
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
     path = os.path.join(directory, _FILE)
     atomic.write(path, output.encode(text))
-    output.write(f"{path}: {counted(len(found.robots), 'robot')}\n")
+    output.write(f"wrote {path}: {counted(len(found.robots), 'robot')}\n")
     return 0
 
 
@@ -91,9 +91,9 @@ class _ConfiguredRobot:
             return
         for name in self._needed:
             yield f"arguments.{_key(name)} = {self._value(name, self._xacro)}"
-        for argument in dict.fromkeys(a.name for a in self._xacro.arguments):
-            if argument not in self._needed:
-                yield f"# arguments.{_key(argument)} = {_quoted(self._default(argument))}"
+        for name, default in self._xacro.defaults.items():
+            if name not in self._needed:
+                yield f"# arguments.{_key(name)} = {_quoted(default)}"
 
     def _value(self, name: str, xacro: Xacro) -> str:
         """A value that is found; the others, or what to do, as a comment."""
@@ -102,11 +102,6 @@ class _ConfiguredRobot:
             return '""  # required: fill in the value'
         first, *others = map(_quoted, found.values)
         return f"{first}  # or {', '.join(others)}" if others else first
-
-    def _default(self, name: str) -> str:
-        assert self._xacro is not None
-        found = next(a for a in self._xacro.arguments if a.name == name)
-        return found.attributes.get("default", "")
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -63,7 +63,13 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
 
 
 def _stop(number: int, frame: object) -> NoReturn:
+    signal.signal(number, signal.SIG_IGN)  # `timeout` sends it again, to the process group
     raise _Stopped
+
+
+def _interrupt(number: int, frame: object) -> NoReturn:
+    signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 def _depend_on(lifeline: int) -> None:
@@ -75,7 +81,7 @@ def _depend_on(lifeline: int) -> None:
         os.kill(os.getpid(), signal.SIGTERM)
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the other process hears Ctrl-C
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, _interrupt)
     start_new_thread(watch, ())
 
 

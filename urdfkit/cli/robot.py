@@ -28,7 +28,7 @@ from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
-from urdfkit.lint.loading import read
+from urdfkit.lint.loading import read, require_robot
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
@@ -159,13 +159,10 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
             progress=progress,
         )
     except UnreadableRobot as error:
+        if not error.problems:
+            raise
         raise first_of(error, file) from error
-    if not context.model.links and context.document.root.tag != "robot":
-        root = context.document.root
-        hint = ""
-        if root.tag == "sdf" and root.child("world"):
-            hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
-        raise UnreadableRobot(f"{file}: the root element is <{root.tag}>, not <robot>{hint}")
+    require_robot(context)
     for one in context.launched:
         values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
         output.note(f"read with {values} of {shown(one.launch)}")

@@ -123,7 +123,7 @@ def command(
         files += [MODELS, FINDINGS]
     else:
         options.warn(f"no Parquet files without pyarrow: {install_command('scan')}")
-    output.page([f"{count} models checked; {directory} has {', '.join(files)}"])
+    output.page(output.indented(f"{count} models checked; {directory} has {', '.join(files)}", ""))
     return 0
 
 

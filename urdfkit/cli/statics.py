@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import SEED, in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -44,7 +44,7 @@ MAX_SAMPLES = 1_000_000
 @click.option(
     "--samples", type=click.IntRange(0, MAX_SAMPLES), default=200, help="Sampled configurations."
 )
-@click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
+@SEED
 @click.option(
     "--contact",
     multiple=True,

@@ -73,7 +73,7 @@ def _write(path: str, parts: Iterable[bytes], before: bytes | None, *, durable: 
     if mode is not None and not stat.S_ISREG(mode):
         _write_to_device(path, parts)
         return
-    temporary = _temporary(path)
+    temporary = temporary_name(path, ".tmp")
     with _claimed(temporary) as file:
         try:
             if before is not None and disk.read(path) != before:
@@ -94,14 +94,14 @@ def _write(path: str, parts: Iterable[bytes], before: bytes | None, *, durable: 
             raise
 
 
-def _temporary(path: str) -> str:
-    """The file that is written first; always the same, so that what a kill leaves is used again.
+def temporary_name(path: str, suffix: str) -> str:
+    """What is written first; always the same, so that what a kill leaves is used again.
 
     Its name is short, whatever that of the file is, and nobody else has one like it.
     """
     directory, name = os.path.split(path)
     process = f"-{os.getpid()}" if sys.platform == "win32" else ""
-    return os.path.join(directory, f".urdfkit-{zlib.crc32(os.fsencode(name)):08x}{process}.tmp")
+    return os.path.join(directory, f".urdfkit-{zlib.crc32(os.fsencode(name)):08x}{process}{suffix}")
 
 
 def _claimed(temporary: str) -> BinaryIO:

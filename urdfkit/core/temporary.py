@@ -9,9 +9,10 @@ import re
 import shutil
 import sys
 import tempfile
-import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
+
+from urdfkit.core.atomic import temporary_name
 
 if sys.platform != "win32":
     import fcntl
@@ -49,9 +50,7 @@ def workshop(path: str) -> Iterator[str]:
         BlockingIOError: another process uses it.
         OSError: it cannot be made.
     """
-    home, name = os.path.split(path)
-    process = f"-{os.getpid()}" if sys.platform == "win32" else ""
-    directory = os.path.join(home, f".urdfkit-{zlib.crc32(os.fsencode(name)):08x}{process}.dir")
+    directory = temporary_name(path, ".dir")
     descriptor = None
     while descriptor is None:
         try:

@@ -160,6 +160,6 @@ def unknown_arguments(context: Context, given: Iterable[str]) -> dict[str, str]:
     if not names or context.reading.document is None:
         return {}
     xacro = context.reading.xacro
-    declared = {argument.name for argument in xacro.arguments} if xacro else set()
+    declared = set(xacro.defaults) if xacro else set()
     mentioned = declared | (xacro.usage.names if xacro else frozenset())
     return {name: nearest(name, declared) or "" for name in names if name not in mentioned}

@@ -82,7 +82,10 @@ def load(path: str) -> Counter[Fingerprint]:
     try:
         document = json.loads(disk.read(path))
         if document["version"] != VERSION:
-            raise BaselineError(f"{path}: a baseline of version {document['version']!r}")
+            raise BaselineError(
+                f"{path}: a baseline of version {document['version']!r}, not {VERSION}; "
+                "write it anew with --write-baseline"
+            )
         found: Counter[Fingerprint] = Counter()
         for entry in document["findings"]:
             code = redirect(entry["code"]) or entry["code"]
@@ -90,8 +93,10 @@ def load(path: str) -> Counter[Fingerprint]:
         return found
     except OSError as error:
         raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+    except ValueError as error:
         raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
+    except (KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise BaselineError(f"{path}: not a urdfkit baseline") from error
 
 
 def apply_baseline(report: Report, known: Counter[Fingerprint], directory: str) -> Report:

@@ -89,7 +89,7 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     is in pieces. What has a fix is a typo of a name that the robot has anyway.
     """
     xacro = context.reading.xacro
-    open_names = {argument.name for argument in xacro.arguments} if xacro else set()
+    open_names = set(xacro.defaults) if xacro else set()
     open_names -= job.arguments.keys()
     if not open_names:
         return result

@@ -106,13 +106,16 @@ def _file_ignore(reader: _SettingsReader) -> FileIgnore:
 
 def _robots(reader: _SettingsReader, directory: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
-    file = os.path.normpath(os.path.join(directory, reader.take("file", str, "")))
-    reader.require_inside("file", file)
-    if not disk.is_file(file):
-        raise reader.error(f"file not found: '{file}'")
+    name = reader.take("file", str, "")
     common = reader.arguments("arguments")
     variants = reader.take("variants", dict, {})
     reader.finish()
+    if not name:
+        raise reader.error("it needs 'file'")
+    file = os.path.normpath(os.path.join(directory, name))
+    reader.require_inside("file", file)
+    if not disk.is_file(file):
+        raise reader.error(f"file not found: '{file}'")
     if not variants:
         return [RobotEntry(file, "", common)]
     robots = []

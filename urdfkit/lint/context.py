@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
-from urdfkit.lint.requirements import need_coal, without_pinocchio
+from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
 from urdfkit.text.document import CallFrame
+from urdfkit.text.file_kinds import has_srdf_tags, is_extension, is_list_of_joints
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.gazebo.conversion import SdfConversion
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.importers.imported import Imported
-    from urdfkit.ros.launch.contents import FileUse
+    from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
     from urdfkit.ros.targets import TargetFacts, Targets
@@ -38,11 +39,7 @@ if TYPE_CHECKING:
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
 
-__all__ = ["MAX_BODIES", "Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
-
-
-#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
-MAX_BODIES = 2000
+__all__ = ["Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
 
 class RunState(Record):
@@ -95,47 +92,18 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf or self.is_list_of_joints:
+        root = self.document.root
+        if has_srdf_tags(root) or is_list_of_joints(root):
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
 
         xacro = self.reading.xacro
         if xacro is None:
-            calls = self.document.root.children if self.is_extension else ()
+            calls = root.children if is_extension(root) else ()
             return deviations(self.document, plain=True, claimed={one.tag for one in calls})
         claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
-
-    @cached_property
-    def _is_srdf(self) -> bool:
-        """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
-        from urdfkit.text.schema import SRDF_TAGS
-
-        children = self.document.root.children
-        return not any(child.tag == "link" for child in children) and any(
-            child.tag in SRDF_TAGS for child in children
-        )
-
-    @property
-    def is_list_of_joints(self) -> bool:
-        """True for joints without links, parents and children: the settings of another program."""
-        joints = self.document.root.children
-        return bool(joints) and all(
-            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
-            for joint in joints
-        )
-
-    @cached_property
-    def is_extension(self) -> bool:
-        """True for joints without a robot's name and links, which a robot includes.
-
-        Clearpath's robots include the file that an environment variable names; what is no element
-        of URDF there is a call of a macro.
-        """
-        root = self.document.root
-        is_robot = root.get("name") is not None or root.child("link") is not None
-        return not is_robot and root.child("joint") is not None
 
     @cached_property
     def is_part(self) -> bool:
@@ -144,12 +112,12 @@ class Context(DescriptionFile):
         That is a library of macros; or a description that another file includes and that lacks
         a name, or a link that is the root of the others.
         """
-        xacro = self.reading.xacro
-        if (xacro is not None and xacro.is_library) or self._is_srdf or self.is_extension:
+        xacro, root = self.reading.xacro, self.document.root
+        if (xacro is not None and xacro.is_library) or has_srdf_tags(root) or is_extension(root):
             return True
-        if self.document.root.get("name") is None and self.problems("XAC003"):
+        if root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
-        if self.document.root.get("name") is not None and self.tree.has_base:
+        if root.get("name") is not None and self.tree.has_base:
             return False
         return self.is_included
 
@@ -262,8 +230,8 @@ class Context(DescriptionFile):
         return bool(self.parameters) or any(plugin.child("parameters") for plugin in plugins)
 
     @cached_property
-    def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
-        """The controllers in the parameter files of the robot."""
+    def controllers(self) -> tuple[tuple[ParameterFile, Controller], ...]:
+        """The controllers in the parameter files of the robot, each with its file."""
         if not self.names_parameters:
             return ()
         from urdfkit.ros.controllers import controllers
@@ -303,6 +271,14 @@ class Context(DescriptionFile):
             )
         return self._other_robots[key]
 
+    @property
+    def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
+        """The robots that the launch file describes and that can be expanded."""
+        for description in self.launch.descriptions:
+            robot = self.other_robot(description.path, description.arguments)
+            if robot.reading.document is not None:
+                yield description, robot
+
     @cached_property
     def masses(self) -> Masses:
         """The masses and inertias of the model, and their defects."""
@@ -326,14 +302,7 @@ class Context(DescriptionFile):
         Raises:
             Unavailable: Pinocchio is not installed, or cannot hold the robot.
         """
-        try:
-            from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
-        except ImportError as error:
-            raise Unavailable(without_pinocchio(error)) from error
-        try:
-            return Dynamics(self.tree)
-        except Unsuitable as reason:
-            raise Unavailable(str(reason)) from reason
+        return dynamics_of(self.tree)
 
     @cached_property
     def collisions(self) -> Collisions:
@@ -342,11 +311,9 @@ class Context(DescriptionFile):
         Raises:
             Unavailable: the robot has too many bodies, or later, coal is not installed.
         """
+        need_few_bodies(self.model)
         from urdfkit.physics.collision.robot import Collisions
 
-        bodies = sum(len(link.collisions) for link in self.model.links)
-        if bodies > MAX_BODIES:
-            raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
         return Collisions(self, need_coal)
 
     @cached_property

@@ -55,8 +55,9 @@ def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryCon
         left = [one.file for one in found.robots if disk.real(one.file) not in reached]
         return DirectoryContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
+        excluded = f", not counting what 'exclude' in {config.path} names" if config.exclude else ""
         raise UnreadableFile(
-            f"{directory}: contains no .urdf, no .xacro with a <robot> and no launch file"
+            f"{directory}: contains no .urdf, no .xacro with a <robot> and no launch file{excluded}"
         )
     return found
 

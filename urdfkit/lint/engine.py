@@ -1,7 +1,10 @@
 """check(): descriptions of robots make a Report."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, limits
 from urdfkit.lint import rule_index, rules
@@ -17,13 +20,16 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
 from urdfkit.lint.merging import Checked, merged_report
-from urdfkit.lint.options import Options
+from urdfkit.lint.options import Options, words
 from urdfkit.lint.plan import Job, Plan, planned
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.lint.processes import Workers
 
 #: Robots for each process that make a further one worth while.
 ROBOTS_PER_PROCESS = 10
@@ -71,9 +77,9 @@ def check(
     given = options.given(
         arguments=arguments,
         packages=packages,
-        select=tuple(select),
-        ignore=tuple(ignore),
-        targets=tuple(targets),
+        select=words("select", select),
+        ignore=words("ignore", ignore),
+        targets=words("targets", targets),
         trust=trust,
         config=config,
     )
@@ -85,6 +91,7 @@ def check_with(
     files: Iterable[str | os.PathLike[str] | Source],
     resolver: Resolver | None = None,
     *,
+    workers: Workers | None = None,
     spills: bool = False,
 ) -> Report:
     """Check descriptions of robots.
@@ -93,6 +100,7 @@ def check_with(
         files: as of ``check``.
         resolver: what an earlier check with these packages has found of packages and directories;
             for many checks in a row, while nothing changes on disk.
+        workers: the processes of these checks; made for this one if None.
         spills: keep the findings of very many robots on disk, for a report that is only printed.
 
     Raises:
@@ -104,7 +112,7 @@ def check_with(
     else:
         resolver = resolver.with_texts(options.texts)
     plan = planned(files, resolver, options)
-    checked = _checked(plan.jobs, options, resolver)
+    checked = _checked(plan.jobs, options, resolver, workers)
     return merged_report(plan, checked, _unchecked(plan, options), spills=spills)
 
 
@@ -155,25 +163,34 @@ def contexts(
             yield None if is_launch(job.path) or job.codes else context
 
 
-def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[Checked]:
+def _checked(
+    jobs: list[Job], options: Options, resolver: Resolver, workers: Workers | None
+) -> Iterator[Checked]:
     if len(jobs) == 1:
         yield from check_job(jobs[0], options, resolver)
         return
     progress, options = options.progress, options._replace(progress=None)
-    for done, some in enumerate(_each(jobs, options, resolver), 1):
+    for done, some in enumerate(_each(jobs, options, resolver, workers), 1):
         yield from some
         if progress is not None:
             progress(done, len(jobs))
 
 
-def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[list[Checked]]:
+def _each(
+    jobs: list[Job], options: Options, resolver: Resolver, workers: Workers | None
+) -> Iterator[list[Checked]]:
     count = process_count(options.jobs, len(jobs))
     if count > 1:
-        from urdfkit.lint.processes import in_processes
+        from urdfkit.lint.processes import Workers, in_processes
 
         admitted = tuple(resolver.admitted.values())
         known = (rule_index.external(), options, disk.log() is not None, admitted)
-        yield from in_processes(jobs, known, count)
+        own = workers or Workers()
+        try:
+            yield from in_processes(jobs, known, count, own)
+        finally:
+            if workers is None:
+                own.end()
         return
     for job in jobs:
         yield check_one_of_many(job, options, resolver)

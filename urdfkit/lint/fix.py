@@ -19,7 +19,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
 from urdfkit.lint.fix_guard import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
-from urdfkit.lint.options import Options, choose, external_codes
+from urdfkit.lint.options import Options, choose, external_codes, words
 from urdfkit.lint.report import Fixable, Report
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
@@ -74,9 +74,9 @@ def fix(
     given = options.given(
         arguments=arguments,
         packages=packages,
-        select=tuple(select),
-        ignore=tuple(ignore),
-        targets=tuple(targets),
+        select=words("select", select),
+        ignore=words("ignore", ignore),
+        targets=words("targets", targets),
         trust=trust,
         config=config,
     )
@@ -85,6 +85,23 @@ def fix(
         return fixes
     texts = {**given.texts, **{file.path: file.after for file in fixes.files}}
     return _with_meshes(fixes, files, given._replace(texts=texts), force=force)
+
+
+def changes(
+    files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
+) -> Fixes:
+    """What ``fix`` would write, for a diff.
+
+    What is left does not matter where something is fixed: the robots are not checked once more in
+    the end, and what slow rules report is missing.
+
+    Args:
+        files: as of ``fix``, as the others are.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    return _session(files, options, unsafe=unsafe, force=force).run(only_files=True)
 
 
 def _session(

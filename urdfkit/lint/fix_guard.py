@@ -13,6 +13,7 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_with, contexts
 from urdfkit.lint.options import Options
+from urdfkit.lint.processes import Workers
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
 from urdfkit.text.diagnostic import Diagnostic, Edit
@@ -151,10 +152,11 @@ class Checker:
         self._codes = frozenset(codes)
         self.config = options.config
         self.resolver = Resolver(options.with_config().packages, texts=options.texts)
+        self.workers = Workers()
 
     def report(self, texts: Mapping[str, bytes]) -> Report:
         """What is reported to people: the rules that they asked for."""
-        return check_with(self._with_texts(texts), self._files, self.resolver)
+        return check_with(self._with_texts(texts), self._files, self.resolver, workers=self.workers)
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
         """What fixes start from and are judged by, without the rules that cannot matter."""
@@ -187,7 +189,8 @@ class Checker:
         # The others are not among the codes; of these the errors are.
         former = tuple(filter(rule_index.redirect, self._options.ignore))
         now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
-        return check_with(now._replace(only_errors=only_errors), files, self.resolver)
+        now = now._replace(only_errors=only_errors)
+        return check_with(now, files, self.resolver, workers=self.workers)
 
     def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
         return self._options._replace(texts={**self._options.texts, **texts})

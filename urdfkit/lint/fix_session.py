@@ -19,6 +19,7 @@ from urdfkit.lint.fix_guard import (
     regression,
 )
 from urdfkit.lint.report import Report
+from urdfkit.lint.rules import Rule
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.apply import apply_edits, encoded
@@ -114,17 +115,27 @@ class FixSession:
         self._ownership = Ownership(report.files, self._checker.resolver)
         return tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
 
-    def run(self) -> Fixes:
+    def run(self, *, only_files: bool = False) -> Fixes:
         """Apply what can be applied.
 
         Other robots that include the files are checked once, at the end; only if that shows a
         regression, they are checked with every step, to find the fix that causes it.
+
+        Args:
+            only_files: as ``changes`` needs it.
         """
-        files = self._fix(is_careful=False)
-        if self._guard.regression({}, self._texts, files, may_reveal=False):
+        try:
+            return self._run(only_files=only_files)
+        finally:
+            self._checker.workers.end()
+
+    def _run(self, *, only_files: bool) -> Fixes:
+        report = self._fix(is_careful=False)
+        if self._guard.regression({}, self._texts, report.files, may_reveal=False):
             self._texts, self._dropped, self._applied = {}, {}, []
-            self._fix(is_careful=True)
-        report = self._checker.report(self._texts)
+            report = self._fix(is_careful=True)
+        if not (only_files and self._applied):
+            report = self._checker.report(self._texts)
         changed = [
             original._replace(after=self._texts[real])
             for real, original in self._originals.items()
@@ -133,8 +144,8 @@ class FixSession:
         left = tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
         return Fixes(tuple(sorted(changed)), tuple(self._applied), left, report)
 
-    def _fix(self, *, is_careful: bool) -> tuple[str, ...]:
-        """Round after round, as long as there is something to fix; the files of the robots."""
+    def _fix(self, *, is_careful: bool) -> Report:
+        """Round after round, as long as there is something to fix; the last report."""
         report = self._checker.guard({})
         self._ownership = Ownership(report.files, self._checker.resolver)
         for _ in range(MAX_ROUNDS):
@@ -142,7 +153,7 @@ class FixSession:
             if not chosen:
                 break
             report = self._round(report, chosen, is_careful=is_careful)
-        return report.files
+        return report
 
     def _chosen(self, report: Report) -> list[Diagnostic]:
         """The findings to fix in one round: of fixes that overlap, the first."""
@@ -151,8 +162,7 @@ class FixSession:
             for one in report.diagnostics
             if one.fix and one.code in self._asked and not self._reason(one)
         ]
-        # A tensor comes from the shapes of its link, which other fixes turn, move and scale.
-        settled = [one for one in ready if not rule_index.get(one.code).computes_fix]
+        settled = [one for one in ready if not _waits(rule_index.get(one.code))]
         chosen: list[Diagnostic] = []
         taken: dict[str, list[_Piece]] = {}
         for diagnostic in settled or ready:
@@ -246,6 +256,15 @@ class FixSession:
             data = apply_edits(source.data, parts.values())
             texts[real] = _encoded(data, source, self._originals[real].before) or source.data
         return texts
+
+
+def _waits(rule: Rule) -> bool:
+    """True of a rule whose fixes follow from what the others write.
+
+    A tensor comes from the shapes of its link, which are turned, moved and scaled; a link that is
+    missing may be one whose name stands in a misspelt attribute.
+    """
+    return rule.computes_fix or rule.reports_missing
 
 
 def _fits(piece: _Piece, others: list[_Piece]) -> bool:

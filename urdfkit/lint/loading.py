@@ -122,9 +122,27 @@ def load(
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it is not XML, or does not expand; with every reason.
+        UnreadableRobot: it is not XML, does not expand, or is no robot; with every reason.
     """
-    return read(file, arguments=arguments, packages=packages, trust=trust).model
+    context = read(file, arguments=arguments, packages=packages, trust=trust)
+    require_robot(context)
+    return context.model
+
+
+def require_robot(context: Context) -> None:
+    """See that a file is a description of a robot, and no SDF, mesh or world.
+
+    Raises:
+        UnreadableRobot: its root is another, and there is no link.
+    """
+    root = context.document.root
+    if context.model.links or root.tag == "robot":
+        return
+    hint = ""
+    if root.tag == "sdf" and root.child("world"):
+        hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
+    where = f"{context.source.path}: the root element is <{root.tag}>, not <robot>"
+    raise UnreadableRobot(where + hint)
 
 
 def expand(

@@ -109,6 +109,17 @@ class Options(Record):
         return self.preview is True or (self.preview is not False and code in self.preview)
 
 
+def words(name: str, given: Iterable[str]) -> tuple[str, ...]:
+    """The words of an argument; one text is none, though it can be iterated over.
+
+    Raises:
+        TypeError: the words are one text.
+    """
+    if isinstance(given, str):
+        raise TypeError(f"{name} must be a list of words, such as [{given!r}]")
+    return tuple(given)
+
+
 def external_codes(options: Options) -> tuple[str, ...]:
     """The codes of the rules of other packages that run, which are known from now on."""
     return (*options.config.external_rules, *added_rules(options.rules))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
@@ -16,6 +16,7 @@ from urdfkit.lint.plan import Job
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from collections import deque
     from concurrent.futures import Future, ProcessPoolExecutor
     from typing import TypeAlias
 
@@ -29,7 +30,34 @@ Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
 MAX_BATCH = 16
 
 
-def in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Checked]]:
+class Workers:
+    """Processes for checks in a row, which keep what they have found of packages and meshes."""
+
+    def __init__(self) -> None:
+        self._pool: ProcessPoolExecutor | None = None
+        self._begun: object = None  # what all of them know
+
+    def pool(self, count: int, known: Known) -> ProcessPoolExecutor:
+        """The processes, which may be those of an earlier check."""
+        external, options, is_noting, admitted = known
+        begun = (external, options.packages, options.config, options.trust, is_noting, admitted)
+        if self._pool is None or self._begun != begun:
+            self.end()
+            for code in options.select:
+                rule_index.get(code)  # imported once: processes that are forked share the modules
+            self._pool, self._begun = _pool(count, known), begun
+        return self._pool
+
+    def end(self) -> None:
+        """End the processes, which are made anew where they are needed once more."""
+        if self._pool is not None:
+            self._pool.shutdown()
+            self._pool = None
+
+
+def in_processes(
+    jobs: list[Job], known: Known, count: int, workers: Workers
+) -> Iterator[list[Checked]]:
     """The results of some jobs in their order, by several processes.
 
     A process that dies takes the others of its pool with it. What they had not done is checked
@@ -38,26 +66,44 @@ def in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Che
     from collections import deque
     from concurrent.futures.process import BrokenProcessPool
 
-    for code in known[1].select:
-        rule_index.get(code)  # imported once: processes that are forked share the modules
     size = max(1, min(MAX_BATCH, len(jobs) // (8 * count)))
     batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
     waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
-    with _pool(count, known) as pool:
-        try:
-            while batches or waiting:
-                while batches and len(waiting) < 4 * count:  # results must not pile up
-                    waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
-                    batches.popleft()
-                done = waiting[0][1].result()
-                waiting.popleft()
-                yield from _noted(done)
-        except BrokenProcessPool:
-            _wait_for_ctrl_c()
+    pool, options = workers.pool(count, known), known[1]
+
+    def submit(batch: list[Job]) -> Future[Batch]:
+        return pool.submit(_check_batch, batch, options)
+
+    try:
+        yield from _in_order(submit, batches, waiting, 4 * count)
+    except BrokenProcessPool:
+        workers.end()
+        _wait_for_ctrl_c()
     if waiting:
         yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
     if batches:
-        yield from in_processes([job for batch in batches for job in batch], known, count)
+        rest = [job for batch in batches for job in batch]
+        yield from in_processes(rest, known, count, workers)
+
+
+def _in_order(
+    submit: Callable[[list[Job]], Future[Batch]],
+    batches: deque[list[Job]],
+    waiting: deque[tuple[list[Job], Future[Batch]]],
+    most: int,
+) -> Iterator[list[Checked]]:
+    """The results of some batches; what is not done stays in ``batches`` and ``waiting``.
+
+    Args:
+        most: that wait at a time, for results must not pile up.
+    """
+    while batches or waiting:
+        while batches and len(waiting) < most:
+            waiting.append((batches[0], submit(batches[0])))
+            batches.popleft()
+        done = waiting[0][1].result()
+        waiting.popleft()
+        yield from _noted(done)
 
 
 def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
@@ -69,7 +115,7 @@ def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
         with _pool(1, known) as pool:
             try:
                 for job in jobs[done:]:
-                    yield from _noted(pool.submit(_check_batch, [job]).result())
+                    yield from _noted(pool.submit(_check_batch, [job], known[1]).result())
                     done += 1
             except BrokenProcessPool:
                 _wait_for_ctrl_c()
@@ -91,8 +137,8 @@ def _pool(count: int, known: Known) -> ProcessPoolExecutor:
     return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
 
 
-#: Of a process of a pool: the options, and what it has found of packages and directories.
-_own: tuple[Options, Resolver]
+#: Of a process of a pool: what it has found of packages and directories.
+_own: Resolver
 
 
 def _begin(
@@ -106,14 +152,14 @@ def _begin(
     rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
-    _own = (options, Resolver(options.packages, texts=options.texts))
+    _own = Resolver(options.packages, texts=options.texts)
     expansion_limits.allow(options.config.limits)
     for path in admitted:
-        _own[1].admit(path, trust=options.trust)
+        _own.admit(path, trust=options.trust)
 
 
-def _check_batch(jobs: list[Job]) -> Batch:
-    options, resolver = _own
+def _check_batch(jobs: list[Job], options: Options) -> Batch:
+    resolver = _own.with_texts(options.texts)
     checked = [check_one_of_many(job, options, resolver) for job in jobs]
     log = disk.log()
     if log is not None:

@@ -1,16 +1,20 @@
-"""Libraries without which a rule is skipped."""
+"""What the rules about dynamics and collisions need, and are skipped without."""
+
+from __future__ import annotations
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.lint.description_file import Unavailable
 
+if TYPE_CHECKING:
+    from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.robot.tree import KinematicTree
 
-def without_pinocchio(why: object) -> str:
-    """The reason where Pinocchio cannot be imported."""
-    from urdfkit.core.installation import install_command
-
-    return f"Pinocchio is not installed ({why}): {install_command('dynamics')}"
+#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 def need_coal() -> None:
@@ -34,4 +38,38 @@ def need_pinocchio() -> None:
         Unavailable: it is not installed.
     """
     if libraries.find("pinocchio") is None:
-        raise Unavailable(without_pinocchio("no module 'pinocchio'"))
+        raise Unavailable(_without_pinocchio("no module 'pinocchio'"))
+
+
+def dynamics_of(tree: KinematicTree) -> Dynamics:
+    """A robot in Pinocchio.
+
+    Raises:
+        Unavailable: Pinocchio is not installed, or cannot hold the robot.
+    """
+    try:
+        from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
+    except ImportError as error:
+        raise Unavailable(_without_pinocchio(error)) from error
+    try:
+        return Dynamics(tree)
+    except Unsuitable as reason:
+        raise Unavailable(str(reason)) from reason
+
+
+def need_few_bodies(model: RobotModel) -> None:
+    """Count the collision bodies of a robot.
+
+    Raises:
+        Unavailable: there are too many to compare them.
+    """
+    bodies = sum(len(link.collisions) for link in model.links)
+    if bodies > MAX_BODIES:
+        raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
+
+
+def _without_pinocchio(why: object) -> str:
+    """The reason where Pinocchio cannot be imported."""
+    from urdfkit.core.installation import install_command
+
+    return f"Pinocchio is not installed ({why}): {install_command('dynamics')}"

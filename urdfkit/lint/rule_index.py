@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from importlib import import_module
 
 from urdfkit.core.record import Record
@@ -74,11 +75,13 @@ def codes() -> list[str]:
     return [code for code in _known() if code not in _external]
 
 
+@cache
 def family_of(code: str) -> str:
     """The family of a rule, a directory of ``urdfkit/checks``; empty for one of another package."""
     return "" if code in _external else _known()[code].split(".")[2]
 
 
+@cache
 def of_family(family: str) -> frozenset[str]:
     """The codes of the rules of a family."""
     return frozenset(code for code in codes() if family_of(code) == family)

@@ -131,7 +131,7 @@ class Rule(Record):
         hides_parts: attributes of which a finding means that links or joints are missing; an
             empty name for all findings.
         reports_missing: True for a rule that reports what is missing. Where a rule that hides
-            parts has found the cause, its findings are consequences.
+            parts has found the cause, its findings are consequences. Its fixes wait, too.
         depends_on_arguments: True for a rule about the parts and files that xacro arguments choose.
             It is less severe where their values are known at run time only.
         computes_fix: True for fixes that compute from other values of the robot; they wait until

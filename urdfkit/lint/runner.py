@@ -61,7 +61,7 @@ def run_rules(
     context.run = RunState(options.config.options)
     run = _RuleRun(context, options)
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
+    own = [code for code in chosen if code in rule_index.of_family(OWN_FAMILY)]
     others = [code for code in chosen if code not in own]
     run.rules(others)
     context.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
@@ -71,7 +71,7 @@ def run_rules(
         lacking = context.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.explains_failure()
-        looks_elsewhere = bool(others) and not run.skipped  # at no robot
+        looks_elsewhere = others and {*map(rule_index.family_of, others)} <= LAUNCH_FAMILIES
         is_unchecked = is_unexplained and not (context.is_readable or looks_elsewhere)
         if is_unchecked or context.unchecked:
             run.rules([rule_index.NOT_CHECKED])

@@ -56,7 +56,8 @@ class SettingsTable:
         self._known.append(key)
         value = self._left.pop(key, default)
         if not isinstance(value, kind):
-            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
+            hint = f'; write ["{value}"]' if kind is list and isinstance(value, str) else ""
+            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}{hint}")
         return value
 
     def texts(self, key: str) -> tuple[str, ...]:

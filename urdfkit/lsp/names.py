@@ -25,6 +25,7 @@ KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter",
 _EXPRESSION = re.compile(rb"\$\{([^}]*)\}?|\$\((\w+)\s+([^)]*)\)?")
 _WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*")
 _QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
+_PREFIX = b"xacro:"
 _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
 _PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
 _OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
@@ -53,6 +54,13 @@ class NameUse(Record):
     @property
     def is_computed(self) -> bool:
         return "$" in self.text
+
+
+def _begin(name: NameUse) -> int:
+    """Where a cursor is on a name: in the call of a macro, from the prefix on."""
+    source, start, _ = name.span
+    at = start - len(_PREFIX)
+    return at if name.kind == "macro" and source.data.startswith(_PREFIX, max(at, 0)) else start
 
 
 class NameIndex:
@@ -101,7 +109,7 @@ class NameIndex:
         found = [
             name
             for name in self.all
-            if name.span.source is source and name.span.start <= offset <= name.span.end
+            if name.span.source is source and _begin(name) <= offset <= name.span.end
         ]
         return min(found, key=lambda name: name.span.end - name.span.start, default=None)
 

@@ -51,14 +51,15 @@ def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
 
 def symbols(robots: Iterable[OpenRobot], query: str) -> list[tuple[str, str, Span]]:
     """Kind, name and place of what robots define, of names with the letters of a query in order."""
-    found: dict[tuple[str, str, Span], None] = {}
-    for robot in robots:
-        for one in robot.names.all:
-            if one.is_definition and one.kind in _SYMBOLS:
-                for name in sorted(robot.names.values(one)):
-                    if _matches(query.lower(), name.lower()):
-                        found[one.kind, name, one.span] = None
-    return sorted(found, key=lambda one: (len(one[1]), one[1]))[:MAX_SYMBOLS]
+    defined = (
+        (one.kind, name, one.span)
+        for robot in robots
+        for one in robot.names.all
+        if one.is_definition and one.kind in _SYMBOLS
+        for name in sorted(robot.names.values(one))
+        if _matches(query.lower(), name.lower())
+    )
+    return sorted(dict.fromkeys(defined), key=lambda one: (len(one[1]), one[1]))[:MAX_SYMBOLS]
 
 
 def _matches(query: str, name: str) -> bool:

@@ -11,7 +11,7 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.mesh.grouping import distinct
 from urdfkit.mesh.measures import OVERLAP
 from urdfkit.mesh.overlap import overlap
-from urdfkit.mesh.welding import finite, weld
+from urdfkit.mesh.welding import weld, weld_finite
 
 
 class Health(Record):
@@ -101,9 +101,7 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         faces: (m, 3), indices of vertices.
     """
     number = len(faces)
-    is_finite = finite(vertices)
-    good = is_finite[faces].all(axis=1)
-    points, kept = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
+    points, kept, good = weld_finite(vertices, faces)
     sound = three_cornered(kept)
     non_finite, collapsed = number - int(good.sum()), _count(~sound)
     kept = kept[sound]

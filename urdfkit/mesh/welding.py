@@ -17,6 +17,13 @@ def finite(vertices: Floats) -> Flags:
     return np.asarray((np.abs(np.nan_to_num(vertices, nan=np.inf)) < _FAR).all(axis=1))
 
 
+def weld_finite(vertices: Floats, faces: Integers) -> tuple[Floats, Integers, Flags]:
+    """`weld` without faces that have a corner which is not finite; (m,), True for the others."""
+    is_finite = finite(vertices)
+    kept = np.asarray(is_finite[faces].all(axis=1))
+    return (*weld(np.where(is_finite[:, None], vertices, 0.0), faces[kept]), kept)
+
+
 def weld(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
     """Merge vertices at exactly the same place, and drop those that no triangle uses."""
     used = np.zeros(len(vertices), dtype=bool)

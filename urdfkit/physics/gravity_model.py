@@ -26,7 +26,7 @@ from urdfkit.core.spatial import (
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, direction, laws
-from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
 UP: Vector = (0.0, 0.0, 1.0)
@@ -153,15 +153,8 @@ def _bodies(
     placed: dict[str, tuple[int, Transform]] = {}
     found: list[MovingBody] = []
     for body in rigid_bodies(tree):
-        mass, moment = 0.0, ORIGIN
-        for link, frame in body.links:
-            placed[link.name] = (len(found), frame)
-            own = 0.0 if link.name in weightless else link.mass
-            if link.inertial:
-                moment = plus(moment, times((frame @ link.inertial.origin).position, own))
-            extra = payload.get(link.name, 0.0)
-            moment = plus(moment, times(frame.position, extra))
-            mass += own + extra
+        placed.update((link.name, (len(found), frame)) for link, frame in body.links)
+        mass, moment = _load(body, payload, weightless)
         joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
         if joint is not None:
             parent, frame = placed[joint.parent_name]
@@ -173,6 +166,21 @@ def _bodies(
         back = transposed(at.rotation)
         found.append(MovingBody(parent, at, back, axis, turns, law, mass, moment))
     return found
+
+
+def _load(
+    body: RigidBody, payload: Mapping[str, float], weightless: Collection[str]
+) -> tuple[float, Vector]:
+    """The mass of a body and its payload in kg, and their first moment in the frame of its top."""
+    mass, moment = 0.0, ORIGIN
+    for link, frame in body.links:
+        own = 0.0 if link.name in weightless else link.mass
+        if link.inertial:
+            moment = plus(moment, times((frame @ link.inertial.origin).position, own))
+        extra = payload.get(link.name, 0.0)
+        moment = plus(moment, times(frame.position, extra))
+        mass += own + extra
+    return mass, moment
 
 
 def rest(ends: tuple[float, float]) -> float:

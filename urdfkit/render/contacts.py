@@ -28,20 +28,22 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
         MissingLibrary: coal is not installed.
     """
     try:
-        from urdfkit.physics.collision.batch_kinematics import chain
+        from urdfkit.physics.collision.batch_kinematics import tree_arrays
         from urdfkit.physics.collision.collision_geometry import build_geometry
         from urdfkit.physics.collision.geometry_arrays import collision_arrays
-        from urdfkit.physics.collision.pair_queries import Examiner
+        from urdfkit.physics.collision.pair_queries import CollisionModel
     except ImportError as error:
         raise MissingLibrary(f"contacts need coal: {install_command('dynamics')}") from error
-    moving = chain(context.tree)
+    moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
     known = set(moving.links)
-    examiner = Examiner(moving, (build_geometry(body) for body in bodies if body.link in known))
+    collision_model = CollisionModel(
+        moving, (build_geometry(body) for body in bodies if body.link in known)
+    )
     adjacency = Adjacency(context.tree)
-    pairs = list(moving.pairs(examiner.links))
+    pairs = list(moving.pairs(collision_model.links))
     row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
-    seen = examiner.query(pairs, 0.0).at(row[None], count=True)
+    seen = collision_model.query(pairs, 0.0).at(row[None], count=True)
     for (first, second), one in zip(pairs, seen, strict=True):
         if one.hits:
             names = moving.links[first], moving.links[second]

@@ -69,6 +69,14 @@ class DrawingOptions(TypedDict, total=False):
     threads: int | None
 
 
+class _Light(NamedTuple):
+    """What the first two passes find out about the pixels, (h, w) each."""
+
+    depth: Floats  # of what is seen first, `FAR` where nothing is
+    sky: Floats  # the parts of the sky and of the sun that reach it, from 0 to 1
+    sun: Floats
+
+
 class _Band(NamedTuple):
     """What the first pass finds out about a band."""
 
@@ -164,19 +172,17 @@ class _Drawing:
             progress(next(steps), count)
 
         self.workers.bands(height, BAND, see)
-        sky, sun = np.ones_like(depth), np.ones_like(depth)
+        light = _Light(depth, np.ones_like(depth), np.ones_like(depth))
 
-        def light(first: int, _last: int) -> None:
-            self._light(bands[first].opaque, depth, sky, sun)
+        def shade(first: int, _last: int) -> None:
+            self._light(bands[first].opaque, light)
             progress(next(steps), count)
 
-        self.workers.bands(height, BAND, light)
+        self.workers.bands(height, BAND, shade)
         result = np.empty((height, width, 4), dtype=np.uint8)
 
         def colour(first: int, last: int) -> None:
-            result[first:last] = self._colour(
-                bands.pop(first), first, last, depth, sky, sun, background
-            )
+            result[first:last] = self._colour(bands.pop(first), first, last, light, background)
             progress(next(steps), count)
 
         self.workers.bands(height, BAND, colour)
@@ -244,17 +250,15 @@ class _Drawing:
 
     # -- the second pass: how much light there is --
 
-    def _light(
-        self, opaque: tuple[Fragments, FragmentSurface], depth: Floats, sky: Floats, sun: Floats
-    ) -> None:
+    def _light(self, opaque: tuple[Fragments, FragmentSurface], light: _Light) -> None:
         """How much light reaches the surfaces that are largest in their pixels; grainy."""
         some, there = opaque
-        shown = np.flatnonzero(depth.reshape(-1)[some.pixel] == -there.position[:, 2])
+        shown = np.flatnonzero(light.depth.reshape(-1)[some.pixel] == -there.position[:, 2])
         pixel, position = some.pixel[shown], there.position[shown]
         width = self.camera.size[0]
         if self.quality.sky:
-            sky.reshape(-1)[pixel] = openness(
-                depth,
+            light.sky.reshape(-1)[pixel] = openness(
+                light.depth,
                 self.camera,
                 position,
                 there.normal[shown],
@@ -263,27 +267,21 @@ class _Drawing:
                 self.quality.sky,
             )
         if self.quality.sun:
-            sun.reshape(-1)[pixel] = sunlight(
+            light.sun.reshape(-1)[pixel] = sunlight(
                 self.sun, position, there.flat[shown], pixel, width, self.quality.sun
             )
 
     # -- the third pass: colours --
 
     def _colour(
-        self,
-        band: _Band,
-        first: int,
-        last: int,
-        depth: Floats,
-        sky: Floats,
-        sun: Floats,
-        background: Background | None,
+        self, band: _Band, first: int, last: int, found: _Light, background: Background | None
     ) -> Bytes:
         width = self.camera.size[0]
         some, there = band.opaque
         start, count = first * width, (last - first) * width
-        place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], self._near)
-        light_there = means((sun, sky), depth, first, last, self._near)
+        near = found.depth[first:last]
+        place = matching(some.pixel - start, -there.position[:, 2], near, self._near)
+        light_there = means((found.sun, found.sky), found.depth, first, last, self._near)
         lit = Illumination(*(image[place] for image in light_there))
         light, cover = summed(some, self.colours.light(some, there, lit), start, count)
         free = 1 - cover
@@ -295,7 +293,7 @@ class _Drawing:
             behind = gradient(background, first, last, self.camera.size)
             light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
         for layer, surfaces in (*reversed(band.clear), *reversed(band.overlays)):
-            opacity = self.colours.opacity(layer, surfaces, depth)
+            opacity = self.colours.opacity(layer, surfaces, found.depth)
             ones = np.ones(len(layer.pixel), dtype=np.float32)
             colours = self.colours.light(layer, surfaces, Illumination(ones, ones))
             weighted = layer._replace(weight=layer.weight * opacity)

@@ -28,6 +28,10 @@ SIZES = {
     "sphere": ("radius",),
 }
 
+#: Two shapes of a link are in different units if one is longer by this factor (GEO004); which of
+#: them is right is unknown.
+OTHER_UNIT = 5.0
+
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -72,6 +76,10 @@ class BoundingBox(Record):
         """Volume in m^3."""
         x, y, z = self.edges
         return x * y * z
+
+    def gap(self, other: BoundingBox) -> float:
+        """How far apart two boxes are along an axis at most, in m; below 0 if they overlap."""
+        return max(max(a - d, c - b) for a, b, c, d in zip(*self, *other, strict=True))
 
     def common_volume(self, other: BoundingBox) -> float:
         """Volume of the intersection in m^3."""

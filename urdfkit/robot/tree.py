@@ -4,7 +4,10 @@ Cycles, two parents, islands, unknown links and 100 000 links in a row are all n
 nothing here recurses, and every walk visits a link once.
 """
 
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
+from itertools import islice
+from typing import TypeVar
 
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.model import Joint, Link, RobotModel
@@ -14,6 +17,8 @@ from urdfkit.text.source import shown
 MAX_LOOPS = 20
 
 _DONE = -1
+
+Edge = TypeVar("Edge")
 
 
 class KinematicTree:
@@ -87,31 +92,11 @@ class KinematicTree:
     @property
     def cycles(self) -> tuple[tuple[Joint, ...], ...]:
         """The first ``MAX_LOOPS`` closed loops, each as its joints in order; every loop once."""
-        state: dict[str, int] = {}  # the place on the present way; DONE when it is left
-        loops: list[tuple[Joint, ...]] = []
-        for start in self.children:
-            if start in state:
-                continue
-            way: list[Joint] = []
-            stack = [(start, iter(self.children[start]))]
-            state[start] = 0
-            while stack and len(loops) < MAX_LOOPS:
-                name, joints = stack[-1]
-                joint = next(joints, None)
-                if joint is None:
-                    state[name] = _DONE
-                    stack.pop()
-                    if way:
-                        way.pop()
-                    continue
-                child = joint.child_name
-                if state.get(child, _DONE) != _DONE:
-                    loops.append((*way[state[child] :], joint))
-                elif child not in state:
-                    state[child] = len(stack)
-                    way.append(joint)
-                    stack.append((child, iter(self.children[child])))
-        return tuple(loops)
+
+        def below(name: str) -> Iterator[tuple[Joint, str]]:
+            return ((joint, joint.child_name) for joint in self.children[name])
+
+        return tuple(islice(closed_loops(self.children, below), MAX_LOOPS))
 
     @cached_property
     def spanning(self) -> tuple[Joint, ...]:
@@ -121,16 +106,15 @@ class KinematicTree:
         no root leads to have none.
         """
         found: list[Joint] = []
-        seen = {root.name for root in self.roots}
-        for root in self.roots:
-            queue = [root.name]
-            while queue:
-                for joint in self.children[queue.pop()]:
-                    child = joint.child_name
-                    if child not in seen:
-                        seen.add(child)
-                        queue.append(child)
-                        found.append(joint)
+        stack = [root.name for root in reversed(self.roots)]
+        seen = set(stack)
+        while stack:
+            for joint in self.children[stack.pop()]:
+                child = joint.child_name
+                if child not in seen:
+                    seen.add(child)
+                    stack.append(child)
+                    found.append(joint)
         return tuple(found)
 
     @cached_property
@@ -166,3 +150,42 @@ class KinematicTree:
         for joint in self.spanning:
             frames[joint.child_name] = frames[joint.parent_name] @ joint.origin
         return frames
+
+
+def closed_loops(
+    nodes: Iterable[str], edges: Callable[[str], Iterator[tuple[Edge, str]]]
+) -> Iterator[tuple[Edge, ...]]:
+    """The closed loops of a directed graph that one walk along all of its edges meets.
+
+    Args:
+        edges: those that leave a node, each with the node where it ends.
+
+    Yields:
+        the edges of a loop, in order.
+    """
+    depths: dict[str, int] = {}  # of the nodes on the path that is being walked; `_DONE` after it
+    for start in nodes:
+        if start not in depths:
+            yield from _loops_from(start, edges, depths)
+
+
+def _loops_from(
+    start: str, edges: Callable[[str], Iterator[tuple[Edge, str]]], depths: dict[str, int]
+) -> Iterator[tuple[Edge, ...]]:
+    path: list[Edge] = []
+    stack = [(start, edges(start))]
+    depths[start] = 0
+    while stack:
+        node, left = stack[-1]
+        for edge, end in left:
+            if end not in depths:
+                depths[end] = len(stack)
+                path.append(edge)
+                stack.append((end, edges(end)))
+                break
+            if depths[end] != _DONE:
+                yield (*path[depths[end] :], edge)
+        else:
+            depths[node] = _DONE
+            stack.pop()
+            del path[-1:]

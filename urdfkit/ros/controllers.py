@@ -9,6 +9,8 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_con
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import groupby
+from operator import itemgetter
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -130,10 +132,19 @@ def _runs_on_hardware(description: RosDescription) -> bool:
     return bool(description.parameters) and is_real
 
 
-def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, list[Controller]]]:
-    """The controllers of each parameter file that can be read."""
+def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:
+    """The controllers of the parameter files that can be read."""
     for file, source in _sources(description):
-        yield file, read(source)
+        for controller in read(source):
+            yield file, controller
+
+
+def by_file(
+    found: Iterable[tuple[ParameterFile, Controller]],
+) -> Iterator[tuple[ParameterFile, list[Controller]]]:
+    """The controllers of each file together."""
+    for file, several in groupby(found, key=itemgetter(0)):
+        yield file, [controller for _, controller in several]
 
 
 def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Source]]:

@@ -6,11 +6,12 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import number
+from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import control_plugin
 from urdfkit.ros.targets import Targets
 from urdfkit.text.document import Element
@@ -139,11 +140,22 @@ def reads_transmissions(targets: Targets) -> bool:
     return targets.any_of(ROS1) or not targets.any_of(ROS2)
 
 
-def driven_joints(model: RobotModel) -> Iterator[tuple[Element, Element]]:
-    """Each joint of each transmission of ROS 1, and that transmission."""
-    for transmission in model.transmissions:
+def driven_joints(transmissions: Iterable[Element]) -> Iterator[tuple[Element, Element]]:
+    """Each joint of each transmission, and that transmission."""
+    for transmission in transmissions:
         for joint in transmission.all("joint"):
             yield joint, transmission
+
+
+def joints_and_owners(description: RosDescription) -> Iterator[tuple[Element, str]]:
+    """The joints of ros2_control and of transmissions that something reads, and whose each is."""
+    for component in components(description.model):
+        for joint in component.joints:
+            yield joint.at, component.called
+    transmissions = description.model.transmissions
+    if transmissions and reads_transmissions(description.targets):
+        for element, transmission in driven_joints(transmissions):
+            yield element, called(transmission)
 
 
 def _component(element: Element) -> Component:

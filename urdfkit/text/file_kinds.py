@@ -1,10 +1,16 @@
-"""What a file of a robot is: xacro, by its content, or a launch file, by its name."""
+"""What a file is: xacro, a launch file, an SRDF, or a part of a robot."""
+
+from __future__ import annotations
 
 import os
 import re
+from typing import TYPE_CHECKING
 
 from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.text.document import Element
 
 # Compiled when needed, which is seldom.
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
@@ -38,3 +44,28 @@ _LAUNCH = (
 def is_launch(path: str) -> bool:
     """True for the names that launch files have."""
     return path.endswith(_LAUNCH)
+
+
+def has_srdf_tags(root: Element) -> bool:
+    """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
+    from urdfkit.text.schema import SRDF_TAGS
+
+    return root.child("link") is None and any(one.tag in SRDF_TAGS for one in root.children)
+
+
+def is_list_of_joints(root: Element) -> bool:
+    """True for joints without links, parents and children: the settings of another program."""
+    return bool(root.children) and all(
+        joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+        for joint in root.children
+    )
+
+
+def is_extension(root: Element) -> bool:
+    """True for joints without a robot's name and links, which a robot includes.
+
+    Clearpath's robots include the file that an environment variable names; what is no element
+    of URDF there is a call of a macro.
+    """
+    is_robot = root.get("name") is not None or root.child("link") is not None
+    return not is_robot and root.child("joint") is not None

@@ -90,23 +90,26 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
             stack.pop()
             keys.pop()
             continue
-        owner = stack[-1]
-        node = _continued(owner, keys[-1], _node(source, event))
+        node = _continued(stack[-1], keys[-1], _node(source, event))
         if isinstance(event, yaml.NodeEvent):
-            if isinstance(owner, list):
-                owner.append(node)
-            elif isinstance(owner, dict):
-                if keys[-1] is None:
-                    keys[-1] = _key(node)
-                else:
-                    owner[keys[-1]] = node
-                    keys[-1] = None
+            keys[-1] = _add(stack[-1], keys[-1], node)
         if isinstance(event, yaml.CollectionStartEvent):
             stack.append(node)
             keys.append(None)
             if len(stack) > MAX_LEVELS:
                 return None
     return top[0] if top else None
+
+
+def _add(owner: Node, key: str | None, node: Node) -> str | None:
+    """Add a node to the collection that it is in; the key that waits for a value then."""
+    if isinstance(owner, list):
+        owner.append(node)
+    elif isinstance(owner, dict) and key is None:
+        return _key(node)
+    elif isinstance(owner, dict) and key is not None:
+        owner[key] = node
+    return None
 
 
 def _continued(owner: Node, key: str | None, node: Node) -> Node:

@@ -161,7 +161,7 @@ class Source:
 def why_unreadable(path: str, error: OSError) -> str:
     """Why a file could not be opened, and what to do."""
     if disk.is_directory(path):
-        return "is a directory; pass the files in it"
+        return "is a directory; name a file in it"
     if isinstance(error, PermissionError):
         return "may not be read; see its permissions"
     if error.errno == ELOOP:

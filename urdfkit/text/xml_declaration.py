@@ -20,6 +20,10 @@ def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
         strict: True where only UTF-8 is read, as by xacro.
     """
     if source.undecodable is not None:
+        from urdfkit.text.xml_errors import is_binary
+
+        if is_binary(source.data) or b"<" not in source.data:
+            return []  # no encoding makes it XML, which is reported
         return [_undecodable(source, source.undecodable)]
     encoding = source.encoding
     if encoding in _UTF_8 or (source.data.isascii() and not encoding.startswith("utf-")):

@@ -57,7 +57,7 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
         return [SyntaxMistake(0, 0, message, help=help)]
     controls = control_characters(data)
     count = sum(end - start for start, end in controls)
-    if count > MAX_CONTROLS:
+    if is_binary(data):
         message = f"not a text file: it holds {count} control characters"
         return [SyntaxMistake(*controls[0], message, help=_NAME_ANOTHER)]
     scanner = _Scanner(data)
@@ -66,6 +66,11 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     for mistake in scanner.mistakes:
         first.setdefault(mistake.start, mistake)  # what else is wrong there follows from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
+
+
+def is_binary(data: bytes) -> bool:
+    """True for what is no text in any encoding."""
+    return sum(end - start for start, end in control_characters(data)) > MAX_CONTROLS
 
 
 def _other_kind(data: bytes) -> tuple[str, str] | None:

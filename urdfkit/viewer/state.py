@@ -114,10 +114,8 @@ def _declared(context: Context) -> dict[str, str]:
     xacro = context.reading.xacro
     if xacro is None:
         return {}
-    found: dict[str, str] = {}
-    for argument in xacro.arguments:
-        found.setdefault(argument.name, argument.attributes.get("default", ""))
-    return found | {name: text for name, text in context.arguments.items() if name in found}
+    given = {name: text for name, text in context.arguments.items() if name in xacro.defaults}
+    return xacro.defaults | given
 
 
 def file_version(path: str) -> FileVersion:

@@ -10,7 +10,9 @@ from urdfkit.core.record import Record
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
-_SRDF = (".srdf", ".srdf.xacro")
+_SRDF, _ROBOT = (".srdf", ".srdf.xacro"), (".urdf", ".xacro")
+#: The root of a robot; that of a part has no name.
+_NAMED = rb"<robot\b[^<>]*\bname\s*="
 #: A section of ``.setup_assistant``, and what is in it; compiled when needed, which is seldom.
 _SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
 _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
@@ -59,6 +61,23 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     return [path for path in files if _may_be_called(path, name)] or [
         path for path in files if _is_started_with(path, robot, resolver)
     ]
+
+
+def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:
+    """True if an SRDF lies between several robots and is called like the file of another one.
+
+    A file that the robot names is a part of it, and not another robot.
+    """
+    own, directory = os.path.basename(robot), os.path.dirname(os.path.abspath(robot))
+    stem = os.path.basename(srdf).partition(".")[0]
+    if os.path.dirname(srdf) != directory or own.partition(".")[0] == stem:
+        return False
+    for name in resolver.directories.entries(directory) or ():
+        if name.startswith(f"{stem}.") and name.endswith(_ROBOT) and not name.endswith(_SRDF):
+            is_part = name.encode() in read_head(robot, 100_000)
+            if not is_part and re.search(_NAMED, read_head(os.path.join(directory, name), 20_000)):
+                return True
+    return False
 
 
 def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:

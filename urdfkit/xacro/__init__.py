@@ -29,6 +29,7 @@ class Xacro:
         document: expanded; None if there was an error.
         problems: errors and warnings, each with its place.
         macros, properties, arguments: what the files define.
+        defaults: of the arguments, by name, as written; empty for one without.
         messages: of xacro and of the model, in order.
         sources: the xacro files that were read, the checked one first.
         data_files: paths of the YAML files that were read.
@@ -55,6 +56,7 @@ class Xacro:
         self.macros = tuple(run.defined.macros)
         self.properties = tuple(run.defined.properties)
         self.arguments = tuple(run.defined.arguments)
+        self.defaults = run.defined.argument_defaults()
         self.messages = tuple(log.messages)
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
         self.dependencies = tuple(dict.fromkeys(run.dependencies))

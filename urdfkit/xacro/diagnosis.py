@@ -89,15 +89,20 @@ def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Rel
     found: list[Related] = []
     table = local.get("symbols", local.get("table"))
     for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
-        scope = table
-        while scope is not None:
-            definer = annotations_of(scope).definers.get(name)
-            if definer is not None:
-                if definer.tagName == "xacro:property":
-                    found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
-                break
-            scope = getattr(scope, "__dict__", {}).get("parent")
+        definer = _definer(name, table)
+        if definer is not None and definer.tagName == "xacro:property":
+            found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
     return tuple(found)
+
+
+def _definer(name: str, table: Any) -> Node | None:
+    """What defines a name in a table of symbols, or in the nearest one around it that has it."""
+    while table is not None:
+        definer = annotations_of(table).definers.get(name)
+        if definer is not None:
+            return definer
+        table = getattr(table, "__dict__", {}).get("parent")
+    return None
 
 
 def _made(

@@ -12,7 +12,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
-from urdfkit.text.source import Span, shown
+from urdfkit.text.source import Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
@@ -51,7 +51,9 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
     if isinstance(cause, FileNotFoundError) and cause.filename:
         return _missing_file(os.fspath(cause.filename))
     if isinstance(cause, OSError) and cause.filename:
-        return MessageText(f"{cause.filename}: {cause.strerror}")
+        path = os.fspath(cause.filename)
+        reason, _, help = why_unreadable(path, cause).partition("; ")
+        return MessageText(f"{shown(path)}: {reason}", help)
     if isinstance(cause, SyntaxError):
         return MessageText(f"not an expression: {cause.msg}", "write it as Python would read it")
     if isinstance(cause, BrokenYaml):
@@ -100,6 +102,10 @@ def _of_call(text: str, macro: Any) -> MessageText | None:
     params: list[str] = list(macro.params) if macro is not None else []
     if found := _PARAMETER.search(text):
         name = found.group(1)
+        if any(name in param.split(",") for param in params if "," in param):
+            words = " ".join(params).replace(",", " ").split()
+            message = f"{who} has no parameter '{name}': its params are separated by commas"
+            return MessageText(message, f'write params="{" ".join(words)}"')
         has = ", ".join(params) or "none"
         return MessageText(
             f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"

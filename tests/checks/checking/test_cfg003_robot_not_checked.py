@@ -57,6 +57,8 @@ def test_selected_rules_that_found_nothing_did_not_look(robot: Path) -> None:
     directory = robot.parent
     assert codes(directory, select=["JNT"]) == ["CFG003"]
     assert codes(directory, select=["CFG003"]) == ["CFG003"]
+    assert codes(directory, select=["XAC001", "CFG003"]) == ["CFG003"]  # XAC010 would explain it
+    assert codes(directory, select=["LAU", "CFG003"]) == []  # nothing selected reads the robot
     assert codes(directory, select=["LAU"]) == [], "rules that look at no robot"
     assert codes(directory, select=["JNT"], ignore=["CFG003"]) == []
     assert codes(directory, ignore=["CFG"]) == []

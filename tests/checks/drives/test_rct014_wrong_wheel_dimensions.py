@@ -2,8 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.ros2_control.test_joints_of_controllers import controller
-from tests.controls import plugin
+from tests.controls import controller, plugin
 from tests.gazebos import BASE, WHEELS
 from tests.gazebos import plugin as gazebo_plugin
 from tests.gazebos import wheel as tyre

@@ -30,6 +30,13 @@ def test_nothing_is_near(name: str) -> None:
     assert "did you mean" not in found.help
 
 
+def test_colours_where_a_name_belongs() -> None:
+    colours = "<material><ambient>1 0 0 1</ambient></material>"
+    (found,) = reported("GAZ007", BASE + block(colours))
+    assert found.message == "Gazebo ignores <ambient> in <material>, which names a material"
+    assert reported("GAZ007", BASE + block(f"<visual>{colours}</visual>")) == []
+
+
 def test_materials_of_gazebo_and_of_vendors() -> None:
     known = [*materials(), "PR2/Red"]
     assert (

@@ -2,6 +2,7 @@ import pytest
 
 from tests.gazebos import BASE, BODY, child, plugin, sensor
 from tests.reported import fixed, messages, places, reported
+from urdfkit.lint.rule_examples import whole_robot
 
 
 @pytest.mark.parametrize(
@@ -141,3 +142,10 @@ def test_other_names_and_other_links_are_not_reported() -> None:
     assert messages("GAZ010", BASE + sensor("imu", "") + other) == []
     apart = BASE + child("tip", inside=BODY) + sensor("imu", "") + sensor("imu", "", "tip")
     assert messages("GAZ010", apart) == []
+
+
+@pytest.mark.parametrize(("right", "wrong"), [("name", "nmae"), ("filename", "filname")])
+def test_a_misspelt_attribute_is_renamed(right: str, wrong: str) -> None:
+    text = BASE + plugin("libgazebo_ros_laser.so")
+    misspelt = text.replace(f' {right}="', f' {wrong}="').replace(f"link {wrong}", f"link {right}")
+    assert fixed("GAZ010", misspelt) == whole_robot(text)

@@ -113,3 +113,29 @@ def test_a_library_that_is_called_like_a_system(file: str, system: str | None) -
     assert found.severity is (Severity.WARNING if system else Severity.INFO)
     assert found.fix is None
     assert system is None or found.help == f"did you mean '{system}'?"
+
+
+@pytest.mark.parametrize(
+    ("tags", "is_fixed"), [("", True), ("<publish_odom/>", True), ("<a/>", False)]
+)
+def test_a_library_whose_tags_are_others_may_be_a_vendors(tags: str, is_fixed: bool) -> None:
+    (found,) = reported("GAZ011", BASE + plugin("libgazebo_ros_diff_drvie.so", tags))
+    assert (found.fix is not None) == is_fixed
+
+
+@pytest.mark.parametrize(
+    ("tags", "fixed_as"),
+    [
+        ("", None),
+        ("<left_joint>l</left_joint>", 'filename="gz-sim-diff-drive-system"'),
+        ("<publish_link_pose>true</publish_link_pose>", 'name="gz::sim::systems::PosePublisher"'),
+    ],
+)
+def test_of_a_library_and_the_class_of_another_one_the_tags_show_which_is_wrong(
+    tags: str, fixed_as: str | None
+) -> None:
+    (found,) = reported("GAZ011", BASE + plugin(POSES, tags, "gz::sim::systems::DiffDrive"))
+    assert found.help == (
+        'write name="gz::sim::systems::PosePublisher", or filename="gz-sim-diff-drive-system"'
+    )
+    assert (found.fix and found.fix.title) == (fixed_as and f"write {fixed_as}")

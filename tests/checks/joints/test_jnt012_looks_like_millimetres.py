@@ -28,6 +28,12 @@ def test_one_origin_far_from_all_others() -> None:
     assert places("JNT012", text) == [(12, '<origin xyz="0 0 -150"/>')]
 
 
+def test_a_robot_that_stands_far_from_the_world() -> None:
+    text = robot(*NEAR, at("j", "33 17 2"))
+    assert len(reported("JNT012", text)) == 1
+    assert reported("JNT012", text.replace('"base"', '"world"')) == []
+
+
 @pytest.mark.parametrize(("reach", "count"), [("9.9", 0), ("10", 1)])
 def test_ten_metres_are_far(reach: str, count: int) -> None:
     near = [at(name, "0 0 0.05") for name in "abc"]

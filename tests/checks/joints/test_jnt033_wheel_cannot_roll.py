@@ -26,9 +26,11 @@ def robot(
 
 
 def test_the_axis_or_the_shape_lies_across() -> None:
-    assert messages("JNT033", robot("1 0 0")) == [
-        "joint 'j' turns wheel 'wheel' about 1 0 0, but the axis of its cylinder is 0 -1 0"
-    ]
+    (message,) = messages("JNT033", robot("1 0 0"))
+    assert message == (
+        "joint 'j' turns wheel 'wheel' about 1 0 0, "
+        "but the axis of its collision cylinder is 0 -1 0"
+    )
     assert messages("JNT033", robot("0 0 1"))
     assert messages("JNT033", robot(rpy="0 0 0"))
 
@@ -74,7 +76,7 @@ def test_the_short_edge_of_a_mesh_is_its_axle(
     )
     files = {"wheel.stl": samples.stl(samples.box(low, high))}
     said = meshed.messages(tmp_path, "JNT033", wheel + joint, files)
-    about = "turns wheel 'wheel' about 1 0 0, but the axis of its mesh is 0 1 0"
+    about = "turns wheel 'wheel' about 1 0 0, but the axis of its collision mesh is 0 1 0"
     assert said == ([f"joint 'j' {about}"] if reported else [])
 
 

@@ -89,7 +89,11 @@ CREATE_IGNORED = "Node(package='ros_gz_sim', executable='create', arguments=['-t
             "create has no option '-entity' (ignored)",
             "write -model in ROS 1, -name for create",
         ),
-        ("'-nam', 'r'", "create has no option '-nam' (ignored); did you mean 'name'?", "remove it"),
+        (
+            "'-nam', 'r'",
+            "create has no option '-nam' (ignored); did you mean '-name'?",
+            "write -name",
+        ),
     ],
 )
 def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help: str) -> None:

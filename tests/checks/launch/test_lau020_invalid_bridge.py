@@ -105,3 +105,11 @@ def test_a_sensor_on_another_topic(tmp_path: Path, words: list[str], count: int)
     found = of_words(tmp_path, *words, files={"r.urdf": ROBOT})
     assert [one.severity for one in found] == [Severity.WARNING] * count
     assert all(one.help == "write /scan" for one in found)
+
+
+def test_quotes_are_part_of_a_topic(tmp_path: Path) -> None:
+    quoted = ROBOT.replace("<topic>scan<", "<topic>'scan'<")
+    word = "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"
+    (found,) = of_words(tmp_path, word, files={"r.urdf": quoted})
+    assert "the quotes are part of it" in found.message
+    assert found.help == "remove the quotes in the robot's <topic>"

@@ -71,6 +71,11 @@ def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Pa
             0,
         ),
         (
+            f"if shows():\n    {GUI.format('')}"
+            + SPAWNER.format("['joint_state_broadcaster']", ""),
+            0,
+        ),
+        (
             GUI.format(", remappings=[('joint_states', 'wanted')]")
             + SPAWNER.format("['joint_state_broadcaster']", ""),
             0,

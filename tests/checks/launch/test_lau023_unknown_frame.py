@@ -93,3 +93,18 @@ def test_static_transforms(tmp_path: Path, parent: str, count: int) -> None:
 def test_a_root_above_the_robot(tmp_path: Path) -> None:
     text = PUBLISHER.format("") + STATIC.format("cell", "base_link")
     assert messages(tmp_path, text) == []
+
+
+@pytest.mark.parametrize(("text", "count"), [("", 0), (PUBLISHER.format(""), 1)])
+def test_a_robot_that_another_launch_file_starts_in_a_namespace(
+    tmp_path: Path, text: str, count: int
+) -> None:
+    frame = "ekf: {ros__parameters: {base_link_frame: leo1/base_link}}\n"
+    found = messages(tmp_path, text + FILTER.format(""), other=PUBLISHER.format(""), f_yaml=frame)
+    assert len(found) == count
+
+
+def test_a_robot_in_sdf_is_not_known(tmp_path: Path) -> None:
+    sdf = PUBLISHER.format("").replace("r.urdf", "model.sdf")
+    frame = "ekf: {ros__parameters: {base_link_frame: chassis}}\n"
+    assert not messages(tmp_path, sdf + FILTER.format(""), other=PUBLISHER.format(""), f_yaml=frame)

@@ -11,7 +11,7 @@ from urdfkit.mesh.samples import box, stl
 from urdfkit.text.diagnostic import Severity
 
 CUBE = box((0, 0, 0), (1, 1, 1))
-MANY = stl(1667 * CUBE)
+MANY = stl(CUBE, copies=1667)
 
 
 def test_20_004_triangles(tmp_path: Path) -> None:
@@ -24,7 +24,7 @@ def test_20_004_triangles(tmp_path: Path) -> None:
 
 
 def test_mujoco_rejects_it(tmp_path: Path) -> None:
-    files = {"a.stl": stl(16_667 * CUBE)}
+    files = {"a.stl": stl(CUBE, copies=16_667)}
     for targets, severity in (((), Severity.WARNING), (("mujoco",), Severity.ERROR)):
         (found,) = reported(tmp_path, "MSH019", link(mesh("a.stl")), files, targets)
         assert found.message.endswith("slow, and MuJoCo rejects more than 200,000")
@@ -32,13 +32,13 @@ def test_mujoco_rejects_it(tmp_path: Path) -> None:
 
 
 def test_fewer_or_a_visual(tmp_path: Path) -> None:
-    files = {"a.stl": MANY, "b.stl": stl(1666 * CUBE)}
+    files = {"a.stl": MANY, "b.stl": stl(CUBE, copies=1666)}
     robot = link(mesh("a.stl", "visual"), mesh("b.stl"))
     assert messages(tmp_path, "MSH019", robot, files) == []
 
 
 def test_a_visual_of_100_008_triangles(tmp_path: Path) -> None:
-    files = {"a.stl": stl(8334 * CUBE), "b.stl": stl(8333 * CUBE)}
+    files = {"a.stl": stl(CUBE, copies=8334), "b.stl": stl(CUBE, copies=8333)}
     robot = link(mesh("a.stl", "visual"), mesh("b.stl", "visual"))
     (found,) = reported(tmp_path, "MSH019", robot, files)
     assert found.severity.value == "info"
@@ -53,11 +53,11 @@ def test_a_visual_of_100_008_triangles(tmp_path: Path) -> None:
 )
 def test_a_visual_mesh_used_for_collision(tmp_path: Path, cubes: int, severity: list[str]) -> None:
     robot = link(mesh("a.stl", "visual"), mesh("a.stl"))
-    found = reported(tmp_path, "MSH019", robot, {"a.stl": stl(cubes * CUBE)})
+    found = reported(tmp_path, "MSH019", robot, {"a.stl": stl(CUBE, copies=cubes)})
     assert [one.severity.value for one in found] == severity
 
 
 def test_another_file_or_another_link(tmp_path: Path) -> None:
-    files = {"a.stl": stl(500 * CUBE), "b.stl": stl(501 * CUBE)}
+    files = {"a.stl": stl(CUBE, copies=500), "b.stl": stl(CUBE, copies=501)}
     two = link(mesh("a.stl", "visual"), mesh("b.stl")) + link(mesh("a.stl"), name="b")
     assert messages(tmp_path, "MSH019", two, files) == []

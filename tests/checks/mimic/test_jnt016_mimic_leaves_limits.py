@@ -43,7 +43,9 @@ def test_the_unit_of_a_prismatic_joint() -> None:
 
 def test_a_sign_that_would_do_is_told() -> None:
     (found,) = reported("JNT016", pair(("0", "0.8"), ("-0.8", "0"), ""))
-    assert found.help == "with multiplier -1 it stays within them"
+    assert found.help == (
+        'if it turns the right way, write lower="0" upper="0.8"; else multiplier -1'
+    )
     (found,) = reported("JNT016", pair(("0", "0.8"), ("0", "0.5"), ""))
     assert found.help == "correct multiplier and offset, or the limits of one of the two"
 

@@ -129,3 +129,26 @@ def test_the_nearest_joint_is_offered() -> None:
 def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
     assert reported("REF001", MIMIC.format("finger_joint")) == []  # itself: JNT015
     assert reported("REF001", MIMIC.replace(' joint="{}"', "")) == []  # URD003
+
+
+def test_a_gazebo_block_counts_as_well() -> None:
+    robot = (
+        '<link name="base_link"/><link name="{}"/>'
+        '<joint name="a" type="fixed"><parent link="base_link"/><child link="gripper"/></joint>'
+        '<gazebo reference="gripper"><mu1>0.2</mu1></gazebo>'
+    )
+    after = f'<robot name="example">\n{robot.format("gripper")}\n</robot>\n'
+    assert fixed("REF001", robot.format("griper")) == after
+    assert fixed("GAZ001", robot.format("griper")) == after
+
+
+@pytest.mark.parametrize(("drives", "mended"), [(1, "sholder"), (2, "shoulder")])
+def test_what_mimic_joints_agree_on_is_right(drives: int, mended: str) -> None:
+    robot = '<link name="a"/><joint name="{}" type="fixed"><child link="a"/></joint>'
+    robot += "".join(
+        f'<joint name="j{n}" type="fixed"><child link="a"/><mimic joint="{{}}"/></joint>'
+        for n in range(drives)
+    )
+    names = [mended] * (drives + 1)
+    after = f'<robot name="example">\n{robot.format(*names)}\n</robot>\n'
+    assert fixed("REF001", robot.format("sholder", *["shoulder"] * drives)) == after

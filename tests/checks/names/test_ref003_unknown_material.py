@@ -1,6 +1,6 @@
 import pytest
 
-from tests.reported import messages, places, reported
+from tests.reported import fixed, messages, places, reported
 
 BLUE = '<material name="blue"><color rgba="0 0 1 1"/></material>'
 BARE = '<material name="blue"/>'
@@ -68,3 +68,15 @@ def test_hints(name: str, hint: str) -> None:
         f"link 'a': material '{name}' has no colour in the visual; it is not defined{hint}"
     ]
     assert places("REF003", robot) == [(2, name)]
+
+
+@pytest.mark.parametrize(("uses", "mended"), [(1, "orangge"), (2, "orange")])
+def test_of_one_definition_and_several_uses_the_definition_is_misspelt(
+    uses: int, mended: str
+) -> None:
+    robot = '<material name="{}"><color rgba="1 0 0 1"/></material>'
+    for number in range(uses):
+        visual = '<visual><material name="{}"/><geometry><sphere radius="1"/></geometry></visual>'
+        robot += f'<link name="l{number}">{visual}</link>'
+    after = f'<robot name="example">\n{robot.format(*[mended] * (uses + 1))}\n</robot>\n'
+    assert fixed("REF003", robot.format("orangge", *["orange"] * uses)) == after

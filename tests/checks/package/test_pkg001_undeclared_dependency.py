@@ -88,7 +88,10 @@ def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
         hand.write_text(f"<package><name>hand</name>{text}</package>")
         (found,) = check(arm, select=["PKG001"]).diagnostics
         assert found.fix is None
-        assert found.help.startswith("move the file to 'arm' or to 'hand'")
+        assert found.help == (
+            "'hand' depends on 'arm', so to declare it makes a cycle: move the file that is used "
+            "to 'arm', or this one to 'hand'"
+        )
 
 
 def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:

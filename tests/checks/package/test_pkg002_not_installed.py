@@ -31,6 +31,27 @@ def test_a_directory_that_is_not_installed(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (3, "package://arm/meshes/a.stl")
 
 
+def test_a_macro_of_another_package_is_checked_with_its_own_build(tmp_path: Path) -> None:
+    """The robot of the one package includes the laser of the other, whose mesh is not installed."""
+    lidar = tmp_path / "lidar"
+    for name in ("lidar", "bot"):
+        (tmp_path / name / "urdf").mkdir(parents=True)
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        (tmp_path / name / "CMakeLists.txt").write_text(INSTALL)
+    (lidar / "meshes").mkdir()
+    (lidar / "meshes" / "a.stl").write_text("solid")
+    text = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    mesh = MESH.replace("//arm/", "//lidar/").format("meshes/a.stl")
+    macro = f'<xacro:macro name="lidar"><link name="laser">{mesh}</link></xacro:macro>'
+    (lidar / "urdf" / "lidar.xacro").write_text(text.format(macro))
+    include = '<xacro:include filename="$(find lidar)/urdf/lidar.xacro"/><xacro:lidar/>'
+    robot = tmp_path / "bot" / "urdf" / "bot.urdf.xacro"
+    robot.write_text(text.format(include))
+    (found,) = check(robot, select=["PKG002"]).diagnostics
+    assert found.message == f"'meshes/a.stl' is not installed by {lidar}/CMakeLists.txt"
+    assert found.span.source.path == str(lidar / "urdf" / "lidar.xacro")
+
+
 def test_what_is_installed_or_is_not_there(tmp_path: Path) -> None:
     assert reported(tmp_path, "urdf/a.stl") == []
     assert reported(tmp_path, "meshes/b.stl") == [], "MSH001"

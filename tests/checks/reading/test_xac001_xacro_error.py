@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.xacros import codes, marked, reported, told_of, write
+from urdfkit import check
 
 MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
 
@@ -227,3 +228,16 @@ def test_properties_without_prefix_are_one_finding_for_programs_too() -> None:
         '<property name="width" value="1"/>',
         '<property name="gap" value="1"/>',
     ]
+
+
+def test_an_include_that_cannot_be_opened(tmp_path: Path) -> None:
+    """The help is about the file; there is no expression to correct."""
+    (tmp_path / "parts.xacro").mkdir()
+    robot = tmp_path / "r.xacro"
+    robot.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:include filename="parts.xacro"/></robot>'
+    )
+    (found,) = check(robot, select=["XAC001"]).diagnostics
+    assert found.message == f"{tmp_path / 'parts.xacro'}: is a directory"
+    assert found.help == "name a file in it"

@@ -64,3 +64,11 @@ def test_one_byte_per_character_is_readable_as_urdf_but_not_as_xacro(encoding: s
 )
 def test_what_everybody_reads(data: bytes, name: str) -> None:
     assert reported("XML002", data, name) == []
+
+
+@pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
+@pytest.mark.parametrize("data", [bytes(range(256)) * 4, b"\x1f\x8b\x08\x08\xff\xfe, a gzip"])
+def test_what_is_no_text_has_no_encoding(data: bytes, name: str) -> None:
+    assert reported("XML002", data, name) == []
+    (found,) = reported("XML001", data, name)
+    assert found.message.startswith("not a")

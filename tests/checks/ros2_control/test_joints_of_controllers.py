@@ -1,26 +1,21 @@
 from pathlib import Path
 
-from tests.controls import GZ, ROBOT, control, driven, plugin
+from tests.controls import (
+    GZ,
+    ROBOT,
+    control,
+    controller,
+    driven,
+    plugin,
+    reported_with_file,
+)
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
 
-TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
-
-
-def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
-    """A controller; its parameters begin on the fourth line."""
-    lines = "".join(f"    {key}: {value}\n" for key, value in parameters.items())
-    return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
-
 
 def reported(directory: Path, text: str, blocks: str = "") -> list[Diagnostic]:
-    (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(directory / "r.urdf", select=["RCT001"])
-    assert report.crashed == ()
-    return list(report.diagnostics)
+    return reported_with_file("RCT001", directory, text, blocks)
 
 
 def test_a_misspelt_joint(tmp_path: Path) -> None:

@@ -82,6 +82,14 @@ def test_swapped() -> None:
     assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]
 
 
+def test_a_minus_too_many() -> None:
+    text = ROBOT + control(commanded("slide", "effort", "-500", "-500"))
+    assert messages("RCT009", text) == ["joint 'slide', effort: min and max are both -500"]
+    assert messages("RCT009", ROBOT + control(commanded("slide", "effort", "0", "0"))) == []
+    (swapped,) = messages("RCT009", ROBOT + control(commanded("slide", "position", "0", "-0.5")))
+    assert swapped.endswith("min 0 > max -0.5")
+
+
 def test_of_a_gpio() -> None:
     text = commanded("lamp", "analog", "5", "-5").replace("joint", "gpio")
     (message,) = messages("RCT009", ROBOT + control(text))

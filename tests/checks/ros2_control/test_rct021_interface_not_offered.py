@@ -4,8 +4,18 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.ros2_control.test_joints_of_controllers import TRAJECTORY, controller
-from tests.controls import GZ, NEXT, ROBOT, control, driven, plugin, transmission
+from tests.controls import (
+    GZ,
+    NEXT,
+    ROBOT,
+    TRAJECTORY,
+    control,
+    controller,
+    driven,
+    plugin,
+    reported_with_file,
+    transmission,
+)
 from tests.reported import messages, places
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
@@ -16,14 +26,8 @@ OFFERED = control(driven("swing", "velocity", "velocity"), driven("slide"), plug
 def reported(
     directory: Path, text: str, blocks: str = OFFERED, direction: str = "command"
 ) -> list[Diagnostic]:
-    (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(directory / "r.urdf", select=["RCT021"])
-    assert report.crashed == ()
-    return [
-        found for found in report.diagnostics if f"needs {direction} interface" in found.message
-    ]
+    diagnostics = reported_with_file("RCT021", directory, text, blocks)
+    return [found for found in diagnostics if f"needs {direction} interface" in found.message]
 
 
 def state_reported(directory: Path, text: str) -> list[Diagnostic]:

@@ -4,11 +4,18 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.ros2_control.test_joints_of_controllers import controller
-from tests.controls import CLASSIC, GZ, MOCK, ROBOT, control, driven, plugin
+from tests.controls import (
+    CLASSIC,
+    GZ,
+    MOCK,
+    ROBOT,
+    control,
+    controller,
+    driven,
+    reported_with_file,
+)
 from tests.reported import fixed, messages, reported
-from urdfkit import Diagnostic, check
-from urdfkit.lint.rule_examples import whole_robot
+from urdfkit import Diagnostic
 from urdfkit.text.diagnostic import Confidence, Severity
 
 IMU = '<sensor name="{}"><state_interface name="orientation.x"/></sensor>'
@@ -39,12 +46,7 @@ FORCE = "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster"
 
 
 def reported_broadcaster(directory: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
-    (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(directory / "r.urdf", select=["RCT032"])
-    assert report.crashed == ()
-    return list(report.diagnostics)
+    return reported_with_file("RCT032", directory, text, blocks)
 
 
 @pytest.mark.parametrize("kind", [IMU_BROADCASTER, FORCE])

@@ -18,9 +18,9 @@ def test_in_an_attribute_and_in_a_text() -> None:
         "<plugin><parameters>$(find a)/b.yaml</parameters></plugin></gazebo>"
     )
     found = reported("XAC003", robot)
-    assert [(one.span.line, one.span.text, one.message) for one in found] == [
-        (2, "${side}_arm", 'name="${side}_arm" is not expanded'),
-        (4, "<parameters>", "<parameters>$(find a)/b.yaml is not expanded"),
+    assert [(one.span.line, one.span.text, one.message, one.severity) for one in found] == [
+        (2, "${side}_arm", 'name="${side}_arm" is not expanded', Severity.ERROR),
+        (4, "<parameters>", "<parameters>$(find a)/b.yaml is not expanded", Severity.WARNING),
     ]
 
 

@@ -86,7 +86,7 @@ def test_what_cannot_be_loaded(tmp_path: Path, data: bytes, reason: str) -> None
 def test_what_is_no_file(tmp_path: Path) -> None:
     for path, reason in (
         (tmp_path, "is no regular file"),
-        (tmp_path / "none.stl", "cannot be read: No such file or directory"),
+        (tmp_path / "none.stl", "file not found"),
         (tmp_path / "a\0.stl", "cannot be read: its name holds a NUL"),
         (Path("/dev/zero"), "is no regular file"),
     ):

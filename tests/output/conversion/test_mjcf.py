@@ -20,7 +20,7 @@ pytest.importorskip("pinocchio")
 pytest.importorskip("trimesh")
 
 from tests.physics.dynamics.test_against_pinocchio import robots
-from urdfkit.output.conversion.proof import LENGTH, PART, prove
+from urdfkit.output.conversion.mjcf_proof import LENGTH, PART, prove
 from urdfkit.output.conversion.result import REPORT
 
 #: Each tree is converted, loaded and compared in 100 poses, which takes 0.1 s.

@@ -55,7 +55,7 @@ def test_a_robot_with_more_joints_than_pinocchio_takes(tmp_path: Path) -> None:
 def test_a_robot_with_more_joints_than_are_compared(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("urdfkit.output.conversion.proof.MAX_OWN", MAX_JOINTS)
+    monkeypatch.setattr("urdfkit.output.conversion.mjcf_proof.MAX_OWN", MAX_JOINTS)
     error = f"^{MAX_JOINTS + 1} joints move; MJCF is proved for up to {MAX_JOINTS}$"
     with pytest.raises(UrdfkitError, match=error):
         convert(chain(MAX_JOINTS + 1), tmp_path / "o")

@@ -162,6 +162,15 @@ def test_the_clause_that_messages_end_with_is_said_once() -> None:
     ]
 
 
+def test_no_punctuation_stands_before_a_clause_that_is_left_out() -> None:
+    calls = tuple(
+        Call(f"link '{n}': 1 kg m^2 is 871 times too much", (wheel,), f"link/{n}")
+        for n, wheel in enumerate(WHEELS)
+    )
+    found = diagnostic(INERTIA, message=calls[0].message, calls=calls)
+    assert body(render(report(found))).splitlines()[-1] == "    line 5:3: link '1'"
+
+
 def test_places_of_one_message_are_one_note() -> None:
     file = Source("sizes.yaml", b"a: 1\nb: 2\nc: 3\n")
     related = [Related(Span(file, start, start + 1), "given here") for start in (3, 8, 13)]

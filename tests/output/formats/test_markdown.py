@@ -69,16 +69,22 @@ def test_a_row_for_every_finding_the_worst_first() -> None:
     checked = report(
         diagnostic(span(PLAIN, "robot"), severity=Severity.INFO, message="a hint"),
         diagnostic(span(PLAIN, "link"), severity=Severity.WARNING, message="doubtful"),
-        diagnostic(span(PLAIN, "arm"), severity=Severity.ERROR, message="bad", help="mend it"),
+        diagnostic(
+            span(PLAIN, "arm"),
+            severity=Severity.ERROR,
+            message="bad",
+            help="mend it",
+            code="ABC124",
+        ),
     )
     assert rows(checked) == [
-        ["error ABC123", "urdf/robot.urdf:2:15", "bad\nmend it"],
+        ["error ABC124", "urdf/robot.urdf:2:15", "bad\nmend it"],
         ["warning ABC123", "urdf/robot.urdf:2:4", "doubtful"],
         ["info ABC123", "urdf/robot.urdf:1:2", "a hint"],
     ]
     outside = " ".join(read(checked).outside.split())
     assert outside.startswith("urdfkit: 1 error, 1 warning, 1 info in 1 file 1 info ")
-    assert outside.endswith("Explain a code: urdfkit explain ABC123")
+    assert outside.endswith("Explain a code: urdfkit explain ABC124")
 
 
 def test_nothing_found_is_a_heading() -> None:

@@ -100,6 +100,15 @@ def test_the_innermost_call_of_a_macro_is_named(calls: str, more: str) -> None:
     ]
 
 
+def test_a_long_place_of_a_call_is_on_a_line_of_its_own() -> None:
+    deep = Source(f"{'d' * 50}/robot.xacro", CALLS.data)
+    found = diagnostic(ARM, calls=(Call("m", (macro("inner", span(deep, "<a/>")),), "e"),))
+    assert shown(found).splitlines()[1:] == [
+        "  expanded from macro 'inner' at",
+        f"    {deep.path}:2:1",
+    ]
+
+
 def test_the_variants_that_have_a_finding_are_a_line() -> None:
     assert "\n  variants: left, right" in shown(diagnostic(ARM, variants=("left", "right")))
 

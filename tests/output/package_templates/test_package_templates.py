@@ -89,4 +89,4 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert {line for line in printed.splitlines() if line in files} == files
     assert main(["new", "robot", "--kind", "arm", "-o", str(tmp_path / "src")]) == 2
     assert main(["new", "robot"]) == 2
-    assert "Missing option '--kind'" in capsys.readouterr().err
+    assert "missing option '--kind'" in capsys.readouterr().err

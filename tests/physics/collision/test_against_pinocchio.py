@@ -11,10 +11,10 @@ pytest.importorskip("coal")
 
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.batch_kinematics import tree_arrays
 from urdfkit.physics.collision.collision_geometry import MARGIN, build_geometry
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
-from urdfkit.physics.collision.pair_queries import Examiner
+from urdfkit.physics.collision.pair_queries import CollisionModel
 from urdfkit.robot.adjacency import Adjacency
 
 
@@ -28,7 +28,7 @@ def test_the_same_pairs_collide_in_the_same_samples(
     (tmp_path / f"moveit_resources_{name}_description").symlink_to(package)
     path = package / "urdf" / f"{name}.urdf"
     robot = read(path)
-    arrays = chain(robot.tree)
+    arrays = tree_arrays(robot.tree)
     rows = arrays.samples(150, 5, 0)
 
     model = pin.buildModelFromUrdf(str(path))
@@ -58,11 +58,13 @@ def test_the_same_pairs_collide_in_the_same_samples(
         pin.computeCollisions(model, data, geometry, results, at, False)
         theirs.append([result.isCollision() for result in results.collisionResults])
 
-    examiner = Examiner(arrays, map(build_geometry, collision_arrays(robot.model, robot.meshes)[0]))
+    collision_model = CollisionModel(
+        arrays, map(build_geometry, collision_arrays(robot.model, robot.meshes)[0])
+    )
     number = {link: index for index, link in enumerate(arrays.links)}
     known = [(number[links[a]], number[links[b]]) for a, b in pairs]
     mine = [
-        [bool(seen.hits) for seen in examiner.query(known).at(row[None], count=True)]
+        [bool(seen.hits) for seen in collision_model.query(known).at(row[None], count=True)]
         for row in rows
     ]
     assert np.sum(theirs) > 20
@@ -71,20 +73,20 @@ def test_the_same_pairs_collide_in_the_same_samples(
         for pair, hit, hit_by_surface in zip(known, one, other, strict=True):
             assert hit >= hit_by_surface
             if hit > hit_by_surface:
-                assert is_inside(examiner, pair, row)
+                assert is_inside(collision_model, pair, row)
                 contained += 1
     assert bool(contained) is (name == "fanuc")
 
 
-def is_inside(examiner: Examiner, pair: tuple[int, int], row: Floats) -> bool:
+def is_inside(collision_model: CollisionModel, pair: tuple[int, int], row: Floats) -> bool:
     """True if one of two convex bodies is in the other, by the planes of its triangles."""
-    bodies = [examiner.bodies(link)[0] for link in pair]
-    frames = examiner.frames(row[None], pair)
+    bodies = [collision_model.bodies(link)[0] for link in pair]
+    frames = collision_model.frames(row[None], pair)
     first, second = (
         (
-            examiner.geometry(body).arrays.vertices @ frames[body][0][:3, :3].T
+            collision_model.geometry(body).arrays.vertices @ frames[body][0][:3, :3].T
             + frames[body][0][:3, 3],
-            examiner.geometry(body).arrays.faces,
+            collision_model.geometry(body).arrays.faces,
         )
         for body in bodies
     )

@@ -14,7 +14,7 @@ from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.physics.collision.robots import joint, link, revolute, robot
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.batch_kinematics import chain, matrix, slopes
+from urdfkit.physics.collision.batch_kinematics import matrix, slopes, tree_arrays
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import FAR
 
@@ -28,7 +28,7 @@ ENTRIES = [
 
 def agrees(context: Context) -> None:
     """The frames of a few samples are those that `kinematics` computes one by one."""
-    arrays = chain(context.tree)
+    arrays = tree_arrays(context.tree)
     rows = arrays.samples(3, 7, 0)
     frames = arrays.frames(rows, range(len(arrays.links)))
     for sample, row in enumerate(rows):
@@ -63,7 +63,7 @@ def test_robots_of_the_corpus(entry: Any) -> None:
 def test_against_pinocchio() -> None:
     pin: Any = pytest.importorskip("pinocchio")
     path = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-    arrays = chain(read(path).tree)
+    arrays = tree_arrays(read(path).tree)
     model = pin.buildModelFromUrdf(str(path))
     data = model.createData()
     rows = arrays.samples(5, 0, 0)
@@ -77,7 +77,7 @@ def test_against_pinocchio() -> None:
 
 
 def ranges(kind: str, more: str) -> tuple[float, float]:
-    arrays = chain(robot(link("a"), link("b"), joint("a", "b", kind, more=more)).tree)
+    arrays = tree_arrays(robot(link("a"), link("b"), joint("a", "b", kind, more=more)).tree)
     (axis,) = arrays.axes
     return axis.lower, axis.upper
 
@@ -95,7 +95,7 @@ def test_limits_are_kept_and_joints_without_turn_once_around() -> None:
 
 def test_samples_fill_the_range_evenly_and_depend_on_seed_and_block() -> None:
     parts = (link("a"), link("b"), joint("a", "b", "revolute", more=revolute(-1, 3)))
-    arrays = chain(robot(*parts).tree)
+    arrays = tree_arrays(robot(*parts).tree)
     rows = arrays.samples(4000, 0, 0)
     assert rows.min() >= -1
     assert rows.max() <= 3
@@ -108,7 +108,7 @@ def test_samples_fill_the_range_evenly_and_depend_on_seed_and_block() -> None:
 
 
 def test_the_default_is_zero_or_the_middle() -> None:
-    arrays = chain(
+    arrays = tree_arrays(
         robot(
             *(link(name) for name in "abc"),
             joint("a", "b", "revolute", more=revolute(-1, 2)),
@@ -119,7 +119,7 @@ def test_the_default_is_zero_or_the_middle() -> None:
 
 
 def test_the_axes_between_two_links() -> None:
-    arrays = chain(
+    arrays = tree_arrays(
         robot(
             *(link(name) for name in "abcdef"),
             joint("a", "b", "continuous"),
@@ -142,20 +142,20 @@ def test_the_axes_between_two_links() -> None:
 
 def test_hostile_trees_are_arrays_too() -> None:
     ring = robot(link("a"), link("b"), joint("a", "b"), joint("b", "a"))
-    assert chain(ring.tree).steps == ()
+    assert tree_arrays(ring.tree).steps == ()
     own = '<mimic joint="a_b"/>'
     mimicry = robot(link("a"), link("b"), joint("a", "b", "continuous", more=own))
-    assert [step.column for step in chain(mimicry.tree).steps] == [-1]
+    assert [step.column for step in tree_arrays(mimicry.tree).steps] == [-1]
     names = [f"l{number}" for number in range(3000)]
     joints = [joint(a, b, "continuous") for a, b in itertools.pairwise(names)]
-    long = chain(robot(*map(link, names), *joints).tree)
+    long = tree_arrays(robot(*map(link, names), *joints).tree)
     assert len(long.frames(long.default[None], range(3000))) == 3000
     assert list(long.frames(long.default[None], [7])) == [7]
 
 
 def test_slopes_are_differences() -> None:
     """Of points fixed to two links, along a direction; a follower counts for its leader."""
-    arrays = chain(
+    arrays = tree_arrays(
         robot(
             *(link(name) for name in "abcdef"),
             joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),

@@ -17,8 +17,9 @@ from tests.physics.collision.robots import (
     robot,
     sphere,
 )
-from urdfkit.lint.context import MAX_BODIES, Context, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.loading import read
+from urdfkit.lint.requirements import MAX_BODIES
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.contacts import Contacts
 
@@ -132,27 +133,29 @@ def test_meshes_need_coal_where_boxes_around_them_overlap(
 def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
     """Every overlap of two links where real robots begin is a contact, as deep at least."""
     pytest.importorskip("coal")
-    from urdfkit.physics.collision.batch_kinematics import chain
+    from urdfkit.physics.collision.batch_kinematics import tree_arrays
     from urdfkit.physics.collision.collision_geometry import build_geometry
     from urdfkit.physics.collision.geometry_arrays import collision_arrays
-    from urdfkit.physics.collision.pair_queries import Examiner
+    from urdfkit.physics.collision.pair_queries import CollisionModel
 
     if "expect" not in entry.facts or "/fail_" in entry.facts["path"]:
         pytest.skip("it does not expand")
     context = entry.read()
     unit = context.targets.applies_units
-    moving = chain(context.tree)
+    moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes, unit=unit)
-    examiner = Examiner(moving, map(build_geometry, bodies))
-    pairs = list(moving.pairs(examiner.links))
-    seen = examiner.query(pairs, 0.0).at(moving.default[None], count=True)
+    collision_model = CollisionModel(moving, map(build_geometry, bodies))
+    pairs = list(moving.pairs(collision_model.links))
+    seen = collision_model.query(pairs, 0.0).at(moving.default[None], count=True)
     known = {frozenset(pair.names): pair.contact for pair in contacts(context).pairs}
     for pair, one in zip(pairs, seen, strict=True):
         names = frozenset(moving.links[number] for number in pair)
         # Depths between triangles may be too large; so is that of the R2D2's head, a sphere with
         # its centre on the end of a cylinder.
         is_convex = all(
-            examiner.geometry(body).is_convex for link in pair for body in examiner.bodies(link)
+            collision_model.geometry(body).is_convex
+            for link in pair
+            for body in collision_model.bodies(link)
         )
         if one.distance < -2 * TOUCH and is_convex and names != {"head", "base_link"}:
             contact = known.get(names)

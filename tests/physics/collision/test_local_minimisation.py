@@ -10,15 +10,15 @@ np = pytest.importorskip("numpy")
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
-from tests.physics.collision.test_pair_queries import arm, everything, examiner
+from tests.physics.collision.test_pair_queries import arm, collision_model, everything
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import ClosestPair, closest
-from urdfkit.physics.collision.pair_queries import Examiner
+from urdfkit.physics.collision.pair_queries import CollisionModel
 
 
-def of(one: Examiner, first: str, second: str) -> ClosestPair:
-    names = one.chain.links
+def of(one: CollisionModel, first: str, second: str) -> ClosestPair:
+    names = one.kinematics.links
     a, b = sorted((names.index(first), names.index(second)))
     return closest(one, (a, b))
 
@@ -26,7 +26,7 @@ def of(one: Examiner, first: str, second: str) -> ClosestPair:
 def test_two_balls_on_an_elbow_come_as_near_as_the_limit_lets_them() -> None:
     """At an angle q of the elbow their centres are |u + l e^iq| apart."""
     upper, lower, radius, limit = 1.0, 0.8, 0.05, 2.5
-    one = examiner(
+    one = collision_model(
         robot(
             link("base", sphere(radius)),
             link("upper"),
@@ -45,7 +45,7 @@ def test_a_slide_and_a_follower() -> None:
     """The follower goes twice as far, towards the wall at 1 m."""
     leader = joint("base", "a", "prismatic", more=revolute(-0.1, 0.3, "1 0 0"))
     law = '<mimic joint="base_a" multiplier="2" offset="0.05"/>'
-    one = examiner(
+    one = collision_model(
         robot(
             link("base", box(0.2, 1, 1) + "@1.1 0 0"),
             link("a"),
@@ -64,7 +64,7 @@ def test_a_collision_of_a_hair(depth: float) -> None:
     """Balls at the ends of two equal arms, of which the limit lets them overlap so deep."""
     radius = 0.2
     limit = pi - 2 * asin((2 * radius - depth) / 2)
-    one = examiner(
+    one = collision_model(
         robot(
             link("base", sphere(radius)),
             link("upper"),
@@ -80,8 +80,8 @@ def test_a_collision_of_a_hair(depth: float) -> None:
 
 def test_no_sample_is_nearer(tmp_path: Path) -> None:
     """Of a robot with meshes that are no convex bodies."""
-    one = examiner(arm(tmp_path))
-    rows = one.chain.samples(300, 0, 0)
+    one = collision_model(arm(tmp_path))
+    rows = one.kinematics.samples(300, 0, 0)
     for pair in combinations(one.links, 2):
         found = closest(one, pair)
         true = everything(one, pair, rows).min()
@@ -95,7 +95,7 @@ def test_no_sample_is_nearer(tmp_path: Path) -> None:
 
 def test_what_ten_thousand_samples_show_with_some_seeds_only(corpus: Path) -> None:
     """Feet and shanks of a quadruped, which touch in some of 10 000 poses."""
-    one = examiner(read(corpus / "anymal_c_simple_description/urdf/anymal.urdf"))
+    one = collision_model(read(corpus / "anymal_c_simple_description/urdf/anymal.urdf"))
     for first, second in (
         ("LF_shank_fixed", "RF_shank_fixed"),
         ("LF_FOOT", "RF_KFE"),

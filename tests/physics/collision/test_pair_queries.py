@@ -23,19 +23,19 @@ from tests.physics.collision.robots import (
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.batch_kinematics import Chain, chain
+from urdfkit.physics.collision.batch_kinematics import TreeArrays, tree_arrays
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.collision_geometry import build_geometry
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
-from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
+from urdfkit.physics.collision.pair_queries import SLACK, CollisionModel, Pair
 
 
-def examiner(context: Context) -> Examiner:
+def collision_model(context: Context) -> CollisionModel:
     bodies, _ = collision_arrays(context.model, context.meshes)
-    return Examiner(chain(context.tree), map(build_geometry, bodies))
+    return CollisionModel(tree_arrays(context.tree), map(build_geometry, bodies))
 
 
-def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
+def everything(one: CollisionModel, pair: Pair, rows: Floats) -> Floats:
     """(n,): the signed distance of two links, each of their bodies measured in each sample."""
     frames = one.frames(rows, pair)
     found = np.full(len(rows), inf)
@@ -65,7 +65,7 @@ def arm(directory: Path) -> Context:
     )
 
 
-def agree(one: Examiner, rows: Floats) -> int:
+def agree(one: CollisionModel, rows: Floats) -> int:
     """Compare the shortcuts with measuring everything; how many collisions there are."""
     pairs = list(combinations(one.links, 2))
     counted = one.query(pairs).at(rows, count=True)
@@ -87,8 +87,8 @@ def agree(one: Examiner, rows: Floats) -> int:
 
 
 def test_a_robot_of_all_sorts_of_bodies(tmp_path: Path) -> None:
-    one = examiner(arm(tmp_path))
-    assert agree(one, one.chain.samples(200, 0, 0)) > 100
+    one = collision_model(arm(tmp_path))
+    assert agree(one, one.kinematics.samples(200, 0, 0)) > 100
 
 
 @pytest.mark.parametrize(
@@ -99,14 +99,14 @@ def test_a_robot_of_all_sorts_of_bodies(tmp_path: Path) -> None:
     ],
 )
 def test_real_arms(corpus: Path, path: str) -> None:
-    one = examiner(read(corpus / path))
-    assert agree(one, one.chain.samples(25, 1, 0)) > 0
+    one = collision_model(read(corpus / path))
+    assert agree(one, one.kinematics.samples(25, 1, 0)) > 0
 
 
 def test_a_look_goes_on_from_block_to_block(tmp_path: Path) -> None:
-    one = examiner(arm(tmp_path))
+    one = collision_model(arm(tmp_path))
     pairs = [(0, 3)]
-    rows = one.chain.samples(300, 0, 0)
+    rows = one.kinematics.samples(300, 0, 0)
     look = one.query([(0, 3), (0, 4)])
     blocks = (0, 100, 200)
     seen = [look.at(rows[start : start + 100], pairs, count=True)[0] for start in blocks]
@@ -117,10 +117,10 @@ def test_a_look_goes_on_from_block_to_block(tmp_path: Path) -> None:
 
 
 def test_what_is_beyond_the_limit_is_passed_over(tmp_path: Path) -> None:
-    one = examiner(
+    one = collision_model(
         robot(link("a", sphere(0.1)), link("b", sphere(0.1)), joint("a", "b", origin="1 0 0"))
     )
-    rows = one.chain.default[None]
+    rows = one.kinematics.default[None]
     (seen,) = one.query([(0, 1)]).at(rows, count=True)
     assert (seen.hits, seen.row) == ([], 0)
     assert seen.distance == pytest.approx(0.8)
@@ -132,6 +132,6 @@ def test_memory_is_that_of_a_block() -> None:
     """The frames of a thousand samples of a hundred links."""
     names = [f"l{number}" for number in range(100)]
     joints = [joint(a, b, "continuous", "0 0 1") for a, b in pairwise(names)]
-    arrays: Chain = chain(robot(*map(link, names), *joints).tree)
+    arrays: TreeArrays = tree_arrays(robot(*map(link, names), *joints).tree)
     frames = arrays.frames(arrays.samples(1000, 0, 0), range(100))
     assert sum(frame.nbytes for frame in frames.values()) < 15e6

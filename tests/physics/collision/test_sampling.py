@@ -17,10 +17,10 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision import worker_pool
-from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.batch_kinematics import tree_arrays
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
-from urdfkit.physics.collision.pair_queries import Examiner
+from urdfkit.physics.collision.pair_queries import CollisionModel
 from urdfkit.physics.collision.sampling import collisions
 from urdfkit.physics.collision.task import COUNTED, PairFindings, Task
 from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
@@ -239,17 +239,17 @@ def test_too_many_pairs_are_refused_at_once() -> None:
 class Crash(Task):
     """A task that ends the process for one pair."""
 
-    def run(self, examiner: Examiner) -> list[PairFindings]:
+    def run(self, collision_model: CollisionModel) -> list[PairFindings]:
         if (0, 2) in self.pairs:
             os.abort()
-        return super().run(examiner)
+        return super().run(collision_model)
 
 
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
 def pool_of(context: Context) -> tuple[WorkerPool, Floats]:
-    moving = chain(context.tree)
+    moving = tree_arrays(context.tree)
     return WorkerPool(moving, collision_arrays(context.model, context.meshes)[0], 2), moving.default
 
 

@@ -89,11 +89,11 @@ def srdf(text: str) -> Srdf:
 
 def test_a_way_goes_down_the_tree():
     robot = srdf("<robot name='r'/>")
-    assert [joint.name for joint in robot.chain("base", "finger") or ()] == [
+    assert [joint.name for joint in robot.joints_between("base", "finger") or ()] == [
         "shoulder", "wrist", "knuckle",
     ]  # fmt: skip
-    assert robot.chain("finger", "base") is None
-    assert robot.chain("arm", "arm") == []
+    assert robot.joints_between("finger", "base") is None
+    assert robot.joints_between("arm", "arm") == []
 
 
 def test_the_links_of_a_group_come_from_all_its_parts():

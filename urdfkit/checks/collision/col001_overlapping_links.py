@@ -8,7 +8,8 @@
 - In every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt can
   plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning where
   `<self_collide>` lets one of the two collide with its robot in Gazebo, which has no such list: it
-  pushes them apart in every step, and the robot shakes or flies off.
+  pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag of the
+  model, in a `<gazebo>` block without a reference, and not those of links.
 - Adjacent links, an info: most of the smaller body is inside the other one, such as a wheel deep in
   the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent links, but
   the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
@@ -26,6 +27,7 @@ Sources:
     MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
     SDF, self_collide: http://sdformat.org/spec?ver=1.9&elem=link
+    gz-sim, SdfEntityCreator.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/SdfEntityCreator.cc
     MuJoCo, contact filtering: https://mujoco.readthedocs.io/en/stable/computation/index.html#selection
     MuJoCo, URDF: https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions
 """
@@ -37,7 +39,7 @@ from typing import TYPE_CHECKING
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true
-from urdfkit.ros.targets import TargetFacts, facts_of
+from urdfkit.ros.targets import CLASSIC, GAZEBO, TargetFacts, facts_of
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.contacts import Contact, LinkPair
@@ -108,12 +110,17 @@ def check(context: Context) -> Findings:
 
 
 def _self_colliding(context: Context) -> set[str]:
-    """The links that collide with others of their robot in Gazebo; those with a joint never do."""
+    """The links that collide with others of their robot in Gazebo; those with a joint never do.
+
+    gz-sim reads the tag of the model alone, Gazebo Classic that of each link.
+    """
+    simulators = context.targets.among(GAZEBO)
+    of_model_alone = bool(simulators) and not context.targets.any_of(CLASSIC)
     found: set[str] = set()
     for block in context.model.gazebo:
         flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
-        if any(map(is_true, flags)):
-            reference = block.get("reference")
+        reference = block.get("reference")
+        if not (reference and of_model_alone) and any(map(is_true, flags)):
             found.update([reference] if reference else context.model.links_by_name)
     return found
 

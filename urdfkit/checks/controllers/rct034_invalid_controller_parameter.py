@@ -10,7 +10,8 @@ The controller manager does not load the controller, or the controller runs with
 - A value has the wrong type. ROS 2 parameters are typed: a `double` does not accept the integer
   `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
   type". Only what all versions of a class since Humble agree on is reported.
-- A value that must be positive is not.
+- A value that must be positive is not, or a covariance has another length: 6 numbers for the
+  diagonal of a drive, 9 for an IMU.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
   without `position`: it is not configured. With `effort` or `velocity` as its only command
   interface a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
@@ -40,7 +41,7 @@ from urdfkit.ros.catalog.controllers import (
     successor,
 )
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
-from urdfkit.ros.controllers import Controller, Section, managers, named_sections
+from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.located_yaml import Node, Value
@@ -67,6 +68,16 @@ _TYPES = {
     "double_array": "a list of numbers with a decimal point",
     "string_array": "a list of strings",
 }
+#: The numbers in lists of covariance.
+_LENGTHS = {
+    "pose_covariance_diagonal": 6,
+    "static_covariance": 9,
+    "static_covariance_angular_velocity": 9,
+    "static_covariance_linear_acceleration": 9,
+    "static_covariance_orientation": 9,
+    "static_position_covariance": 9,
+    "twist_covariance_diagonal": 6,
+}
 #: Similarity from which an unknown word is a typo: of a parameter, and of a class.
 _PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
 
@@ -81,7 +92,7 @@ def check(context: Context) -> Findings:
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
-    for file, found in context.controllers:
+    for file, found in by_file(context.controllers):
         names = {one.name for one in found}
         others = {name: section for name, section in sections.items() if name not in names}
         for one in found:
@@ -189,6 +200,9 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
             yield span, message, _correction(node, expected)
         elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
             yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
+        elif isinstance(node, list) and len(node) != _LENGTHS.get(name, len(node)):
+            message = f"{name} has {len(node)} numbers, must have {_LENGTHS[name]}"
+            yield span, message, f"write {_LENGTHS[name]} numbers"
 
 
 def _correction(node: Node, expected: str) -> str:

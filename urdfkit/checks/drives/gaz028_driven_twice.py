@@ -39,11 +39,10 @@ def _controlled(context: Context) -> dict[str, tuple[str, Element]]:
     """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
     found: dict[str, tuple[str, Element]] = {}
     names = " ".join(use.filename for use in context.plugins)
-    if "ros2_control" in names:
-        for control in context.model.ros2_controls:
-            for joint in control.all("joint"):
-                if joint.child("command_interface"):
-                    found[joint.get("name") or ""] = ("<ros2_control>", joint)
+    for control in context.model.ros2_controls if "ros2_control" in names else ():
+        for joint in control.all("joint"):
+            if joint.child("command_interface"):
+                found[joint.get("name") or ""] = ("<ros2_control>", joint)
     if "gazebo_ros_control" in names:
         for transmission in context.model.transmissions:
             for joint in transmission.all("joint"):

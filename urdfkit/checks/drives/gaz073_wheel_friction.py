@@ -82,16 +82,15 @@ def _driven(context: Context) -> Iterator[str]:
         if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
             for one in wheels(use, context.tree):
                 yield one.wheel.joint.child_name
-    for _, found in context.controllers:
-        for controller in found:
-            kind = controller.kind
-            if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
-                continue
-            names = (name for measure in kind.measures for side in measure.sides for name in side)
-            for written in controller.values(dict.fromkeys(names)):
-                joint = context.model.joints_by_name.get(written.text)
-                if joint is not None and joint.child and joint.kind == "continuous":
-                    yield joint.child_name
+    for _, controller in context.controllers:
+        kind = controller.kind
+        if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
+            continue
+        names = (name for measure in kind.measures for side in measure.sides for name in side)
+        for written in controller.values(dict.fromkeys(names)):
+            joint = context.model.joints_by_name.get(written.text)
+            if joint is not None and joint.child and joint.kind == "continuous":
+                yield joint.child_name
 
 
 def _friction(model: RobotModel, link: str) -> list[Placed[float]]:

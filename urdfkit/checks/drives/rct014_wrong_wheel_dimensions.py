@@ -53,10 +53,9 @@ def check(context: Context) -> Findings:
     for use in context.plugins:
         if kind := drive_of(use):
             yield from _of_plugin(use, kind, context)
-    for file, found in context.controllers:
-        for controller in found:
-            for finding in _of_controller(controller, context):
-                yield finding._replace(related=(file.note,))
+    for file, controller in context.controllers:
+        for finding in _of_controller(controller, context):
+            yield finding._replace(related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:

@@ -66,17 +66,16 @@ def _of_drives(context: Context) -> Findings:
     """The drive plugins and controllers that take wheels for those of the wrong side."""
     for use in context.plugins:
         yield from _of_plugin(use, context)
-    for file, found in context.controllers:
-        for controller in found:
-            left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
-            if "diff_drive" not in controller.type or not left or not right:
-                continue
-            joints = [context.model.joints_by_name.get(one.text) for one in (*left, *right)]
-            first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
-            if first and second and (wrong := wrong_direction(first, second)):
-                message = f"controller '{controller.name}': {wrong[0]}"
-                at = Location(left[0].span)
-                yield Finding(at, message, wrong[1], related=(file.note,))
+    for file, controller in context.controllers:
+        left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
+        if "diff_drive" not in controller.type or not left or not right:
+            continue
+        joints = [context.model.joints_by_name.get(one.text) for one in (*left, *right)]
+        first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
+        if first and second and (wrong := wrong_direction(first, second)):
+            message = f"controller '{controller.name}': {wrong[0]}"
+            at = Location(left[0].span)
+            yield Finding(at, message, wrong[1], related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, context: Context) -> Findings:

@@ -3,7 +3,8 @@
 A drive plugin or wheel controller sends the transform from its odometry frame to this link, and
 robot_state_publisher sends one from the link's parent: a frame has one parent in tf, and the robot
 jumps between the two. A name that is not a link leaves the robot without a way to `odom` ("no
-transform from [base_link] to [odom]"). Name the root link, or remove the links above it.
+transform from [base_link] to [odom]"). Name the root link, or remove the links above it. An
+`odom_frame_id` that is a link of the robot is reported, too.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -43,6 +44,8 @@ FIXED = GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
 #: Parameters of plugins: the frame of the robot, and that of the odometry.
 _FRAMES = ("robotBaseFrame", "robot_base_frame")
 _ODOMETRY = ("odometryFrame", "odometry_frame")
+#: Links of some robots that are frames of odometry.
+_WORLDS = ("world", "map", "odom")
 #: What switches the transform off; the names in the catalogue give the defaults.
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
 
@@ -53,11 +56,11 @@ def check(context: Context) -> Findings:
         yield from _of_plugin(use, context)
     if context.is_part or len(context.tree.roots) != 1:
         return
-    for file, found in context.controllers:
-        for controller in found:
-            if frame := _frame(controller):
-                for finding in _of_controller(controller, frame, context):
-                    yield finding._replace(related=(file.note,))
+    for file, controller in context.controllers:
+        yield from _odometry(controller, context)
+        if frame := _frame(controller):
+            for finding in _of_controller(controller, frame, context):
+                yield finding._replace(related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, context: Context) -> Findings:
@@ -109,6 +112,17 @@ def _of_controller(controller: Controller, frame: Value, context: Context) -> Fi
         f"controller '{controller.name}' publishes the transform to '{name}': {message}",
         f"name the root link '{root}'",
     )
+
+
+def _odometry(controller: Controller, context: Context) -> Findings:
+    """A frame of odometry that is a link, which moves with the robot."""
+    is_drive = "drive" in controller.type or "steering" in controller.type
+    for odometry in controller.values(["odom_frame_id"]) if is_drive else ():
+        name = odometry.text.strip("/")
+        if name in context.model.links_by_name and name not in _WORLDS:
+            message = f"controller '{controller.name}': odom_frame_id '{name}' is a link of the "
+            message += "robot, which moves with it"
+            yield Finding(Location(odometry.span), message, "write odom_frame_id: odom")
 
 
 def _frame(controller: Controller) -> Value | None:

@@ -58,7 +58,7 @@ def check(context: Context) -> Findings:
                 severity=Severity.WARNING,
             )
         else:
-            found = _unknown(reference, suggester.suggested(reference.value), lost)
+            found = _unknown(context, reference, suggester.suggested(reference.value), lost)
             is_left_over = not found.help and _THINGS.isdisjoint(tags)
             yield found._replace(severity=Severity.WARNING) if is_left_over else found
     if context.is_part or not any(block.all("joint") for block in model.gazebo):
@@ -73,8 +73,15 @@ def check(context: Context) -> Findings:
             )
 
 
-def _unknown(reference: Attribute, suggested: str, lost: str) -> Finding:
+def _unknown(context: Context, reference: Attribute, suggested: str, lost: str) -> Finding:
     message = f"unknown link or joint '{reference.value}': Gazebo ignores {lost}"
     help = f"did you mean '{suggested}'?" if suggested else ""
-    fix = fix_value(reference, suggested)
+    fix = None
+    if suggested:
+        from urdfkit.lint.misspelt_names import corrected_definition  # for few robots
+
+        model = context.model
+        defined = model.links_by_name.get(suggested) or model.joints_by_name.get(suggested)
+        fix = corrected_definition(context, defined, reference.value)
+        fix = fix or fix_value(reference, suggested)
     return Finding(reference, message, help, fix, group_key="" if suggested else "unknown")

@@ -7,6 +7,9 @@ Sensors of one link have different names: gz-sim rejects a model with two of one
 name"), Gazebo Classic creates only one of them (a warning, if a file is included twice). Links that
 fixed joints connect count as one, since Gazebo merges them.
 
+In gz-sim two sensors with one `<topic>` (warning) send their data under one name, as where a macro
+with a fixed topic is called twice: who reads it gets both in turn.
+
 In Gazebo Classic with ROS 2 a plugin is a node with the plugin's name. ROS 2 allows letters, digits
 and underscores, and no digit first; with any other name the plugin does not start. Of two plugins
 with one name in one namespace (warning) the second is rejected, or both use the same topics and
@@ -26,6 +29,7 @@ Sources:
 
 import re
 
+from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
@@ -34,7 +38,8 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.targets import CLASSIC, GZ
 from urdfkit.text.diagnostic import Edit
-from urdfkit.text.editing.edits import fix_value
+from urdfkit.text.editing.edits import fix_value, rename_attribute
+from urdfkit.text.grammar import is_expression
 from urdfkit.text.source import Span
 
 BAD = robot_xml(solid_xml("base"), gazebo_xml('<plugin filename="libgazebo_ros_planar_move.so"/>'))
@@ -57,6 +62,8 @@ def check(context: Context) -> Findings:
             yield Finding(sensor.at, message, 'add name="...", unique in the link')
     yield from _duplicate_plugins(context)
     yield from _duplicate_sensors(context)
+    if context.targets.any_of(GZ):
+        yield from _shared_topics(context)
 
 
 def _missing(context: Context, use: PluginUse) -> Findings:
@@ -66,7 +73,8 @@ def _missing(context: Context, use: PluginUse) -> Findings:
         other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
         who = f"plugin {other}" if other else "<plugin>"
         help = f'add {attribute}="..."' + (" with the library" if attribute == "filename" else "")
-        fix = _named(context, use) if attribute == "name" else None
+        fix = _renamed(use, attribute)
+        fix = fix or (_named(context, use) if attribute == "name" else None)
         yield Finding(use.at, f"{who} has no {attribute}: {REJECTED}", help, fix)
 
 
@@ -110,8 +118,39 @@ def _duplicate_sensors(context: Context) -> Findings:
             )
 
 
+def _shared_topics(context: Context) -> Findings:
+    """The sensors of gz-sim that publish on the topic of another one."""
+    first: dict[tuple[str, bool], Sensor] = {}
+    for sensor in sensors(context.model):
+        topic = sensor.find("topic")
+        name = topic.text.strip().strip("/") if topic else ""
+        if topic is None or not name or is_expression(name):
+            continue
+        # This type alone publishes below its topic and not on it.
+        other = first.setdefault((name, sensor.type == "rgbd_camera"), sensor)
+        if other is not sensor and sensor.name != other.name:
+            yield Finding(
+                topic,
+                f"{sensor.who} on '{sensor.reference}' and {other.who} on '{other.reference}' "
+                f"both publish on '{name}'",
+                "give each sensor a topic of its own",
+                related=(Related(other.at.span, "the other sensor"),),
+                severity=Severity.WARNING,
+            )
+
+
 def _in_macro(sensor: Sensor) -> bool:
     return any(step.kind == "macro" for step in sensor.at.via)
+
+
+def _renamed(use: PluginUse, missing: str) -> Fix | None:
+    """Rename an attribute such as ``nmae``."""
+    for attribute in use.at.attributes.values():
+        if attribute.name != missing and is_typo(attribute.name, missing):
+            return Fix.of(
+                f"rename {attribute.name} to {missing}", rename_attribute(attribute, missing)
+            )
+    return None
 
 
 def _named(context: Context, use: PluginUse) -> Fix | None:

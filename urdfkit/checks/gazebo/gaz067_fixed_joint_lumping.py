@@ -88,7 +88,7 @@ def _flags(context: Context) -> Findings:
     for name, tag in flags:
         into = context.gazebo.merged.get(name)
         flagged = {one for one, other in names if other == tag.tag}
-        if into and _reaches(context, into, tag.tag, flagged):
+        if into and into not in flagged and _reaches(context, into, tag.tag, flagged):
             yield Finding(
                 tag,
                 f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",

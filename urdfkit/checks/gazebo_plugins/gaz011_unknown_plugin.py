@@ -19,9 +19,9 @@ Sources:
 
 import re
 
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.plugins import Plugin, misspelt, of_same_words
+from urdfkit.ros.catalog.plugins import Plugin, all_plugins, find, misspelt, of_same_words
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.editing.edits import fix_value
@@ -64,7 +64,9 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
     at = use.at.attributes["filename"]
     message = f"{use.title}: unknown plugin library"
     help = f"did you mean '{suggested}'?"
-    fix = fix_value(at, suggested)
+    # With no tag that such a library reads, it may be a vendor's own.
+    is_read = any(one.reads(item.path) for one in find(suggested) for item in use.items)
+    fix = fix_value(at, suggested) if is_read or not use.items else None
     return Finding(at, message, help, fix, group_key=suggested, severity=Severity.WARNING)
 
 
@@ -75,8 +77,26 @@ def _unknown_class(use: PluginUse) -> Findings:
         return  # GAZ010
     if _current_name(use.name) not in map(_current_name, classes):
         message = f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}"
-        help = f'write name="{classes[0]}"'
-        yield Finding(name, message, help, fix_value(name, classes[0]), severity=Severity.ERROR)
+        help, fix = f'write name="{classes[0]}"', fix_value(name, classes[0])
+        if others := [one for one in all_plugins() if _current_name(use.name) == one.class_name]:
+            help += f', or filename="{others[0].files[0]}"'
+            fix = _fix_of_two(use, others[0], fix)
+        yield Finding(name, message, help, fix, severity=Severity.ERROR)
+
+
+def _fix_of_two(use: PluginUse, other: Plugin, fix: Fix | None) -> Fix | None:
+    """Correct the name of the class or the library; None if the tags fit both, or neither.
+
+    Args:
+        other: the library of the class that is named.
+        fix: that writes the class of the library.
+    """
+    unread = min(len(use.unread(plugin)) for plugin in use.known)
+    unread_by_other = len(use.unread(other))
+    if unread == unread_by_other:
+        return None
+    is_right = unread < unread_by_other
+    return fix if is_right else fix_value(use.at.attributes["filename"], other.files[0])
 
 
 def _class_of(plugin: Plugin, use: PluginUse) -> str:

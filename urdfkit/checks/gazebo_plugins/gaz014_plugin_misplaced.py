@@ -88,6 +88,8 @@ def _is_wrong(use: PluginUse, kinds: tuple[str, ...]) -> bool:
 def _in_wrong_sensor(use: PluginUse) -> Findings:
     if use.place != "sensor" or use.plugin is None or not use.plugin.sensors:
         return
+    if use.plugin.kinds == ("world",):
+        return  # it serves all sensors of the world, in whichever of them it stands
     assert use.at.parent is not None
     attribute = use.at.parent.attributes.get("type")
     if attribute is None:

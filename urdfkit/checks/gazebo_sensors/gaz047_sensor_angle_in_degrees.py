@@ -19,6 +19,7 @@ from urdfkit.robot.values import number, numbers
 from urdfkit.ros.gazebo import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
@@ -37,12 +38,9 @@ def check(context: Context) -> Findings:
     for sensor in sensors(context.model):
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
-            if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
-                text, tag = f"{radians(angle.value):.6g}", path.rpartition("/")[2]
-                message = f"{sensor.who}: <{tag}> is {angle.value:g} rad, more than a full turn"
-                help = f"if it is in degrees, write {text}"
-                fix = fix_value(angle.at, text)
-                yield Finding(angle, message, help, fix, confidence=Confidence.INFERRED)
+            if angle is not None:
+                who = f"{sensor.who}: <{path.rpartition('/')[2]}> is"
+                yield from _over_a_turn(angle.at, who, angle.value, f"{radians(angle.value):.6g}")
         yield from _turned_far(sensor)
         yield from _field_of_view(sensor)
 
@@ -53,13 +51,16 @@ def _turned_far(sensor: Sensor) -> Findings:
         values = numbers(pose.text)
         if not values or len(values) != 6 or (pose.get("degrees") or "").lower() in ("true", "1"):
             continue
-        most = max(values[3:], key=abs)
-        if abs(most) > 2 * pi + 1e-3:
-            right = spaced((*values[:3], *map(radians, values[3:])))
-            message = f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn"
-            help = f"if it is in degrees, write {right}"
-            fix = fix_value(pose, right)
-            yield Finding(pose, message, help, fix, confidence=Confidence.INFERRED)
+        who, most = f"{sensor.who}: <pose> rotates it by", max(values[3:], key=abs)
+        right = spaced((*values[:3], *map(radians, values[3:])))
+        yield from _over_a_turn(pose, who, most, right)
+
+
+def _over_a_turn(at: Element | Attribute, who: str, angle: float, right: str) -> Findings:
+    if abs(angle) > 2 * pi + 1e-3:
+        message = f"{who} {angle:g} rad, more than a full turn"
+        help, fix = f"if it is in degrees, write {right}", fix_value(at, right)
+        yield Finding(at, message, help, fix, confidence=Confidence.INFERRED)
 
 
 def _field_of_view(sensor: Sensor) -> Findings:

@@ -22,7 +22,7 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
-from urdfkit.core.spatial import Transform, length, minus
+from urdfkit.core.spatial import Transform, cross, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.mesh_defects import MeshDefect
@@ -32,7 +32,7 @@ from urdfkit.robot.assets.visual_collision import (
     VisualCollisionPair,
     VisualCollisionPairs,
 )
-from urdfkit.robot.model import Body, Link
+from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.text.diagnostic import Edit
@@ -54,6 +54,9 @@ _UNITS = {
 #: Times their length: of two bodies farther apart than this either one may be misplaced.
 _FAR = 10.0
 
+#: Sine of the angle up to which two axes are one.
+_PARALLEL = 0.1
+
 #: A factor is that of two units if it is this near to it: visual and collision are rarely equal.
 _NEAR = 1.08
 
@@ -63,7 +66,7 @@ def check(context: Context) -> Findings:
     model, files = context.model, context.files
     pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
     for one in pairs.mismatches.get(Mismatch.APART, ()):
-        yield _apart(one)
+        yield _apart(one, context)
     for one in pairs.mismatches.get(Mismatch.SIZE, ()):
         wrong = one.unusual(pairs.span)
         if not _is_in_millimetres(wrong, context):
@@ -73,16 +76,17 @@ def check(context: Context) -> Findings:
     yield from _diameters(context)
 
 
-def _apart(one: VisualCollisionPair) -> Finding:
+def _apart(one: VisualCollisionPair, context: Context) -> Finding:
     link = one.link
     how = _how(link) if one.has_one_shape else ""
-    wrong, right = _sides(link)
+    wrong, right, is_known = _sides(one, context)
+    is_known = is_known and bool(how) and not _is_far(one)
     return Finding(
         wrong.at,
         f"link '{link.name}': the bounding boxes of collision and visual have only "
         f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{how}",
         _help(one, wrong, right),
-        _fix(wrong.at, right.at) if how and not _is_far(one) else None,
+        _fix(wrong.at, right.at) if is_known else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
         weight=1 - one.overlap,
@@ -182,16 +186,33 @@ def _edges(box: BoundingBox) -> str:
     return " x ".join(f"{edge:.3g}" for edge in box.edges) + " m"
 
 
-def _sides(link: Link) -> tuple[Body, Body]:
-    """The body that is probably misplaced, and the other one.
+def _sides(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
+    """The body that is probably misplaced, the other one, and whether nothing contradicts that.
 
-    That is the collision, unless its origin is that of the inertia as well.
+    That is the collision, unless its origin is that of the inertia as well. A tensor that fits the
+    collision and not the visual was forgotten like that one, or the visual was turned by mistake:
+    only a cylinder on a joint shows which, as it turns about its own axis.
     """
+    link = one.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
     if Transform() != inertial == collision.origin != visual.origin:
-        return visual, collision
-    return collision, visual
+        return visual, collision, True
+    inertia = context.masses.by_name.get(link.name)
+    if inertia is None or not inertia.is_of(one.collision) or inertia.is_of(one.visual):
+        return collision, visual, True
+    joints = context.tree.parents[link.name]
+    if any(_turns_about_own_axis(collision, joint) for joint in joints):
+        return visual, collision, True
+    return collision, visual, any(_turns_about_own_axis(visual, joint) for joint in joints)
+
+
+def _turns_about_own_axis(body: Body, joint: Joint) -> bool:
+    """True of a cylinder along the axis of the joint above it."""
+    if body.shape is None or body.shape.kind != "cylinder" or joint.axis is None:
+        return False
+    axis, own = joint.axis.value, rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+    return joint.kind != "fixed" and length(cross(axis, own)) < _PARALLEL * length(axis)
 
 
 def _fix(wrong: Element, right: Element) -> Fix | None:

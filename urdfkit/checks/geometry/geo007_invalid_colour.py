@@ -34,6 +34,10 @@ _SLIGHTLY = 2.0
 #: An alpha that is 1 in another unit, next to components from 0 to 1.
 _OPAQUE = (100.0, 255.0)
 
+#: Components up to this may be percents, with an alpha that says so: 100, or 10 of tenths.
+_PERCENT = 100.0
+_FULL = (10.0, 100.0)
+
 #: Names of materials that are invisible on purpose.
 _INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 
@@ -87,6 +91,8 @@ def _fixed(values: tuple[float, ...]) -> str:
         alpha = (1.0,)
     if max(color) <= _SLIGHTLY:
         return spaced(min(value, 1.0) for value in (*color, *alpha))
+    if max(values) <= _PERCENT and alpha and alpha[0] > 1:  # all of them in one unit
+        return rounded([value / alpha[0] for value in values], 3) if alpha[0] in _FULL else ""
     parts = [value / 255 for value in color]
     parts += [value / 255 if value > 1 else value for value in alpha]
     return rounded(parts, 3)

@@ -37,12 +37,12 @@ def check(context: Context) -> Findings:
         return  # which has no material scripts
     in_gz = bool(names) and not any(name.startswith("classic") for name in names)
     colours = Colours(context.model)
-    materials: dict[str, list[Material]] = {}
+    of_urdf: dict[str, list[Material]] = {}
     for link, _, material in colours.visuals():
-        materials.setdefault(link.name, []).append(material)
+        of_urdf.setdefault(link.name, []).append(material)
     for name, element in _gazebo_materials(context).items():
         rgb = _color(element, in_gz=in_gz)
-        seen = [one for one in materials.get(name, ()) if one.rgba and not one.texture]
+        seen = [one for one in of_urdf.get(name, ()) if one.rgba and not one.texture]
         if rgb and seen and not any(_alike(element, rgb, material) for material in seen):
             yield _finding(name, element, rgb, seen[0])
 
@@ -65,9 +65,8 @@ def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
     material = materials().get(_named(element))
     if material is None or material.is_textured:
         return None
-    return (material.gz_diffuse if in_gz and material.gz_diffuse else material.rgba or ())[
-        :3
-    ] or None
+    rgba = (material.gz_diffuse if in_gz else None) or material.rgba or ()
+    return rgba[:3] or None
 
 
 def _alike(element: Element, rgb: tuple[float, ...], material: Material) -> bool:

@@ -105,6 +105,8 @@ def _has_no_effect(element: Element) -> bool:
 
 def _help(element: Element, suggested: str) -> str:
     macro = calling_macro(element)
+    if element.tag.startswith("xacro."):
+        return f"write <xacro:{element.tag[6:]}>, with a colon"
     if not suggested:
         return _INSTEAD.get(element.tag, "")
     return f"rename it to <{suggested}>" + (f" in the call of macro '{macro}'" if macro else "")

@@ -18,6 +18,8 @@ Sources:
     ros/urdfdom#98: https://github.com/ros/urdfdom/issues/98
 """
 
+import re
+
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
@@ -51,8 +53,17 @@ def check(context: Context) -> Findings:
             reason = alike = _reason(text, length, better or "")
         fix = fix_value(attribute, better)
         message = f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}"
-        help = f'write {attribute.name}="{better}"' if better else ""
+        help = f'write {attribute.name}="{better}"' if better else _of_property(attribute)
         yield Finding(attribute, message, help, fix, group_key=alike)
+
+
+def _of_property(attribute: Attribute) -> str:
+    """Help for the name of a property of the same file that stands without ``${}``."""
+    data = attribute.span.source.data
+    for word in re.findall(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])", attribute.value):
+        if re.search(rb"<xacro:property\s[^<>]*\bname=[\"']%s[\"']" % word.encode(), data):
+            return f"write ${{{word}}}, the value of the property"
+    return ""
 
 
 def _of_words(attribute: Attribute, words: list[str]) -> Finding:

@@ -19,6 +19,8 @@ from urdfkit.text.editing.edits import rename_element
 #: What checks other formats, by root element.
 _ELSEWHERE = {
     "sdf": "gz sdf --check FILE checks SDF, worlds too",
+    "COLLADA": "name the file that holds the <robot>; urdfkit mesh info FILE inspects a mesh",
+    "html": "the file is a web page: download the raw file",
     "mujoco": "python -m mujoco.viewer --mjcf=FILE loads MJCF",
 }
 

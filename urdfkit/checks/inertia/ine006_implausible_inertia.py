@@ -11,7 +11,7 @@
   has the wrong sign. URDF rotates the tensor with the `<origin>` of the `<inertial>`, not with that
   of the collision or visual. Swap the values, or give the `<inertial>` the `rpy` of the shape.
 
-A tensor that is too large on purpose is an info: one beside a comment such as "to stabilize
+A tensor that is too large on purpose is an info: one next to a comment such as "to stabilize
 simulation". A shape of at most a few millimetres marks a place, and no tensor is compared with it.
 
 The tensor comes from another link or in another unit, is a placeholder, or was not updated with the

@@ -1,9 +1,10 @@
 """Joints: types, axes, limits."""
 
 from urdfkit.lint.context import Context
+from urdfkit.text.file_kinds import is_list_of_joints
 
 
 def applies(context: Context) -> bool:
     """True for a document with a robot in it: links have poses, too."""
     is_robot = bool(context.model.joints or context.model.links)
-    return is_robot and not context.is_list_of_joints
+    return is_robot and not is_list_of_joints(context.document.root)

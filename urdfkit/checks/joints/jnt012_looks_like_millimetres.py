@@ -59,7 +59,9 @@ def check(context: Context) -> Findings:
 
 
 def _origins(model: RobotModel) -> Findings:
-    reaches = [(joint, length(joint.origin.position)) for joint in model.joints]
+    # A robot may stand anywhere in the world.
+    placed = (joint for joint in model.joints if joint.parent_name != "world")
+    reaches = [(joint, length(joint.origin.position)) for joint in placed]
     far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
     if not far:
         return

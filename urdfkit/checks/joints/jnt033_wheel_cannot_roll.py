@@ -60,7 +60,8 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     if wheel is None:
         return
     (body, axle), axis = wheel, direction(joint)
-    what = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
+    shape = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
+    what = f"{'collision' if body in link.collisions else 'visual'} {shape}"
     if abs(dot(axis, axle)) < _ACROSS:
         yield Finding(
             joint.at.child("axis") or joint.at,

@@ -73,7 +73,7 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     if first is None or second is None:
         return None
     one, other = first.bounds, second.bounds.moved(frame)
-    gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
+    gap = one.gap(other)
     longest = max(*one.edges, *other.edges)
     return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
 

@@ -14,8 +14,6 @@ def defined_controllers(context: Context) -> dict[str, Controller]:
         except UnreadableFile:
             continue
         found |= {one.name: one for one in read(source)}
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            found |= {one.name: one for _, several in robot.controllers for one in several}
+    for _, robot in context.described_robots:
+        found |= {one.name: one for _, one in robot.controllers}
     return found

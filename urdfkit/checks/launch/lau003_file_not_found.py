@@ -6,10 +6,12 @@ make is not reported, nor an absolute path outside of the repository or workspac
 `/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
 makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
 `PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package
-of ROS does not have is reported, too.
+of ROS does not have is reported, too. So is `xacro.py`, which ROS has no more since Noetic; in a
+launch file of ROS 1 it is an info.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
+    ros/xacro#239: https://github.com/ros/xacro/pull/239
 """
 
 import os

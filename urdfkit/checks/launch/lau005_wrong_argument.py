@@ -40,14 +40,12 @@ def check(context: Context) -> Findings:
     for finding in reported(context, "LAU005"):
         _, _, argument = finding.message.partition("': ")
         yield finding._replace(group_key=argument)
-    for description in context.launch.descriptions:
-        if not description.arguments:
+    for description, robot in context.described_robots:  # for the others LAU004
+        xacro = robot.reading.xacro
+        if xacro is None:
             continue
-        xacro = context.other_robot(description.path, description.arguments).reading.xacro
-        if xacro is None or xacro.document is None:
-            continue  # LAU004
         # One that the xacro uses and does not declare must be passed.
-        known = {argument.name for argument in xacro.arguments} | xacro.usage.arguments
+        known = xacro.usage.arguments.union(xacro.defaults)
         call = description.frame.call.span
         # A launch file for any robot passes what some of them have.
         is_for_any = os.path.basename(description.path).encode() not in call.source.data

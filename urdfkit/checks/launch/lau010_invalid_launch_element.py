@@ -14,11 +14,13 @@
 - A call in Python has a value of another type than launch takes (error): a dictionary where a list
   of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
   among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, a list
-  among the actions, the source of another format than the file has.
+  among the actions, the source of another format than the file has, the document of
+  `xacro.process_file` without `.toxml()`.
 - A command line of `ExecuteProcess` is one text (error): launch looks for a program that is called
   `ros2 topic list`.
 - A text and a substitution have a plus between them (error): "can only concatenate str (not
-  LaunchConfiguration) to str". A path follows the directory of a package without a slash.
+  LaunchConfiguration) to str"; or a substitution is in `os.path.join`: "expected str, bytes or
+  os.PathLike object". A path follows the directory of a package without a slash.
 - In ROS 1 an argument has a value and a default, and in both a condition compares (error):
   `if="$(arg gui) == true"` is no boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).

@@ -14,7 +14,7 @@ Sources:
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.core.suggest import Suggester, nearest
+from urdfkit.core.suggest import Suggester, is_typo
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.controllers import controllers as in_files
@@ -35,8 +35,6 @@ FILES = {
     "config/control.yaml": b"arm_controller:\n  type: effort_controllers/JointEffortController\n",
 }
 
-#: Similarity from which a name is a typo: most end in ``_controller``.
-_TYPO = 0.9
 #: Files of a package that are read, and directories in which they are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
 
@@ -57,8 +55,10 @@ def check(context: Context) -> Findings:
     suggester = Suggester({name for name in known if "$" not in name})
     for word, frame in wanted:
         name = (word.text or "").strip("/").rpartition("/")[2]
-        is_typo = suggester.suggested(name) and nearest(name, known, _TYPO)
-        if name not in known and (is_whole or is_typo):
+        suggested = suggester.suggested(name)
+        # Most end in ``_controller``, which makes ``hand_controller`` much like that of a head.
+        is_misspelt = bool(suggested) and is_typo(name, suggested)
+        if name not in known and (is_whole or is_misspelt):
             yield Finding(
                 Location(word.span, frame),
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
@@ -70,10 +70,8 @@ def _loaded(context: Context) -> set[str]:
     found: set[str] = set()
     for file in context.launch.parameters:
         found |= _defined(context, file.path)
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            found.update(one.name for _, several in in_files(robot) for one in several)
+    for _, robot in context.described_robots:
+        found.update(one.name for _, one in in_files(robot))
     return found
 
 

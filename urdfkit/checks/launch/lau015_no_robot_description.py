@@ -3,14 +3,18 @@
 In ROS 2 it takes the robot from its parameter `robot_description` and stops without it: "parameter
 must not be empty". A misspelt name of the parameter does the same, the path of a file in place of
 its text, and the text of a xacro file that nothing expands: `open(path).read()`, and `textfile` in
-ROS 1.
+ROS 1. It still takes the path of a URDF as its argument; a xacro there is not expanded, and is no
+robot.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
+from collections.abc import Mapping
+
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
+from urdfkit.ros.launch.contents import StartedProgram
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -25,6 +29,7 @@ node = Node(
 GOOD = BAD.replace("descripton", "description")
 
 _PARAMETER = "robot_description"
+_EXPANDED = 'write ParameterValue(Command(["xacro ", path]), value_type=str)'
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
@@ -32,14 +37,26 @@ def check(context: Context) -> Findings:
     yield from reported(context, "LAU015")
     for node in context.launch.started:
         given = node.parameters.every
-        if node.package != "robot_state_publisher" or given is None or node.words:
+        if node.package != "robot_state_publisher" or given is None:
+            continue
+        if node.words:
+            yield from _unexpanded(node, given)
             continue
         if (given.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
             message = f"{_PARAMETER} is the path of a file: the node takes the text of the robot"
-            help = 'write ParameterValue(Command(["xacro ", path]), value_type=str)'
-            yield Finding(Location(node.span, node.frame), message, help)
+            yield Finding(Location(node.span, node.frame), message, _EXPANDED)
         if _PARAMETER not in given:
             mistake = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
             yield Finding(Location(node.span, node.frame), message)
+
+
+def _unexpanded(node: StartedProgram, given: Mapping[str, str | None]) -> Findings:
+    """A xacro file among the words of the command line, which the node reads as a URDF."""
+    for word in node.words if _PARAMETER not in given else ():
+        if (word.text or "").endswith(".xacro"):
+            file = (word.text or "").rpartition("/")[2]
+            message = f"robot_state_publisher reads '{file}' as a URDF: nothing expands it"
+            help = f"{_EXPANDED} as its parameter {_PARAMETER}"
+            yield Finding(Location(word.span, node.frame), message, help)

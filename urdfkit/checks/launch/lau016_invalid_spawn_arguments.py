@@ -16,7 +16,7 @@ Sources:
 import os
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
@@ -53,12 +53,13 @@ def check(context: Context) -> Findings:
         for option, word in given.items():
             place = Location(word.span, started.frame)
             if option not in spawner.known:
-                hint = did_you_mean(option, spawner.known)
+                meant = nearest(option, spawner.known)
+                hint = f"; did you mean '-{meant}'?" if meant else ""
                 ignored = "" if spawner.is_strict else " (ignored)"
                 yield Finding(
                     place,
                     f"{started.executable} has no option '-{option}'{ignored}{hint}",
-                    _NAMED.get(option, "remove it"),
+                    _NAMED.get(option, f"write -{meant}" if meant else "remove it"),
                     severity=None if spawner.is_strict else Severity.WARNING,
                 )
             else:

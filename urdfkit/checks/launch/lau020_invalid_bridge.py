@@ -4,8 +4,9 @@
 topic" and goes on with the rest, so that the topic is there on one side and silent on the other.
 The same happens to an entry of its YAML file without both types or with another direction than
 `GZ_TO_ROS`, `ROS_TO_GZ` or `BIDIRECTIONAL`. A word of its command line that is no
-`topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. Messages that
-are not in the table of urdfkit are not reported, for later releases add some.
+`topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. So does a name
+that ROS rejects: Gazebo's `/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit.
+Messages that are not in the table of urdfkit are not reported, for later releases add some.
 
 A topic that no sensor or system of the robot publishes or reads, while one with that message has
 another topic that is not passed on, is a warning. A sensor without `<topic>` publishes below
@@ -15,9 +16,11 @@ is passed on in the wrong direction only is a warning, too.
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
     ros_gz_bridge, bridge_config.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/bridge_config.cpp
+    gazebosim/ros_gz#269: https://github.com/gazebosim/ros_gz/issues/269
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
@@ -82,6 +85,13 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
             f"unknown direction '{topic.direction}'{hint}",
             f"write one of {', '.join(DIRECTIONS)}",
         )
+    part = next((one for one in topic.ros_topic.split("/") if re.match(r"\d", one)), "")
+    if part:
+        yield (
+            "ros_topic_name" if "ros_topic_name" in topic.places else "topic_name",
+            f"ROS rejects the topic '{topic.ros_topic}': '{part}' begins with a digit",
+            "give it another ros_topic_name in a config_file, and keep gz_topic_name",
+        )
     package, _, name = topic.ros_type.partition("/")
     if "/msg/" not in topic.ros_type and gazebo_messages(f"{package}/msg/{name}"):
         right = f"{package}/msg/{name}"
@@ -118,35 +128,36 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
         only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
         if only is not None and own and all(one.is_read is only for one in own):
             verb, right = ("reads", TO_GAZEBO) if only else ("publishes", FROM_GAZEBO)
-            yield Finding(
-                Location(topic.at("direction"), frame),
-                f"{topic.direction} passes nothing on: {own[0].who} {verb} '{topic.topic}'",
-                f"write {right}",
-                severity=Severity.WARNING,
-            )
-        message = topic.gz_type.rpartition(".")[2]
-        waiting = [one for one in unbridged if one.message == message and one.is_read is not only]
-        if own or not waiting:
-            continue
-        known = {one.name: one for one in waiting}
-        other = known[nearest(topic.topic.strip("/"), known, 0) or next(iter(known))]
-        message = f"nothing in the robot has the topic '{topic.topic}'; that of {other.who} is "
-        message += f"'/{other.name}', which is not bridged"
-        help = f"write /{other.name}"
-        if other.is_default and not other.is_system:
-            message = (
-                f"nothing in the robot has the topic '{topic.topic}': {other.who} has no <topic>"
-            )
-            help = f"write <topic>{topic.topic}</topic> into the sensor"
-        at = topic.at("gz_topic_name", "topic_name", "ros_topic_name")
-        yield Finding(Location(at, frame), message, help, severity=Severity.WARNING)
+            message = f"{topic.direction} passes nothing on: {own[0].who} {verb} '{topic.topic}'"
+            at = Location(topic.at("direction"), frame)
+            yield Finding(at, message, f"write {right}", severity=Severity.WARNING)
+        wanted = topic.gz_type.rpartition(".")[2]
+        waiting = [one for one in unbridged if one.message == wanted and one.is_read is not only]
+        if not own and waiting:
+            at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
+            yield Finding(at, *_unknown(topic.topic, waiting), severity=Severity.WARNING)
+
+
+def _unknown(topic: str, waiting: list[GazeboTopic]) -> tuple[str, str]:
+    """Message and help for a topic that the robot does not have, by the nearest of those it has."""
+    known = {one.name: one for one in waiting}
+    other = known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
+    nothing = f"nothing in the robot has the topic '{topic}'"
+    if other.is_default and not other.is_system:
+        return (
+            f"{nothing}: {other.who} has no <topic>",
+            f"write <topic>{topic}</topic> into the sensor",
+        )
+    message = f"{nothing}; that of {other.who} is '/{other.name}', which is not bridged"
+    if other.name.strip("'\"") != other.name:
+        return f"{message}: the quotes are part of it", "remove the quotes in the robot's <topic>"
+    return message, f"write /{other.name}"
 
 
 def _topics(context: Context) -> Iterator[GazeboTopic]:
     """The topics of the robots that are described; none if not all of them are known."""
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None and description.is_whole:
+    for description, robot in context.described_robots:
+        if description.is_whole:
             yield from topics(robot.model)
 
 

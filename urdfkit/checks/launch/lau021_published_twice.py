@@ -8,7 +8,8 @@
 - Two controllers that are started claim the same command interface of a joint: the second does not
   become active. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot:
-  it jumps between the two. Write `enable_odom_tf: false`.
+  it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
+  robot_localization is a link with a joint above it, which gives the link two parents.
 - `ros2_control_node` beside Gazebo's plugin, which runs a controller manager of its own: which one
   a spawner reaches is chance. Two robot_state_publishers of one robot.
 
@@ -24,7 +25,12 @@ from collections.abc import Iterator
 from math import dist
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.started_twice import second_manager, second_odometry, second_publisher
+from urdfkit.checks.launch.started_twice import (
+    second_manager,
+    second_odometry,
+    second_parent,
+    second_publisher,
+)
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.ros.claims import commanded_joints, commands
@@ -60,6 +66,7 @@ def check(context: Context) -> Findings:
     yield from second_publisher(context, started)
     yield from second_manager(context, started)
     yield from second_odometry(context, started)
+    yield from second_parent(context, started)
 
 
 def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
@@ -67,10 +74,8 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
     if not published or all(one.package != "robot_state_publisher" for one in started):
         return
     joints: dict[str, Joint] = {}
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
+    for _, robot in context.described_robots:
+        joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
     for one, transform in published:
         child = transform.child
         joint = joints.get(_frame(child))

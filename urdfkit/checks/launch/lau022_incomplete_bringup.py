@@ -12,7 +12,8 @@
 - Controllers in a gz sim that is started without `-r`: it waits for its button to be pressed, and
   the spawners for the controllers to become active. Without controllers it is an info.
 - A robot in Gazebo whose `<ros2_control>` is `mock_components/GenericSystem`: Gazebo's plugin does
-  not load it.
+  not load it. Or `ros2_control_node` for hardware of Gazebo, where no robot is put into Gazebo:
+  "class gz_ros2_control/GazeboSimSystem does not exist".
 - `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
@@ -28,6 +29,7 @@ Sources:
     ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
     ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
+    ros-controls/gz_ros2_control#720: https://github.com/ros-controls/gz_ros2_control/issues/720
     turtlebot/turtlebot4#571: https://github.com/turtlebot/turtlebot4/issues/571
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
@@ -38,7 +40,7 @@ from urdfkit.checks.launch.meeting_points import (
     unpublished_description,
     without_types,
 )
-from urdfkit.checks.launch.simulated_hardware import mock_hardware
+from urdfkit.checks.launch.simulated_hardware import mock_hardware, without_simulator
 from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
@@ -88,6 +90,7 @@ def check(context: Context) -> Findings:
     yield from without_clock(context, started)
     yield from paused(context, started)
     yield from mock_hardware(context, started)
+    yield from without_simulator(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
         yield from unpublished_description(context, started)
         yield from unpublished_inputs(context)

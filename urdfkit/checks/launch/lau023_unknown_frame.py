@@ -10,11 +10,12 @@ Checked are `base_link_frame`, `robot_base_frame`, `base_frame`, `base_frame_id`
 RViz's fixed frame and the frames of its displays, and the parents of static transforms, unless the
 launch file starts drivers that are not in the workspace, which publish frames of their own. The
 robot is that of the launch file, else those that the other launch files of the workspace start. A
-frame that a program of the workspace names is left out. `map`,
-`odom` and `world` as the fixed frame are reported where a launch file starts RViz with
-joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is neither
-its `odom_frame` nor its `map_frame`, at which the filter stops, and an `odom_frame` that is one of
-the others ("Invalid frame configuration!").
+frame that a program of the workspace names is left out. So is the `global_frame` of a costmap, the
+frame of a map or of odometry, unless it is a typo of `map` or `odom`. `map`, `odom` and `world` as
+the fixed frame are reported where a launch file starts RViz with joint_state_publisher and nothing
+else. So is a `world_frame` of robot_localization that is neither its `odom_frame` nor its
+`map_frame`, at which the filter stops, and an `odom_frame` that is one of the others ("Invalid
+frame configuration!").
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
@@ -25,14 +26,14 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.frames import NamedFrame, named_frames
+from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Node, Value, load, mapping
@@ -62,6 +63,9 @@ FILES = {
 }
 
 _WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
+#: What a costmap may be in, and the similarity of a typo.
+_GLOBAL = ("map", "odom")
+_TYPO = 0.6
 _PUBLISHER = "robot_state_publisher"
 _RVIZ = ("rviz", "rviz2")
 _SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
@@ -91,7 +95,9 @@ def check(context: Context) -> Findings:
             for one in named
             if one.name not in known
             and one.key not in given
-            and (one.key or not _is_shown(one.name, of_others, last_words))
+            and (one.key or one.name not in of_others)
+            and not _is_in_namespace(one, launch, last_words)
+            and (one.key != GLOBAL or _is_typo(one, named))
         ]
         parents = {}
         if not _has_foreign_publishers(context):
@@ -103,10 +109,18 @@ def check(context: Context) -> Findings:
     yield from _other_world(context)
 
 
-def _is_shown(name: str, of_others: frozenset[str], last_words: set[str]) -> bool:
-    """True for a frame of RViz that a driver or a robot in a namespace publishes."""
-    _, namespace, last = name.rpartition("/")
-    return name in of_others or bool(namespace and last in last_words)
+def _is_in_namespace(frame: NamedFrame, launch: Launch, last_words: set[str]) -> bool:
+    """True for a frame that a robot may publish if another launch file starts it in a namespace."""
+    _, namespace, last = frame.name.rpartition("/")
+    if frame.key:
+        return bool(namespace and not launch.descriptions)
+    return bool(namespace and last in last_words)
+
+
+def _is_typo(frame: NamedFrame, named: list[NamedFrame]) -> bool:
+    """True for a frame that no other one is called like, and that is like that of a map."""
+    uses = [one.name for one in named].count(frame.name)
+    return uses == 1 and nearest(frame.name, _GLOBAL, _TYPO) is not None
 
 
 def _of_drivers(launch: Launch) -> frozenset[str]:
@@ -151,12 +165,12 @@ def _of_filters(launch: Launch, named: list[NamedFrame]) -> frozenset[str]:
 
 
 def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
-    links = sorted(known - _WELL_KNOWN)
+    published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
     return Finding(
         Location(frame.span),
         f"{frame.who} '{frame.name}' is no link of the robot and no static transform"
-        f"{did_you_mean(frame.name, links)}",
-        f"name a frame that is published: {few(links, _NAMED)}",
+        f"{did_you_mean(frame.name, published)}",
+        f"name a frame that is published: {few(published, _NAMED)}",
         related=(Related(frame.named_at, "the file is named here"),),
     )
 
@@ -166,7 +180,7 @@ def _published(context: Context) -> frozenset[str]:
     launch = context.launch
     links = _of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
-    if not launch.descriptions and _includes_foreign(context):
+    if not launch.descriptions and (_includes_foreign(context) or _publishes(launch)):
         return frozenset()  # one of these may start another robot
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
@@ -206,6 +220,11 @@ def _renames_frames(launch: Launch) -> bool:
         for one in publishers
     )
     return any(renaming) or (bool(launch.descriptions) and not publishers)
+
+
+def _publishes(launch: Launch) -> bool:
+    """True if it starts robot_state_publisher."""
+    return any(one.package == _PUBLISHER for one in _started(launch))
 
 
 def _is_viewer(launch: Launch) -> bool:

@@ -15,7 +15,8 @@
 - A lifecycle manager waits for a node that nothing starts, or a node of Nav2 is started that no
   lifecycle manager activates (warning): it stays unconfigured.
 - A configuration of RViz has a display of a class that RViz 2 does not have, such as
-  `rviz/LaserScan` of ROS 1 (warning): the display stays empty.
+  `rviz/LaserScan` of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes
+  have relative names, or Gazebo's `model://`: "Could not load resource" (warning).
 - static_transform_publisher gets an option that it does not have, or another number of words: a
   period behind the frames belongs to ROS 1.
 
@@ -33,7 +34,7 @@ import re
 from urdfkit.checks.launch.costmap_parameters import COSTMAPS, misplaced, plugins
 from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
 from urdfkit.checks.launch.parameter_types import wrong_types
-from urdfkit.checks.launch.rviz_displays import unknown_classes
+from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
@@ -88,6 +89,7 @@ def check(context: Context) -> Findings:
     yield from _of_others(context, found)
     yield from not_activated(context)
     yield from unknown_classes(context)
+    yield from relative_meshes(context)
     for started in context.launch.started:
         for word, message, help in mistakes(started):
             yield Finding(Location(word.span, started.frame), message, help)

@@ -105,9 +105,8 @@ def _managers(
             yield _resolved(_MANAGER, one.namespace) if is_plain else None, one.span
     if not any(map(spawner_of, started)):
         return
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        for plugin in control_plugins(robot.model) if robot.reading.document else ():
+    for description, robot in context.described_robots:
+        for plugin in control_plugins(robot.model):
             is_ros1 = plugin.kind == "gazebo_ros_control"
             if is_ros1 or "ros2_control" in plugin.filename:
                 named = _of_ros1(plugin.at) if is_ros1 else _of_plugin(plugin.at)

@@ -3,6 +3,7 @@
 Sources: plugins_description.xml of rviz_default_plugins, Humble to Rolling.
 """
 
+import os
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
@@ -85,6 +86,30 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
                 f"RobotModel of RViz reads '{topic.text}', on which nothing publishes a robot",
                 f"write {other}",
                 file,
+            )
+
+
+def relative_meshes(context: Context) -> Findings:
+    """The meshes of a robot whose names are relative, or of Gazebo's ``model://``."""
+    if all(one.package not in ("rviz", "rviz2") for one in context.launch.started):
+        return
+    reported: set[str] = set()
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
+        for mesh in robot.files.meshes if robot.reading.document else ():
+            path = mesh.located.path
+            home = context.resolver.packages.enclosing(path) if path else None
+            is_lost = mesh.located.scheme in ("relative", "model")
+            if path is None or home is None or not is_lost or description.path in reported:
+                continue
+            reported.add(description.path)
+            relative = os.path.relpath(path, home[1]).replace(os.sep, "/")
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} is not found by RViz, which reads package:// and file:// alone",
+                f"write package://{home[0]}/{relative}",
+                related=(Related(description.frame.call.span, "the robot is started here"),),
+                severity=Severity.WARNING,
             )
 
 

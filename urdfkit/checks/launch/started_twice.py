@@ -17,7 +17,15 @@ from urdfkit.text.located_yaml import Value
 _PUBLISHER = "robot_state_publisher"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 #: Parameters of a filter, with their defaults.
-_FILTER = {"publish_tf": "true", "odom_frame": "odom", "world_frame": "odom"}
+_FILTER = {
+    "publish_tf": "true",
+    "odom_frame": "odom",
+    "world_frame": "odom",
+    "base_link_frame": "",  # base_link; a section that is not found may give another
+}
+_ODOM, _BASE = "odom_frame", "base_link_frame"
+#: Roots that are frames of their own.
+_WORLDS = ("world", "map", "odom")
 _FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
 
 
@@ -47,9 +55,8 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
         return
     simulated = Related(spawners[0].span, "the robot is put into Gazebo here")
     nodes = [one for one in started if one.executable == "ros2_control_node"]
-    for description in context.launch.descriptions if nodes else ():
-        robot = context.other_robot(description.path, description.arguments)
-        for plugin in control_plugins(robot.model) if robot.reading.document else ():
+    for _, robot in context.described_robots if nodes else ():
+        for plugin in control_plugins(robot.model):
             for one in nodes if "ros2_control" in (plugin.at.get("filename") or "") else ():
                 yield Finding(
                     Location(one.span, one.frame),
@@ -61,7 +68,7 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
 
 def second_odometry(context: Context, started: list[StartedProgram]) -> Findings:
     """The transform from odom to the robot by both a filter and a controller of wheels."""
-    filters = {frame: one for one in started for frame in _odometry_of(one, context)}
+    filters = {given[_ODOM]: one for one in started for given in _odometry_of(one, context)}
     if not filters:
         return
     defined = defined_controllers(context)
@@ -87,8 +94,33 @@ def second_odometry(context: Context, started: list[StartedProgram]) -> Findings
             )
 
 
-def _odometry_of(started: StartedProgram, context: Context) -> Iterator[str]:
-    """The frame above the robot that a filter publishes, if it is that of the odometry."""
+def second_parent(context: Context, started: list[StartedProgram]) -> Findings:
+    """The transform of a link that a joint has as its child by a filter, too."""
+    launch = context.launch
+    publishers = [one for one in started if one.package == _PUBLISHER and _is_plain(one)]
+    filters = [(one, given) for one in started for given in _odometry_of(one, context)]
+    if not publishers or not filters or len(launch.descriptions) != 1:
+        return
+    robot = context.other_robot(launch.descriptions[0].path, launch.descriptions[0].arguments)
+    roots = robot.tree.roots if robot.reading.document and launch.descriptions[0].is_whole else ()
+    if len(roots) != 1 or any(one.name in _WORLDS for one in roots):
+        return
+    above = robot.tree.parents
+    for one, given in filters:
+        joint = next(iter(above.get(given[_BASE], ())), None)
+        if joint is None or joint.parent_name == given[_ODOM]:
+            continue
+        yield Finding(
+            Location(one.span, one.frame),
+            f"'{one.name or one.executable}' publishes the transform of '{given[_BASE]}', and so "
+            f"does robot_state_publisher for joint '{joint.name}': a frame has one parent",
+            f"write base_link_frame: {roots[0].name}, the root link",
+            related=(Related(joint.at.span, f"joint '{joint.name}'"),),
+        )
+
+
+def _odometry_of(started: StartedProgram, context: Context) -> Iterator[dict[str, str]]:
+    """The frames of a filter that publishes the transform from odometry to the robot."""
     if started.package != "robot_localization" or started.executable not in _FILTERS:
         return
     name = started.name or _FILTERS[started.executable]
@@ -110,4 +142,4 @@ def _odometry_of(started: StartedProgram, context: Context) -> Iterator[str]:
         given[key] = text or ""
     is_same = given["world_frame"] == given["odom_frame"]
     if is_known and is_same and given["publish_tf"].lower() == "true":
-        yield given["odom_frame"].strip("/")
+        yield {key: text.strip("/") for key, text in given.items()}

@@ -52,6 +52,7 @@ def check(context: Context) -> Findings:
         for mesh in context.files.meshes
         if mesh.role == "collision" or not context.mujoco.drops_visuals
     ]
+    yield from _outside(context)
     lost = [mesh for mesh in wanted if _is_lost(context, mesh)]
     if lost:
         first = lost[0]
@@ -60,6 +61,21 @@ def check(context: Context) -> Findings:
         message += f"{shown(os.path.normpath(directory))}{more_like_this(len(lost) - 1)}"
         help, fix = _directory(context, wanted)
         yield Finding(first.at, message, help, fix)
+
+
+def _outside(context: Context) -> Findings:
+    """A meshdir that leads out of the repository, which other machines do not have."""
+    block = context.document.root.child("mujoco")
+    element = block.child("compiler") if block else None
+    written = element.attributes.get("meshdir") if element else None
+    directory = os.path.dirname(context.mujoco.mesh_path("a", context.source.path)[0] + os.sep)
+    if written is not None and not context.resolver.admits(os.path.join(directory, "a")):
+        yield Finding(
+            written,
+            f"meshdir '{written.value}' leads out of the repository: no other machine has it",
+            "name a directory of the repository, relative to the URDF",
+            severity=Severity.WARNING,
+        )
 
 
 def _is_lost(context: Context, mesh: MeshReference) -> bool:

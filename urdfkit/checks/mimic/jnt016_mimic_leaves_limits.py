@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
             mimic.at,
             f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
             f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
-            _advice(joint, leading, own),
+            _advice(joint, leading, taken, own),
             related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
             group_key="beyond",
         )
@@ -59,9 +59,18 @@ def _overshoot(taken: tuple[float, float], own: tuple[float, float]) -> float:
     return max(own[0] - taken[0], taken[1] - own[1]) - allowed
 
 
-def _advice(joint: Joint, leading: tuple[float, float], own: tuple[float, float]) -> str:
+def _advice(
+    joint: Joint,
+    leading: tuple[float, float],
+    taken: tuple[float, float],
+    own: tuple[float, float],
+) -> str:
+    """Where a sign is wrong, the limits may have it as well as the multiplier."""
     assert joint.mimic is not None
     turned = _taken(leading, -joint.mimic.multiplier, joint.mimic.offset)
     if _overshoot(turned, own) <= 0:
-        return f"with multiplier {-joint.mimic.multiplier:g} it stays within them"
+        return (
+            f'if it turns the right way, write lower="{taken[0]:g}" upper="{taken[1]:g}"; '
+            f"else multiplier {-joint.mimic.multiplier:g}"
+        )
     return "correct multiplier and offset, or the limits of one of the two"

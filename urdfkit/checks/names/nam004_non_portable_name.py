@@ -9,7 +9,8 @@
   frames; `/base_link` and `base_link` are two frames. ROS 1's first TF allowed it.
 - `world` and names in double underscores are reserved in SDF. Gazebo never creates a link `world`:
   as the empty root that fixes the robot to the ground it is right, but its mass and shapes are
-  lost, and as the child of a joint it makes Gazebo and MuJoCo reject the robot.
+  lost, and as the child of a joint it makes Gazebo and MuJoCo reject the robot (an error for
+  MuJoCo if the joint moves: "joint found in world body").
 - A digit at the beginning: USD rejects it, so that Isaac Sim renames the link or joint.
 
 Use letters, digits and `_`, and begin with a letter.
@@ -102,10 +103,12 @@ def _reserved(context: Context, name: Attribute) -> Findings:
     else:
         return
     readers = context.targets.that("reserves_world")
+    moves = any(joint.child_name == text and joint.kind != "fixed" for joint in model.joints)
+    severity = Severity.WARNING if readers else Severity.INFO
     yield Finding(
         name,
         f"{tag} '{text}': {reason}",
         "choose another name",
-        severity=Severity.WARNING if readers else Severity.INFO,
+        severity=Severity.ERROR if tag == "link" and moves and "mujoco" in readers else severity,
         targets=readers,
     )

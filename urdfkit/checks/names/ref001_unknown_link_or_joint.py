@@ -16,11 +16,9 @@ Sources:
     joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
-from collections import Counter
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint, Link, RobotModel
+from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
@@ -39,12 +37,11 @@ _INCLUDE = "add the link, or include the file in the robot that has it"
 @rule(Severity.ERROR, reports_missing=True, depends_on_arguments=True)
 def check(context: Context) -> Findings:
     yield from _links(context)
-    yield from _leaders(context.model)
+    yield from _leaders(context)
 
 
 def _links(context: Context) -> Findings:
     known = context.model.links_by_name
-    uses = Counter(name for joint in context.model.joints for name in _ends(joint))
     children = {joint.child_name for joint in context.model.joints}
     is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     # A second parent would be another error.
@@ -68,24 +65,22 @@ def _links(context: Context) -> Findings:
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
                 _INCLUDE if is_awaited else "correct the name, or add the link",
-                _renamed_link(known.get(suggested), link.value, uses)
-                or fix_value(link, suggested)
-                or _added_world(joint, link),
+                _corrected(context, link, known.get(suggested)) or _added_world(joint, link),
                 severity=Severity.WARNING if is_awaited else None,
             )
 
 
-def _leaders(model: RobotModel) -> Findings:
-    known = model.joints_by_name
+def _leaders(context: Context) -> Findings:
+    known = context.model.joints_by_name
     suggester = Suggester(known)
-    for joint in model.joints:
+    for joint in context.model.joints:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):
             continue
-        hint = suggester.hint(leader.value)
+        hint, suggested = suggester.hint(leader.value), suggester.suggested(leader.value)
         message = f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}"
         help = "correct the name, or add the joint"
-        yield Finding(leader, message, help, fix_value(leader, suggester.suggested(leader.value)))
+        yield Finding(leader, message, help, _corrected(context, leader, known.get(suggested)))
 
 
 def _ends(joint: Joint) -> list[str]:
@@ -93,11 +88,13 @@ def _ends(joint: Joint) -> list[str]:
     return [end.value for end in (joint.parent, joint.child) if end]
 
 
-def _renamed_link(link: Link | None, name: str, uses: Counter[str]) -> Fix | None:
-    """Rename a link that no joint has as an end, where several have one of another name."""
-    if link is None or uses[link.name] or uses[name] < 2 or from_macro(link.at):
+def _corrected(context: Context, name: Attribute, suggested: Link | Joint | None) -> Fix | None:
+    """Correct a name, or what it is probably meant for if that is misspelt."""
+    if suggested is None:
         return None
-    return fix_value(link.at.attributes["name"], name)
+    from urdfkit.lint.misspelt_names import corrected_definition  # for few robots
+
+    return corrected_definition(context, suggested, name.value) or fix_value(name, suggested.name)
 
 
 def _added_world(joint: Joint, link: Attribute) -> Fix | None:

@@ -14,7 +14,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severit
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value, from_macro, replace_value
 from urdfkit.text.grammar import is_expression, owner
 
 BAD = robot_xml(
@@ -51,7 +51,9 @@ def check(context: Context) -> Findings:
             related = (Related(top[word].span, "the definition"), *related)
         else:
             reason = "it is not defined" + _hint(word, suggester)
-            fix = _fix(uses, suggester.suggested(word))
+            suggested = suggester.suggested(word)
+            names = [material.get("name") for material in used]
+            fix = _renamed(top.get(suggested), uses, names) or _fix(uses, suggested)
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
         message = f"{who}: material '{word}' has no colour in {visuals}; {reason}"
@@ -67,6 +69,17 @@ def _fix(uses: list[Attribute], suggested: str) -> Fix | None:
             return None
         edits.update(dict.fromkeys(made))
     return Fix.of(f"rename it to '{suggested}'", tuple(edits))
+
+
+def _renamed(
+    definition: Element | None, uses: list[Attribute], names: list[str | None]
+) -> Fix | None:
+    """Rename a definition that nothing uses, where several places agree on another name."""
+    if definition is None or definition.get("name") in names or from_macro(definition):
+        return None
+    if len({use.span for use in uses}) < 2:
+        return None
+    return fix_value(definition.attributes["name"], uses[0].value)
 
 
 def _uses_without_colour(

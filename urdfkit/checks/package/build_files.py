@@ -8,13 +8,15 @@ from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.install_rules import build_file
+from urdfkit.workspace.install_rules import InstallRules, build_file
+from urdfkit.workspace.installs import read_rules
 
 #: Of a build file.
 _MAX_BYTES = 1024 * 1024
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
-    "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
+    # No part of a name, such as that in front of a variable.
+    "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)(?![\w$-])",
     "setup.py": rb"(?m)^[ \t]*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
 }
 #: Of each build type its build file, and that of the other.
@@ -55,6 +57,50 @@ def not_finished(directory: str) -> Findings:
             Location(Span(source, *found.span(1))),
             "ament_package() is not called: ROS does not find the package after the build",
             "write ament_package() as the last line",
+        )
+
+
+def missing_directories(name: str, directory: str) -> Findings:
+    """Files and directories that a CMakeLists.txt of ROS 2 installs and that do not exist."""
+    source = _read(directory, "CMakeLists.txt") if build_file(directory).endswith(".txt") else None
+    text = re.sub(rb"#[^\n]*", lambda one: b" " * len(one[0]), source.data) if source else b""
+    is_sure = not re.search(rb"\b(OPTIONAL|EXISTS)\b", text)
+    is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
+    if source is None or not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
+        return
+    for path in dict.fromkeys(one.source for one in read_rules(directory, name)):
+        place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
+        if place and _is_missing(directory, path):
+            yield Finding(
+                Location(Span(source, *place.span())),
+                f"'{path}' is installed and does not exist: the build of '{name}' fails",
+                f"remove it, or create {path}; git keeps no empty directory",
+            )
+
+
+def _is_missing(directory: str, path: str) -> bool:
+    whole = os.path.normpath(os.path.join(directory, path))
+    if not whole.startswith(os.path.join(directory, "")) or disk.exists(whole):
+        return False
+    from urdfkit.workspace.revisions import is_ignored  # which runs git
+
+    return not is_ignored(whole)
+
+
+def finds_catkin(directory: str) -> Findings:
+    """A package of type ament_cmake whose CMakeLists.txt is that of ROS 1."""
+    manifest, source = (_read(directory, file) for file in ("package.xml", "CMakeLists.txt"))
+    if manifest is None or source is None:
+        return
+    kinds = re.findall(rb"<build_type\b([^>]*)>\s*(\w+)", blank_comments(manifest.data))
+    found = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*(catkin)\b", source.data)
+    has_other = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*ament_cmake|ROS_VERSION", source.data)
+    if kinds == [(b"", b"ament_cmake")] and found and not has_other:
+        yield Finding(
+            Location(Span(source, *found.span(1))),
+            "CMakeLists.txt finds catkin, and package.xml has build type ament_cmake: ROS 2 has "
+            "no catkin",
+            "write find_package(ament_cmake REQUIRED), and ament_package() as the last line",
         )
 
 

@@ -42,7 +42,10 @@ FIXED_FILES = {
 }
 
 #: colcon and catkin reject cyclic dependencies of packages.
-_CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the reverse makes a cycle"
+_CYCLE = (
+    "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
+    "or this one to '{0}'"
+)
 
 
 #: Packages of ROS 2 that are there to bring others, and these.
@@ -128,13 +131,12 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
 
     launch = context.launch
     is_simulated = any(map(spawner_of, (*launch.started, *launch.included)))
-    for description in launch.descriptions if is_simulated else ():
-        robot = context.other_robot(description.path, description.arguments)
+    for description, robot in context.described_robots if is_simulated else ():
         own = manifest_of(context.resolver, description.path)
-        if robot.reading.document is None or own is None:
+        if own is None:
             continue
         names = [one.kind for one in control_plugins(robot.model)]
-        types = [one.type for _, several in robot.controllers for one in several if one.ros == 2]
+        types = [one.type for _, one in robot.controllers if one.ros == 2]
         names += [type.partition("/")[0] for type in types]
         for name in names if names and "ros2_controllers" not in own.dependencies else ():
             if comes_with_ros(name) and not _is_brought(name, own.dependencies):

@@ -4,7 +4,8 @@ In the source tree the file exists. After `colcon build` or `catkin_make install
 `share/`, and `$(find ...)` and `package://` lead to a file that is not there: RViz shows the robot
 without meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install
 the directory. `DESTINATION share` without `/${PROJECT_NAME}`, and a slash behind the name of a
-directory, which installs its contents alone, put the files elsewhere. In ROS 1 it is an info: from
+directory, which installs its contents alone, put the files elsewhere. A macro that is included
+from another package is checked with that package's build file. In ROS 1 it is an info: from
 catkin's devel space, with which most work, packages are found in the source tree.
 
 Sources:
@@ -13,17 +14,17 @@ Sources:
 """
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.package_references import of_package
+from urdfkit.workspace.package_references import mentions
 
 NAME = "urdf/bot.urdf"
 BAD = robot_of_package("bot_description")
@@ -39,17 +40,29 @@ FILES = {
 
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
-    home = context.resolver.packages.enclosing(context.source.path)
-    if home is None:
+    packages = context.resolver.packages
+    if is_launch(context.source.path):
+        if home := packages.enclosing(context.source.path):
+            yield from _uninstalled(context, *home, _launched(context, *home))
         return
-    name, directory = home
+    sources: dict[tuple[str, str], list[Source]] = {}
+    for source in context.document.sources:
+        if home := packages.enclosing(source.path):
+            sources.setdefault(home, []).append(source)
+    for home, own in sources.items():
+        yield from _uninstalled(context, *home, _referenced(own, home[0]))
+
+
+def _uninstalled(
+    context: Context, name: str, directory: str, used: Iterable[tuple[str, Span]]
+) -> Findings:
+    """The files of a package that are used and not installed; of each directory, the first."""
     rules = InstallRules(directory, name)
-    manifest = manifest_of(context.resolver, context.source.path)
+    manifest = manifest_of(context.resolver, os.path.join(directory, "package.xml"))
     has_devel_space = manifest is not None and manifest.ros == 1
     severity = Severity.INFO if has_devel_space else None
-    uses = _launched if is_launch(context.source.path) else _referenced
     reported: set[str] = set()
-    for relative, span in uses(context, name, directory):
+    for relative, span in used:
         top = relative.partition("/")[0]
         is_there = disk.exists(os.path.join(directory, relative))
         if top in reported or not is_there:
@@ -66,11 +79,12 @@ def check(context: Context) -> Findings:
             yield Finding(Location(span), message, rules.advice(top), severity=severity)
 
 
-def _referenced(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
-    """The files of its own package that a description refers to, relative to the package."""
-    for mention in of_package(context.document.sources, context.resolver.packages):
-        if mention.package == name and mention.relative.partition("/")[0]:
-            yield mention.relative, mention.span
+def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Span]]:
+    """The files of a package that its own descriptions refer to, relative to the package."""
+    for source in sources:
+        for mention in mentions(source):
+            if mention.package == name and mention.relative.partition("/")[0]:
+                yield mention.relative, mention.span
 
 
 def _launched(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:

@@ -9,6 +9,10 @@ nowhere.
 - The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
   installs the files below that name, or catkin stops: "package name does not match project name".
 - CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package.
+- CMakeLists.txt installs a file or directory that does not exist, and the build ends: "file INSTALL
+  cannot find". An empty directory is not in a clone, since git keeps files only. Not in ROS 1:
+  catkin's devel space installs nothing.
+- CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 has none.
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
@@ -22,10 +26,14 @@ Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
     catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
     colcon/colcon-ros#79: https://github.com/colcon/colcon-ros/pull/79
+    CMake, install(DIRECTORY): https://cmake.org/cmake/help/latest/command/install.html#directory
+    andrewda/learm_ros2#2: https://github.com/andrewda/learm_ros2/issues/2
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
 
 from urdfkit.checks.package.build_files import (
+    finds_catkin,
+    missing_directories,
     not_finished,
     not_registered,
     other_build_type,
@@ -71,6 +79,8 @@ def check(context: Context) -> Findings:
     if home := resolver.packages.enclosing(path):
         others = list(other_name(*home))
         yield from others or not_registered(*home)  # which has the name of package.xml
+        yield from missing_directories(*home)
+        yield from finds_catkin(home[1])
         yield from not_finished(home[1])
         yield from other_build_type(home[1])
     file = nearest_manifest(path)

@@ -76,7 +76,7 @@ def _of_ros1(context: Context) -> Findings:
     simulated = _has_default_simulation(context)
     known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
     simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]
-    for joint, transmission in driven_joints(context.model):
+    for joint, transmission in driven_joints(context.model.transmissions):
         if is_of_pr2(transmission):
             continue
         for element in joint.all("hardwareInterface"):

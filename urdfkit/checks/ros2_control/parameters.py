@@ -9,6 +9,11 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 _NUMBERS = ("min", "max", "initial_value")
+#: Packages of hardware that reads no initial value of a joint.
+_KNOWN = (
+    "fake_components", "gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control",
+    "mock_components",
+)  # fmt: skip
 #: Similarity from which an unknown name is a typo.
 _TYPO = 0.85
 
@@ -19,7 +24,14 @@ def invalid_values(component: Component) -> Findings:
     if rate is not None and not _is_count(rate.value, least=0):
         message = f"{component.called}: rw_rate is '{rate.value}', not a positive integer"
         yield Finding(rate, message, "write the rate in Hz, or remove it")
+    is_known = component.hardware.partition("/")[0] in _KNOWN
     for part in component.parts:
+        for element in part.at.all("param") if is_known else ():
+            if element.get("name") == "initial_value":
+                message = f"{part.kind} '{part.name}': initial_value is not read here, only in a "
+                message += "state_interface"
+                help = "move it into the <state_interface> that it is for"
+                yield Finding(element, message, help, severity=Severity.WARNING)
         for interface in part.interfaces:
             yield from _size(
                 part.kind, f"{part.kind} '{part.name}', {interface.name}", interface.at

@@ -20,9 +20,8 @@ Sources:
     PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
-from collections.abc import Iterator
-
 from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -32,10 +31,9 @@ from urdfkit.ros.ros_control import (
     components,
     control_plugins,
     driven_joints,
+    joints_and_owners,
     parameter,
-    reads_transmissions,
 )
-from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
@@ -65,41 +63,30 @@ def check(context: Context) -> Findings:
 
 
 def _of_robot(context: Context, suggester: Suggester) -> Findings:
-    for name, owner in _named(context):
-        if name.value in context.model.joints_by_name or is_expression(name.value):
+    for joint, owner in joints_and_owners(context):
+        name = joint.attributes.get("name")
+        if name is None or name.value in context.model.joints_by_name or is_expression(name.value):
             continue
         hint = suggester.hint(name.value)
         message = f"{owner}: unknown joint '{name.value}'{hint}"
-        fix = fix_value(name, suggester.suggested(name.value))
+        suggested = suggester.suggested(name.value)
+        defined = context.model.joints_by_name.get(suggested)
+        fix = corrected_definition(context, defined, name.value) or fix_value(name, suggested)
         yield Finding(name, message, fix=fix, group_key="" if hint else owner)
-
-
-def _named(context: Context) -> Iterator[tuple[Attribute, str]]:
-    """The names of joints, each with who gives it."""
-    for component in components(context.model):
-        for joint in component.joints:
-            if "name" in joint.at.attributes:
-                yield joint.at.attributes["name"], component.called
-    if context.model.transmissions and reads_transmissions(context.targets):
-        for element, transmission in driven_joints(context.model):
-            if "name" in element.attributes:
-                yield element.attributes["name"], called(transmission)
 
 
 def _not_in_block(context: Context) -> Findings:
     """A transmission of ROS 2 finds the joints of its own block only."""
     for component in components(context.model):
         listed = {joint.name for joint in component.joints}
-        for transmission in component.at.all("transmission"):
-            for joint in transmission.all("joint"):
-                name = joint.attributes.get("name")
-                if name and name.value not in listed and not is_expression(name.value):
-                    yield Finding(
-                        name,
-                        f"{called(transmission)}: joint '{name.value}' is not in "
-                        f"{component.called}",
-                        "list the joint in the same block, or correct the name",
-                    )
+        for joint, transmission in driven_joints(component.at.all("transmission")):
+            name = joint.attributes.get("name")
+            if name and name.value not in listed and not is_expression(name.value):
+                yield Finding(
+                    name,
+                    f"{called(transmission)}: joint '{name.value}' is not in {component.called}",
+                    "list the joint in the same block, or correct the name",
+                )
 
 
 def _mimicked(context: Context) -> Findings:
@@ -121,25 +108,28 @@ def _of_controllers(context: Context) -> Findings:
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
     in_gazebo = bool(control_plugins(context.model))
-    for file, found in context.controllers:
-        named = [(controller, _joints(controller)) for controller in found]
-        any_known = any(value.text in known for _, values in named for value in values)
-        for controller, values in named:
-            is_of_robot = any(value.text in known for value in values)
-            for value in values:
-                if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
-                    continue
-                hint = suggester.hint(value.text)
-                is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
-                if is_of_robot or hint or not any_known:
-                    yield Finding(
-                        Location(value.span),
-                        f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
-                        "fix the name in the parameter file",
-                        related=(file.note,),
-                        group_key="" if hint else file.path,
-                        severity=None if is_certain else Severity.WARNING,
-                    )
+    named = [(file, one, _joints(one)) for file, one in context.controllers]
+    fitting = {file.path for file, _, values in named if _has_any(values, known)}
+    for file, controller, values in named:
+        is_of_robot = _has_any(values, known)
+        for value in values:
+            if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
+                continue
+            hint = suggester.hint(value.text)
+            is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
+            if is_of_robot or hint or file.path not in fitting:
+                yield Finding(
+                    Location(value.span),
+                    f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
+                    "fix the name in the parameter file",
+                    related=(file.note,),
+                    group_key="" if hint else file.path,
+                    severity=None if is_certain else Severity.WARNING,
+                )
+
+
+def _has_any(values: list[Value], names: set[str]) -> bool:
+    return any(value.text in names for value in values)
 
 
 def _is_prefixed(name: str, known: set[str]) -> bool:

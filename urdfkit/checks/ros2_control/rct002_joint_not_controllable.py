@@ -19,8 +19,6 @@ Sources:
     gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
 """
 
-from collections.abc import Iterator
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml, robot_xml
 from urdfkit.ros.catalog import ros_control
@@ -29,11 +27,9 @@ from urdfkit.ros.ros_control import (
     ROS1,
     ROS2,
     ControlPart,
-    called,
     components,
-    driven_joints,
+    joints_and_owners,
     parameter,
-    reads_transmissions,
 )
 from urdfkit.text.document import Element
 
@@ -69,22 +65,12 @@ def check(context: Context) -> Findings:
 
 def _fixed(context: Context) -> Findings:
     joints = context.model.joints_by_name
-    for element, owner in _driven(context):
+    for element, owner in joints_and_owners(context):
         joint = joints.get(element.get("name") or "")
-        if joint and joint.kind == "fixed":
+        if joint and joint.kind == "fixed" and not _is_of_a_vendor(element):
             message = f"{owner} has joint '{joint.name}', which is fixed"
             help = "change the type of the joint, or remove the joint here"
             yield Finding(element.attributes["name"], message, help, group_key="fixed")
-
-
-def _driven(context: Context) -> Iterator[tuple[Element, str]]:
-    for component in components(context.model):
-        for joint in component.joints:
-            yield joint.at, component.called
-    if context.model.transmissions and reads_transmissions(context.targets):
-        for element, transmission in driven_joints(context.model):
-            if not _is_of_a_vendor(element):
-                yield element, called(transmission)
 
 
 def _is_of_a_vendor(joint: Element) -> bool:

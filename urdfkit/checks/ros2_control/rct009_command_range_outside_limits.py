@@ -3,8 +3,8 @@
 - The range of a command interface exceeds the joint limit. From ROS 2 Jazzy on the narrower of the
   two counts; in Humble the hardware sees only `min` and `max`, and may drive the joint past its
   limit. Usually the limits were changed and `<ros2_control>` was not.
-- The range is empty: `min` is above `max` (error). From Jazzy on the resource manager clamps
-  commands into it.
+- The range is empty: `min` is above `max` (error), or equal to it. From Jazzy on the resource
+  manager clamps commands into it.
 - `initial_value`, at which simulated and mock hardware start, is outside the joint limits. The
   first command makes the joint jump, MoveIt does not plan from there ("start state out of bounds"),
   and Gazebo pushes the joint back with all its force.
@@ -111,14 +111,22 @@ def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
 
 def _is_empty(interface: Interface) -> bool:
     least, greatest = interface.bound("min"), interface.bound("max")
-    return least is not None and greatest is not None and least > greatest
+    if least is None or greatest is None:
+        return False
+    return least > greatest or least == greatest != 0
 
 
 def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     at = interface.parameter("min")
-    if at and _is_empty(interface):
-        least, greatest = interface.bound("min"), interface.bound("max")
-        message = f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}"
+    if at is None or not _is_empty(interface):
+        return
+    least, greatest = interface.bound("min"), interface.bound("max")
+    of = f"{part.kind} '{part.name}', {interface.name}"
+    if least == greatest:
+        message = f"{of}: min and max are both {least:g}"
+        yield Finding(at, message, "write the least value as min and the greatest as max")
+    else:
+        message = f"{of}: min {least:g} > max {greatest:g}"
         yield Finding(at, message, "swap min and max", severity=Severity.ERROR)
 
 

@@ -2,13 +2,15 @@
 
 Without the plugin nothing loads the hardware: the joints are not actuated and the controller
 manager does not answer. Two of them in one namespace start two controller managers of one name,
-and both drive the joints.
+and both drive the joints. A misspelt `<robotSimType>` of gazebo_ros_control is reported, too:
+"Failed to create robot simulation interface loader".
 
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
+from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
@@ -23,6 +25,10 @@ FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
 }
 
+#: What gazebo_ros_control simulates the hardware with, and the similarity of a typo.
+_DEFAULT = "gazebo_ros_control/DefaultRobotHWSim"
+_TYPO = 0.9
+
 
 @rule(
     Severity.WARNING,
@@ -32,6 +38,8 @@ FILES = {
 def check(context: Context) -> Findings:
     plugins = control_plugins(context.model)
     yield from _twice(plugins)
+    for plugin in plugins:
+        yield from _misspelt_simulation(plugin)
     if context.is_part:
         return
     if not plugins:
@@ -82,6 +90,15 @@ def _missing(context: Context) -> Findings:
             "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
             f"loads them ({control_plugin_libraries()['gazebo_ros_control']})",
         )
+
+
+def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
+    """A typo of the class that moves the joints of transmissions."""
+    kind = plugin.at.child("robotSimType")
+    text = kind.text.strip() if kind else ""
+    if kind is not None and text != _DEFAULT and nearest(text, (_DEFAULT,), _TYPO):
+        message = f"plugin {plugin.filename}: no class '{text}'; did you mean '{_DEFAULT}'?"
+        yield Finding(kind, message, f"write {_DEFAULT}")
 
 
 def _without_transmission(context: Context, plugin: ControlPlugin) -> Findings:

@@ -10,7 +10,8 @@ The parser of ros2_control throws an exception and the controller manager does n
 
 Reported as a warning are unknown elements in a joint, sensor or GPIO, which are ignored; an
 interface whose name is nearly a standard one, or that the simulator does not offer; a misspelt
-`initial_value`; and values of `min`, `max` and `initial_value` that are not numbers.
+`initial_value`, or one outside of a state interface; and values of `min`, `max` and `initial_value`
+that are not numbers.
 Interfaces with other names are legal, since hardware and controller agree on them. `<ec_module>` is
 read by the EtherCAT driver. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the
 same way.
@@ -57,13 +58,17 @@ def check(context: Context) -> Findings:
         yield from _elements(block)
         yield from _type(component)
         for transmission in block.all("transmission"):
-            for part in transmission.children:
-                if part.tag in ("joint", "actuator") and not part.get("role"):
-                    message = f"<{part.tag}> of a transmission has no role"
-                    yield Finding(part, message, f'add role="{part.tag}1"')
+            yield from _roles(transmission)
         yield from invalid_values(component)
     for finding in invalid_interfaces(context):
         yield finding._replace(severity=finding.severity or Severity.WARNING)
+
+
+def _roles(transmission: Element) -> Findings:
+    for part in transmission.children:
+        if part.tag in ("joint", "actuator") and not part.get("role"):
+            message = f"<{part.tag}> of a transmission has no role"
+            yield Finding(part, message, f'add role="{part.tag}1"')
 
 
 def _elements(block: Element) -> Findings:

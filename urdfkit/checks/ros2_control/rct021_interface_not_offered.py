@@ -62,11 +62,10 @@ _Offered = dict[str, set[str]]
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
-    read = [(file, one) for file, found in context.controllers for one in found]
-    yield from _without_command(context, read)
+    yield from _without_command(context)
     states = _offered(context, "state")
     free = _free(context)
-    for file, controller in read:
+    for file, controller in context.controllers:
         kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
@@ -74,16 +73,16 @@ def check(context: Context) -> Findings:
     yield from _without_state(context)
 
 
-def _without_command(context: Context, read: list[tuple[ParameterFile, Controller]]) -> Findings:
+def _without_command(context: Context) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
     free = _free(context)
     served = {  # another controller of the file is for these joints as they are
         (file.path, value.text)
-        for file, one in read
+        for file, one in context.controllers
         for value in commanded_joints(one)
         if commands(one) and by_ros[one.ros].get(value.text, set()).issuperset(commands(one))
     }
-    for file, one in read:
+    for file, one in context.controllers:
         joints = [value for value in commanded_joints(one) if (file.path, value.text) not in served]
         by_itself = free if one.ros == 2 else frozenset()
         needed, offered = commands(one), by_ros[one.ros]
@@ -166,7 +165,7 @@ def _transmitted(context: Context) -> _Offered:
     if not any(plugin.kind == _OF_ROS1 for plugin in control_plugins(context.model)):
         return {}
     offered: _Offered = {}
-    for joint, _ in driven_joints(context.model):
+    for joint, _ in driven_joints(context.model.transmissions):
         for interface in joint.all("hardwareInterface"):
             name = interface.text.strip().removeprefix("hardware_interface/")
             if name in _INTERFACES:

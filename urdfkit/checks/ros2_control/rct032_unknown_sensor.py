@@ -68,19 +68,17 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:
         return  # the file may be for another robot, too, and nothing start the broadcaster
-    for file, found in context.controllers:
-        for controller in found:
-            for value in controller.values(["sensor_name"]):
-                name = value.text
-                is_named = name and not is_expression(name)
-                if controller.type not in _BROADCASTERS or not is_named:
-                    continue
-                if all(part.name != name for part in parts):
-                    yield Finding(
-                        Location(value.span),
-                        f"controller '{controller.name}': sensor '{name}' does not exist in "
-                        f"<ros2_control>{did_you_mean(name, known)}",
-                        "use the name of a <sensor> in <ros2_control>",
-                        related=(file.note,),
-                        confidence=Confidence.INFERRED,
-                    )
+    exported = {part.name for part in parts}
+    for file, controller in context.controllers:
+        values = controller.values(["sensor_name"]) if controller.type in _BROADCASTERS else []
+        for value in values:
+            name = value.text
+            if name and not is_expression(name) and name not in exported:
+                yield Finding(
+                    Location(value.span),
+                    f"controller '{controller.name}': sensor '{name}' does not exist in "
+                    f"<ros2_control>{did_you_mean(name, known)}",
+                    "use the name of a <sensor> in <ros2_control>",
+                    related=(file.note,),
+                    confidence=Confidence.INFERRED,
+                )

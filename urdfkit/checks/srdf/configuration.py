@@ -13,6 +13,8 @@ from urdfkit.ros.moveit.config import (
     joint_entries,
     misplaced_controllers,
     names_without_settings,
+    planner_entries,
+    planning_plugins,
 )
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
@@ -41,9 +43,22 @@ _MANAGERS = (
     "moveit_ros_control_interface/Ros2ControlMultiManager",
     "moveit_simple_controller_manager/MoveItSimpleControllerManager",
 )
+_PLANNERS = (
+    "chomp_interface/CHOMPPlanner",
+    "ompl_interface/OMPLPlanner",
+    "pilz_industrial_motion_planner/CommandPlanner",
+    "stomp_moveit/StompPlanner",
+)
+#: The planners of OMPL for which MoveIt brings a configuration, NAMEkConfigDefault.
+_OF_OMPL = (
+    "BFMT", "BKPIECE", "BiEST", "BiTRRT", "EST", "FMT", "KPIECE", "LBKPIECE", "LBTRRT", "LazyPRM",
+    "LazyPRMstar", "PDST", "PRM", "PRMstar", "ProjEST", "RRT", "RRTConnect", "RRTstar", "SBL",
+    "SPARS", "SPARStwo", "STRIDE", "TRRT",
+)  # fmt: skip
 #: The plugins of IKFast are named after the robot, and are similar.
 _OF_ROBOTS = "IKFast"
 _SOLVER_TYPO = 0.93
+_PLANNER_TYPO = 0.8
 
 #: Groups that a help names.
 _NAMED = 8
@@ -54,6 +69,7 @@ def unknown_names(context: Context, srdf: Srdf) -> Findings:
     yield from _joint_limits(context)
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
+    yield from _planners(context, srdf)
     yield from _controllers(context, srdf)
 
 
@@ -106,6 +122,21 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
             message = f"group '{entry.name}': {hint}"
             yield Finding(Location(solver.span), message, f"write {suggested}")
+
+
+def _planners(context: Context, srdf: Srdf) -> Findings:
+    """Planners of a group that are misspelt, and misspelt plugins of a planning pipeline."""
+    for name, defined in planner_entries(srdf, context.resolver):
+        known = {*defined, *(f"{one}kConfigDefault" for one in _OF_OMPL)}
+        meant = None if name.text in known else nearest(name.text, sorted(known), _PLANNER_TYPO)
+        if meant:
+            message = f"planner '{name.text}' is not in planner_configs; did you mean '{meant}'?"
+            yield Finding(Location(name.span), message, f"write {meant}", severity=Severity.WARNING)
+    for plugin in planning_plugins(srdf, context.resolver):
+        meant = nearest(plugin.text, _PLANNERS, _PLANNER_TYPO)
+        if meant and plugin.text != meant:
+            message = f"unknown planning plugin '{plugin.text}'; did you mean '{meant}'?"
+            yield Finding(Location(plugin.span), message, f"write {meant}")
 
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:

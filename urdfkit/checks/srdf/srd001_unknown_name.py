@@ -10,6 +10,8 @@
   limits of the URDF and no bound on acceleration.
 - `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
+- `ompl_planning.yaml` with a misspelt planner of a group (warning): "Could not find the planner
+  configuration"; or a misspelt planning plugin: "Exception while loading planner".
 - `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
   group cannot be moved to a pose.
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
@@ -33,12 +35,15 @@ Sources:
     MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
     ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
     MoveIt, moveit_simple_controller_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_plugins/moveit_simple_controller_manager/src/moveit_simple_controller_manager.cpp
+    moveit/moveit#955: https://github.com/moveit/moveit/issues/955
+    moveit/moveit_planners#6: https://github.com/moveit/moveit_planners/issues/6
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.trajectory_controllers import unfit_controllers
 from urdfkit.core.suggest import Suggester
+from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -71,13 +76,13 @@ def check(context: Context) -> Findings:
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
-            yield _unknown(kind, attribute, known)
+            yield _unknown(context, kind, attribute, known)
     links = srdf.known("link")
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):
             name = pair.attributes.get(key)
             if name is not None and name.value not in links:
-                yield _unknown("link", name, links)._replace(
+                yield _unknown(context, "link", name, links)._replace(
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
                 )
@@ -86,9 +91,13 @@ def check(context: Context) -> Findings:
     yield from unfit_controllers(context, srdf)
 
 
-def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
+def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> Finding:
     known = known - _siblings(name)
-    fix = fix_value(name, Suggester(known).suggested(name.value))
+    suggested = Suggester(known).suggested(name.value)
+    model = context.model
+    defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
+    fix = corrected_definition(context, defined, name.value) if kind != "group" else None
+    fix = fix or fix_value(name, suggested)
     message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
     return Finding(name, message, fix=fix, group_key=name.value if fix else kind)
 

@@ -19,6 +19,7 @@ from collections.abc import Iterator
 from urdfkit.checks.srdf.solvable_groups import unsolvable_groups
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.tree import closed_loops
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 
@@ -50,42 +51,26 @@ def _chains(srdf: Srdf) -> Findings:
     for group in srdf.groups:
         for chain in group.all("chain"):
             base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
-            if base in links and tip in links and srdf.chain(base, tip) is None:
+            if base in links and tip in links and srdf.joints_between(base, tip) is None:
                 who = f"group '{group.get('name')}'"
                 message = f"{who}: tip link '{tip}' is not a descendant of base link '{base}'"
                 yield Finding(chain, message, "swap base and tip, or name links of one branch")
 
 
 def _cycles(srdf: Srdf) -> Iterator[list[str]]:
-    """The paths of groups and subgroups that lead back, one from each first name."""
-    done: set[str] = set()
+    """The groups of each cycle from the first name on; one cycle for each first name."""
     reported: set[str] = set()
-    for start in srdf.groups_by_name:
-        if start in done:
-            continue
-        path, left = [start], [_subgroups(start, srdf)]
-        places = {start: 0}
-        while path:
-            inner = next(left[-1], None)
-            if inner is None:
-                left.pop()
-                last = path.pop()
-                del places[last]
-                done.add(last)
-            elif inner in places:
-                cycle = path[places[inner] :]
-                first = min(cycle)
-                if first not in reported:
-                    reported.add(first)
-                    at = cycle.index(first)
-                    yield cycle[at:] + cycle[:at]
-            elif inner not in done:
-                places[inner] = len(path)
-                path.append(inner)
-                left.append(_subgroups(inner, srdf))
+    for cycle in closed_loops(srdf.groups_by_name, lambda name: _subgroups(name, srdf)):
+        first = min(cycle)
+        if first not in reported:
+            reported.add(first)
+            at = cycle.index(first)
+            yield [*cycle[at:], *cycle[:at]]
 
 
-def _subgroups(name: str, srdf: Srdf) -> Iterator[str]:
+def _subgroups(name: str, srdf: Srdf) -> Iterator[tuple[str, str]]:
+    """The subgroups of a group, each also as the edge of the graph that leads to it."""
     for element in srdf.groups_by_name.get(name, ()):
         for child in element.all("group"):
-            yield child.get("name") or ""
+            inner = child.get("name") or ""
+            yield inner, inner

@@ -9,6 +9,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.text.file_kinds import is_list_of_joints
 from urdfkit.text.grammar import owner
 
 BAD = '<robot name="cart">\n</robot>\n'
@@ -27,5 +28,5 @@ def check(context: Context) -> Findings:
         return
     if root.child("webots"):
         return  # the driver's settings for a robot whose links are in the world of Webots
-    severity = Severity.INFO if context.is_list_of_joints else None
+    severity = Severity.INFO if is_list_of_joints(root) else None
     yield Finding(root, f"{owner(root)} has no link", severity=severity)

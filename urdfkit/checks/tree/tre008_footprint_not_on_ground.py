@@ -61,10 +61,13 @@ def check(context: Context) -> Findings:
         if joints and (lowest := _lowest(tree, name, robot)):
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
-            lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
+            gaps = _gaps(tree, name, robot, height)
+            lifted_wheels = _lifted_wheels(gaps, link)
             rise = round(-height, 4)
-            is_too_low = is_known and not lifted_wheels and tree.children[name] == joints[:1]
-            is_too_low = is_too_low and abs(rise) <= _MAX_RISE
+            is_too_low = is_known and tree.children[name] == joints[:1]
+            # Of wheels that do not all reach the ground, it is unknown which is the wrong one.
+            is_level = max(gaps.values(), default=0.0) < TOLERANCE
+            is_too_low = is_too_low and is_level and abs(rise) <= _MAX_RISE
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
@@ -130,16 +133,14 @@ def _lowest(
     return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
 
 
-def _lifted_wheels(
-    tree: KinematicTree, footprint: str, robot: list[str], lowest: str, height: float
-) -> str:
-    """That wheels do not reach the ground, since another link reaches lower; empty if they do.
+def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
+    """How far each wheel ends above the lowest point, in m, by the name of its link.
 
-    Wheels turn without end about a level axis, and there are two or more at one height.
+    Wheels turn without end about a level axis.
 
     Args:
         robot: names of the links that count.
-        height: of its lowest point over the footprint, in m.
+        height: of the lowest point over the footprint, in m.
     """
     ground = tree.frames[footprint]
     up = _column(ground.rotation, 2)
@@ -156,6 +157,14 @@ def _lifted_wheels(
             if bottom is not None:
                 gap = bottom - dot(up, ground.position) - height
                 gaps[name] = min(gap, gaps.get(name, gap))
+    return gaps
+
+
+def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
+    """That wheels do not reach the ground, since another link reaches lower; empty if they do.
+
+    There are two or more at one height.
+    """
     least = min(gaps.values(), default=0.0)
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
     if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:

@@ -86,11 +86,3 @@ def world_file(name: str, context: Context) -> str | None:
     ending = f"/{os.path.normpath(name)}"
     found = [path for path in files if path.endswith(ending)]
     return found[0] if len(found) == 1 else None
-
-
-def robots(context: Context) -> Iterator[Context]:
-    """The robots that a launch file describes and that can be expanded."""
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            yield robot

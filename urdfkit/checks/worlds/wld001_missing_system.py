@@ -23,7 +23,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
+from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
@@ -76,7 +76,7 @@ def check(context: Context) -> Findings:
         return
     needed = _needed(context)
     models = Models(context.resolver, context.source.path)
-    robot_files = [use.filename for robot in robots(context) for use in robot.plugins]
+    robot_files = [use.filename for _, robot in context.described_robots for use in robot.plugins]
     for opened in opened_worlds(context):
         if opened.path and opened.world is None:
             continue
@@ -118,7 +118,7 @@ def _needed(context: Context) -> list[tuple[Plugin, Sensor]]:
     """The systems that sensors of the robots need, each with the first of these sensors."""
     found: dict[str, tuple[Plugin, Sensor]] = {}
     systems = [one for one in all_plugins() if one.generation == GZ and "world" in one.kinds]
-    for robot in robots(context):
+    for _, robot in context.described_robots:
         for sensor in sensors(robot.model):
             kind = types().get(sensor.type)
             name = (kind.gz_name or sensor.type) if kind and kind.gz else ""
@@ -145,7 +145,7 @@ def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[s
 
 
 def _wanted(context: Context, opened: OpenedWorld) -> Iterator[str]:
-    if any(True for _ in robots(context)):
+    if any(True for _ in context.described_robots):
         yield "Physics"
     if any(map(spawner_of, (*context.launch.started, *context.launch.included))):
         yield "UserCommands"

@@ -4,6 +4,7 @@
 - The `<world>` has no name, or its `<max_step_size>` is not above 0 (error).
 - A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and the like are for Gazebo
   Classic, `gz-sim-...-system` for gz sim. It is not loaded, which Gazebo reports once (warning).
+  If that is true of all, the launch file starts the world in the wrong Gazebo.
 - The library or the class of a plugin is misspelt: `name` is the class in gz sim (error).
 - A render engine that does not exist: no camera and no lidar gives data (error). `ogre`, the older
   one, has no segmentation and no bounding box camera: use `ogre2`, the default (warning).
@@ -26,7 +27,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
+from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
@@ -61,6 +62,8 @@ FILES = {
     "worlds/good.sdf": _WORLD % b"Physics",
 }
 
+#: Gazebo Classic and gz-sim.
+_TITLES = ("Gazebo Classic", TITLES[GZ])
 #: What only Gazebo Classic has, by the name of the library.
 _CLASSIC = re.compile(r"(lib)?gazebo_ros_\w+(\.so)?$")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
@@ -77,7 +80,7 @@ def check(context: Context) -> Findings:
             yield from _unreadable(opened)
         elif opened.world is not None:
             yield from _values(opened, opened.world)
-            yield from _plugins(opened, opened.world)
+            yield from _of_other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
             yield from _engines(context, opened)
@@ -114,23 +117,40 @@ def _values(opened: OpenedWorld, world: World) -> Findings:
             yield Finding(step, message, "write 0.001", related=opened.note)
 
 
+def _of_other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
+    """A world all of whose plugins are for the other Gazebo: what is wrong is who starts it."""
+    is_gz = opened.started.generation == GZ
+    kinds = [_is_of_gz(plugin) for plugin in world.plugins]
+    if len(kinds) < 2 or any(kind != {not is_gz} for kind in kinds):
+        return []
+    other, own = (_TITLES[is_one] for is_one in (not is_gz, is_gz))
+    message = f"{opened.title} is for {other}, and is started in {own}, which loads none of its "
+    message += f"{len(kinds)} plugins"
+    place = Location(opened.started.span, opened.started.frame)
+    help = f"start it in {other}, or name a world for {own}"
+    return [Finding(place, message, help, severity=Severity.WARNING)]
+
+
+def _is_of_gz(plugin: Element) -> set[bool]:
+    """Whether a plugin is for gz sim; both where either has it, and empty if it is unknown."""
+    file = (plugin.get("filename") or "").strip()
+    found = {one.generation == GZ for one in find(file)}
+    return found or ({False} if _CLASSIC.match(file) else set())
+
+
 def _plugins(opened: OpenedWorld, world: World) -> Findings:
     is_gz = opened.started.generation == GZ
     for plugin in world.plugins:
         at = plugin.attributes.get("filename")
         file = (at.value if at else "").strip()
-        known = find(file)
-        is_of_gz = {one.generation == GZ for one in known} or (
-            {False} if _CLASSIC.match(file) else set()
-        )
+        is_of_gz = _is_of_gz(plugin)
         title = f"plugin '{plugin.get('name') or ''}' ({file})"
         if at is not None and not is_of_gz and (suggested := misspelt(file)):
             message = f"{title}: unknown plugin library"
             help = f"did you mean '{suggested}'?"
             yield Finding(at, message, help, related=opened.note)
         elif at is not None and is_of_gz and is_gz not in is_of_gz:
-            other = "Gazebo Classic" if is_gz else TITLES[GZ]
-            own = TITLES[GZ] if is_gz else "Gazebo Classic"
+            other, own = _TITLES[not is_gz], _TITLES[is_gz]
             yield Finding(
                 at,
                 f"{title} is for {other}, and {opened.title} is started in {own}: it is not loaded",
@@ -200,7 +220,7 @@ def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
 
 
 def _lacking(context: Context, kinds: list[str]) -> Iterator[Sensor]:
-    for robot in robots(context) if kinds else ():
+    for _, robot in context.described_robots if kinds else ():
         yield from (one for one in sensors(robot.model) if one.type in kinds)
 
 

@@ -16,7 +16,7 @@ Sources:
     ROS, base_footprint: https://www.ros.org/reps/rep-0120.html#base-footprint
 """
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
+from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
 from urdfkit.robot.stability import is_freestanding, standing
@@ -69,7 +69,7 @@ TOLERANCE, DEEP = 0.01, 0.1
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     found = list(opened_worlds(context))
-    described = list(robots(context))
+    described = [robot for _, robot in context.described_robots]
     starts = {one.span for one in worlds(context.launch)}
     if not len(found) == len(described) == len(starts) == 1:
         return  # which robot is spawned where is not known

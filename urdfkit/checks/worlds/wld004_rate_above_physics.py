@@ -14,7 +14,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import opened_worlds, robots
+from urdfkit.checks.worlds.opened import opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.robot.values import number
@@ -71,7 +71,7 @@ def check(context: Context) -> Findings:
 
 def _rates(context: Context) -> Iterator[tuple[float, Location, str]]:
     """What runs in Gazebo: rates in Hz, where they are written, and whose they are."""
-    for robot in robots(context):
+    for _, robot in context.described_robots:
         for _, section in managers(robot):
             for value in section.values("update_rate"):
                 if rate := number(value.text):

@@ -13,6 +13,8 @@ Sources:
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Severity, reported, rule
+from urdfkit.text.document import Attribute, Element
+from urdfkit.text.file_kinds import is_extension
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="${side}_arm"/>'
@@ -32,7 +34,7 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 def check(context: Context) -> Findings:
     for finding in reported(context, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
-        lowered = Severity.INFO if context.is_extension else Severity.WARNING
+        lowered = Severity.INFO if is_extension(context.document.root) else Severity.WARNING
         yield finding._replace(help=help, severity=lowered)
     data = context.source.data
     if context.reading.xacro or (b"${" not in data and b"$(" not in data):
@@ -40,12 +42,16 @@ def check(context: Context) -> Findings:
     for element in context.document.root.walk():
         for attribute in element.attributes.values():
             if is_expression(attribute.value):
-                message = f'{attribute.name}="{attribute.value}" is not expanded'
-                # xacro, if a launch file runs it, knows these without its namespace.
-                severity = None if "${" in attribute.value else Severity.WARNING
-                yield Finding(attribute, message, severity=severity)
-        if not element.children and _is_of_xacro(element.text):
-            yield Finding(element, f"<{element.tag}>{element.text.strip()} is not expanded")
+                yield _unexpanded(attribute, f'{attribute.name}="{attribute.value}"')
+        text = element.text.strip()
+        if not element.children and _is_of_xacro(text):
+            yield _unexpanded(element, f"<{element.tag}>{text}")
+
+
+def _unexpanded(at: Attribute | Element, text: str) -> Finding:
+    # xacro, if a launch file runs it, knows $(...) without its namespace.
+    severity = None if "${" in text else Severity.WARNING
+    return Finding(at, f"{text} is not expanded", severity=severity)
 
 
 def _is_of_xacro(text: str) -> bool:

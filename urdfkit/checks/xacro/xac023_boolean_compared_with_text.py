@@ -35,26 +35,26 @@ _COMPARED = rb"""^[\s(]*([A-Za-z_]\w*)\s*(==|!=)\s*'(?:[Tt]rue|[Ff]alse)'[\s)]*$
 @rule(Severity.WARNING, needs=(Need.XACRO,), help="write ${NAME} or ${not NAME}")
 def check(context: Context) -> Findings:
     for source in context.xacro.sources:
-        for name, operator, span in _compared(source):
+        for name, operator, span in _comparisons(source, _COMPARED):
             if not _is_text(name, context):
                 result = "False" if operator == "==" else "True"
                 message = f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'"
                 yield Finding(Location(span), message)
-        for name, word, span in _texts(source):
+        for name, word, span in _comparisons(source, _TEXTS):
             default = _default(name, context)
             if word != default and word.lower() == default.lower():
                 message = f"'{word}' is never equal to '{default}', the default of '{name}'"
                 yield Finding(Location(span), message, f"write $(arg {name}) alone, or '{default}'")
 
 
-def _texts(source: Source) -> Iterator[tuple[str, str, Span]]:
-    """The arguments that conditions compare as texts, the texts, and the comparisons."""
+def _comparisons(source: Source, pattern: bytes) -> Iterator[tuple[str, str, Span]]:
+    """The two groups of a pattern in the conditions that it matches, and the conditions."""
     if b"rue'" not in source.data and b"alse'" not in source.data:
         return
     for condition in re.finditer(_CONDITION, bytes(blank_comments(source.data))):
-        if found := re.match(_TEXTS, condition.group(1)):
-            name, word = found.group(1).decode(), found.group(2).decode()
-            yield name, word, Span(source, *condition.span(1))
+        if found := re.match(pattern, condition.group(1)):
+            first, second = (group.decode() for group in found.groups())
+            yield first, second, Span(source, *condition.span(1))
 
 
 def _default(name: str, context: Context) -> str:
@@ -62,16 +62,6 @@ def _default(name: str, context: Context) -> str:
     pattern = _DEFAULT.format(name).encode()
     found = {one for source in context.xacro.sources for one in re.findall(pattern, source.data)}
     return found.pop().decode() if len(found) == 1 else ""
-
-
-def _compared(source: Source) -> Iterator[tuple[str, str, Span]]:
-    """The names that conditions compare with texts for booleans, and the comparisons."""
-    if b"rue'" not in source.data and b"alse'" not in source.data:
-        return
-    for condition in re.finditer(_CONDITION, bytes(blank_comments(source.data))):
-        if found := re.match(_COMPARED, condition.group(1)):
-            place = Span(source, *condition.span(1))
-            yield found.group(1).decode(), found.group(2).decode(), place
 
 
 def _is_text(name: str, context: Context) -> bool:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import SEED, in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 @one_robot
 @posed
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
-@click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
+@SEED
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @click.option(
     "--srdf", metavar="FILE", help="Write the matrix to FILE, or update the matrix in it."

@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, limited, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -34,7 +34,7 @@ from urdfkit.text.source import shown
 )
 @click.option("--most", type=int, default=8, metavar="N", help="Maximum number of convex pieces.")
 @click.option("--write", is_flag=True, help="Write the collisions and their mesh files.")
-@click.option("--diff", is_flag=True, help="Show what --write would change.")
+@DIFF
 @COLOR
 @one_robot
 @limited

@@ -12,6 +12,7 @@ from urdfkit.mesh.geometry import Mesh, NoTriangles
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts
 from urdfkit.mesh.io.sniff import sniff
+from urdfkit.text.source import why_unreadable
 
 
 class UnloadableMesh(UrdfkitError):
@@ -74,7 +75,7 @@ def read_bytes(path: str) -> bytes:
             raise UnloadableMesh(path, f"has {size // 1024**2} MiB, more than the {limit} read")
         return disk.read(path, MAX_BYTES)
     except OSError as error:
-        raise UnloadableMesh(path, f"cannot be read: {error.strerror or error}") from error
+        raise UnloadableMesh(path, why_unreadable(path, error)) from error
     except ValueError as error:
         raise UnloadableMesh(path, "cannot be read: its name holds a NUL") from error
 

@@ -134,24 +134,20 @@ class _ColladaReader:
                 self._losses.add("geometry reference* to nothing")
                 continue
             self._placed = True
-            materials = self._bound(instance)
-            for surface in self._geometries.surfaces(geometry):
-                part = self._part(surface, materials)
-                if part is not None:
-                    moved = transformed(part, matrix @ bound)
-                    if np.isfinite(moved.vertices).all():
-                        yield moved
-                    else:
-                        self._losses.add("surface* that a node moves to infinity")
+            for part in self._parts(geometry, self._bound(instance)):
+                moved = transformed(part, matrix @ bound)
+                if np.isfinite(moved.vertices).all():
+                    yield moved
+                else:
+                    self._losses.add("surface* that a node moves to infinity")
 
     def _unplaced(self) -> Iterator[MeshPart]:
         """Every geometry of a file that has lost its scene, where its vertices are."""
         for library in children(self._tree.root, "library_geometries"):
             for geometry in children(library, "geometry"):
                 self._losses.add("geometry* whose place in the scene is not in the file")
-                for surface in self._geometries.surfaces(geometry):
-                    part = self._part(surface, {})
-                    if part is not None and np.isfinite(part.vertices).all():
+                for part in self._parts(geometry, {}):
+                    if np.isfinite(part.vertices).all():
                         yield part
 
     def _geometry(self, instance: Element) -> tuple[Element | None, Floats]:
@@ -180,6 +176,14 @@ class _ColladaReader:
             else:
                 found.setdefault(binding.get("symbol", ""), (material, binding))
         return found
+
+    def _parts(
+        self, geometry: Element, materials: dict[str, tuple[ColladaMaterial, Element]]
+    ) -> Iterator[MeshPart]:
+        for surface in self._geometries.surfaces(geometry):
+            part = self._part(surface, materials)
+            if part is not None:
+                yield part
 
     def _part(
         self, surface: ColladaTriangles, materials: dict[str, tuple[ColladaMaterial, Element]]

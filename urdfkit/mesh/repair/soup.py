@@ -7,7 +7,7 @@ import numpy as np
 from urdfkit.core.record import Record
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.grouping import distinct
-from urdfkit.mesh.welding import finite, weld
+from urdfkit.mesh.welding import weld_finite
 
 
 class TriangleSoup(Record):
@@ -59,9 +59,7 @@ def soup_of(mesh: Mesh) -> TriangleSoup:
     """The triangles of a mesh; those with a corner that is not finite are left out."""
     vertices, faces = mesh.vertices, mesh.faces
     parts = np.repeat(np.arange(len(mesh.parts)), [len(part.faces) for part in mesh.parts])
-    is_finite = finite(vertices)
-    good = is_finite[faces].all(axis=1)
-    points, welded_faces = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
+    points, welded_faces, good = weld_finite(vertices, faces)
     return TriangleSoup(points, welded_faces, faces[good], parts[good])
 
 

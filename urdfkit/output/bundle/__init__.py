@@ -85,27 +85,9 @@ class Bundle:
 
     def _files(self) -> Iterator[BundledFile]:
         names: dict[str, str] = {}  # in the bundle, by path
-        stems, model = FreeNames(), self._robot.model
-        visuals = {
-            self._paths[id(body.shape.filename)]
-            for link in model.links
-            for body in link.visuals
-            if body.shape and body.shape.filename
-        }
-        for reference in mesh_references(model):
-            path = self._paths[id(reference)]
-            if path not in names:
-                files = mesh_files(self._robot, reference, path, self._consumer, stems, visuals)
-                for number, file in enumerate(files):
-                    if not number:
-                        names[path] = file.path
-                    yield file
-        for reference in texture_references(model):
-            path = self._paths[id(reference)]
-            if path not in names:
-                suffix = os.path.splitext(path)[1]
-                names[path] = f"textures/{stems.take_stem(path)}{suffix}"
-                yield BundledFile(names[path], disk.read(path), path)
+        stems = FreeNames()
+        yield from self._meshes(names, stems)
+        yield from self._textures(names, stems)
         prefix = f"package://{self.name}/" if self._consumer.is_package else ""
 
         def new_name(reference: Placed[str]) -> str:
@@ -117,6 +99,33 @@ class Bundle:
         if self._consumer.is_package:
             directories = {path.partition("/")[0] for path in (*names.values(), self.urdf)}
             yield from package_files(self.name, self._robot, sorted(directories))
+
+    def _meshes(self, names: dict[str, str], stems: FreeNames) -> Iterator[BundledFile]:
+        """The mesh files; their names in the bundle are added to ``names``."""
+        model = self._robot.model
+        visuals = {
+            self._paths[id(body.shape.filename)]
+            for link in model.links
+            for body in link.visuals
+            if body.shape and body.shape.filename
+        }
+        for reference in mesh_references(model):
+            path = self._paths[id(reference)]
+            if path not in names:
+                files = mesh_files(self._robot, reference, path, self._consumer, stems, visuals)
+                mesh = next(files)  # what comes after it are its materials and images
+                names[path] = mesh.path
+                yield mesh
+                yield from files
+
+    def _textures(self, names: dict[str, str], stems: FreeNames) -> Iterator[BundledFile]:
+        """The images; their names in the bundle are added to ``names``."""
+        for reference in texture_references(self._robot.model):
+            path = self._paths[id(reference)]
+            if path not in names:
+                suffix = os.path.splitext(path)[1]
+                names[path] = f"textures/{stems.take_stem(path)}{suffix}"
+                yield BundledFile(names[path], disk.read(path), path)
 
     def _manifest(self) -> dict[str, Any]:
         return {

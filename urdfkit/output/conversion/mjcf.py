@@ -9,7 +9,6 @@ from typing import Any
 import mujoco
 
 from urdfkit.core import atomic
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
@@ -17,6 +16,7 @@ from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, rejections
+from urdfkit.output.conversion.mjcf_proof import prove
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.mjcf_srdf import (
     add_keyframes,
@@ -24,8 +24,7 @@ from urdfkit.output.conversion.mjcf_srdf import (
     exclude_neighbours,
 )
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.output.conversion.proof import prove
-from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.output.conversion.result import REPORT, Conversion, proven
 
 _LOST = "MJCF has nothing like it"
 _REASONS = {
@@ -49,11 +48,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
             add_keyframes(made, robot)
         _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
-        proof = prove(model, robot)
-        if not proof.holds:
-            raise UrdfkitError(
-                f"MuJoCo and {proof.engine} do not agree on the robot: {proof.differences}"
-            )
+        proof = proven(prove(model, robot))
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)

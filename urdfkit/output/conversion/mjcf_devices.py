@@ -93,7 +93,7 @@ def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
     Of several interfaces the first counts, but velocity for wheels.
     """
     wheels = {joint.name for joint in robot.model.joints if joint.kind == "continuous"}
-    for element, transmission in driven_joints(robot.model):
+    for element, transmission in driven_joints(robot.model.transmissions):
         name = element.get("name") or ""
         interface = element.child("hardwareInterface")
         text = (interface.text if interface else "").lower()

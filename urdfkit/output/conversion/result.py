@@ -10,6 +10,7 @@ from typing import Any, Protocol
 from urdfkit import __version__
 from urdfkit.core import atomic
 from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.losses import Entry, Result
 from urdfkit.text.source import shown
 
@@ -31,7 +32,23 @@ class Proof(Protocol):
         """What the proof shows, if it holds; a sentence."""
         ...
 
+    @property
+    def disagreed(self) -> str:
+        """What it shows, if it does not hold: a sentence with the differences."""
+        ...
+
     def _asdict(self) -> dict[str, Any]: ...
+
+
+def proven(proof: Proof) -> Proof:
+    """A proof that holds.
+
+    Raises:
+        UrdfkitError: it does not.
+    """
+    if not proof.holds:
+        raise UrdfkitError(proof.disagreed)
+    return proof
 
 
 class Conversion(Record):

@@ -21,7 +21,7 @@ from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.sdf_extensions import set_value
 from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, record_losses
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
@@ -53,9 +53,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         model = SdfModel(conversion, names)
         write_files(_files(robot, model), directory)
         sdf = Sdf(Source.read(os.path.join(directory, MODEL)))
-        proof = prove(sdf, robot, conversion)
-        if not proof.holds:
-            raise UrdfkitError(f"the SDF does not agree with the robot: {proof.differences}")
+        proof = proven(prove(sdf, robot, conversion))
         losses = LossTable()
         record_losses(losses, conversion, model, bundle)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, REASONS))

@@ -10,7 +10,7 @@ from urdfkit.output.conversion.sdf_extensions import TAKERS, GazeboBlock
 from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.model import Body, Joint, Link, Material
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.document import Attribute, Element
@@ -95,16 +95,19 @@ def _shapes(losses: LossTable, conversion: SdfConversion, model: SdfModel) -> No
             for body in (*one.collisions, *one.visuals):
                 _shape(losses, body, names[id(body.at)], frame)
             for body in one.visuals:
-                if id(body.at) in model.coloured and body.material is not None:
-                    material = colours.of(body)
-                    assert material is not None
-                    losses.keep(body.material.at, "colour of the visual")
-                    losses.keep(material.at, "colour of visuals")
-                    losses.approximate(
-                        material.at.child("color"), "diffuse and ambient, 1.25 times as bright"
-                    )
-                elif body.material is not None and colours.of(body) is not None:
-                    losses.lose(body.material.at, "the visual has the material of a <gazebo>")
+                _colour(losses, body, colours.of(body), model)
+
+
+def _colour(losses: LossTable, body: Body, defined: Material | None, model: SdfModel) -> None:
+    """What becomes of the material of a visual, of which ``defined`` has the colour."""
+    if body.material is None or defined is None:
+        return
+    if id(body.at) not in model.coloured:
+        losses.lose(body.material.at, "the visual has the material of a <gazebo>")
+        return
+    losses.keep(body.material.at, "colour of the visual")
+    losses.keep(defined.at, "colour of visuals")
+    losses.approximate(defined.at.child("color"), "diffuse and ambient, 1.25 times as bright")
 
 
 def _shape(losses: LossTable, body: Body, name: str, frame: Transform) -> None:
@@ -173,21 +176,27 @@ def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -
         losses.lose(block, _nothing(reference, joint, conversion))
         return
     losses.keep(block, "its parts")
+    is_fixed = joint is not None and joint.kind == "fixed"
     for child in block.children:
-        taker = TAKERS.get(child.tag, child.tag if child.tag in ("visual", "collision") else "")
-        if child.tag in KEEPING_TAGS:
-            is_read = joint is not None and joint.kind == "fixed"
-            taker = "joint" if is_read else ""
-        if child.tag == "canonicalBody" or (child.tag in KEEPING_TAGS and not taker):
+        if child.tag == "canonicalBody" or (child.tag in KEEPING_TAGS and not is_fixed):
             losses.lose(child, "sdformat ignores it")
-        elif taker and taker not in one.takers and child.tag not in KEEPING_TAGS:
+            continue
+        is_shape = child.tag in ("visual", "collision")
+        taker = TAKERS.get(child.tag, child.tag if is_shape else "")
+        if child.tag in KEEPING_TAGS:
+            taker = "joint"
+        elif taker and taker not in one.takers:
             whom = _FOR.get(taker, "the model")
             losses.lose(child, f"it is for {whom}, and none of '{reference}' takes it")
-        else:
-            for element in child.walk():
-                losses.keep(element, "as written" if not taker else f"of the {taker}")
-                for attribute in element.attributes.values():
-                    losses.keep(attribute, "as written")
+            continue
+        _keep_all(losses, child, f"of the {taker}" if taker else "as written")
+
+
+def _keep_all(losses: LossTable, root: Element, what: str) -> None:
+    for element in root.walk():
+        losses.keep(element, what)
+        for attribute in element.attributes.values():
+            losses.keep(attribute, "as written")
 
 
 def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:

@@ -5,11 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import (
-    Transform,
-    length,
-    minus,
-)
+from urdfkit.core.spatial import Transform, length, minus
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.random_poses import random_poses
 from urdfkit.output.conversion.sdf_reader import Sdf, pose, text
@@ -46,7 +42,6 @@ class SdfProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True if all differences are within the bounds."""
         is_placed = max(self.frames, self.shapes) <= LENGTH and not self.missing
         away, part = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
         is_heavy = self.masses <= PART and self.centers <= away and self.inertia <= part
@@ -54,13 +49,12 @@ class SdfProof(Record):
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds."""
         return "the SDF agrees with the robot on frames, shapes, masses, inertia, joints and limits"
 
     @property
-    def differences(self) -> str:
-        """The differences in words."""
+    def disagreed(self) -> str:
         return (
+            "the SDF does not agree with the robot: "
             f"frames {self.frames:.2g} m ('{self.part}'), masses {self.masses:.2g}, centres "
             f"{self.centers:.2g} m, inertia {self.inertia:.2g}, joints {self.joints:.2g}, "
             f"shapes {self.shapes:.2g} m, of which {self.missing} are missing"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import Bundle
@@ -13,7 +12,7 @@ from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.text.document import Attribute, Element
 
 
@@ -26,25 +25,25 @@ class UrdfProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True if nothing is different or missing."""
         return not self.different and not self.missing
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds."""
         return f"all {self.elements} elements are read again as they were, and all files are there"
+
+    @property
+    def disagreed(self) -> str:
+        return (
+            f"the URDF does not agree with the robot: {self.different} elements differ, "
+            f"{self.missing} files are missing"
+        )
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     bundle = Bundle(robot, CONSUMERS["any"])
     with staged(bundle.files(), out, force=force, mark=REPORT) as directory:
-        proof = prove(read(os.path.join(directory, bundle.urdf)), robot)
-        if not proof.holds:
-            raise UrdfkitError(
-                f"the URDF does not agree with the robot: {proof.different} elements differ, "
-                f"{proof.missing} files are missing"
-            )
+        proof = proven(prove(read(os.path.join(directory, bundle.urdf)), robot))
         entries = tuple(_losses(robot, bundle).entries(robot.document.root, "", {}))
         counts = {
             "link": len(robot.model.links),

@@ -22,7 +22,7 @@ from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.output.conversion.result import REPORT, Conversion
+from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.text.diagnostic import Edit
@@ -53,9 +53,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         write_files(bundle.files(), scratch)
         warnings = _converted(robot, bundle, scratch, directory)
         stage = Stage(Usd.Stage.Open(os.path.join(directory, f"{bundle.name}.usda")), robot)
-        proof = prove(stage, robot)
-        if not proof.holds:
-            raise UrdfkitError(f"the USD does not agree with the robot: {proof.differences}")
+        proof = proven(prove(stage, robot))
         losses = LossTable()
         mark_parts(losses, robot, stage)
         for one in warnings:

@@ -16,7 +16,6 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
-from urdfkit.robot.tree import KinematicTree
 
 #: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
 #: precision for rotations and masses.
@@ -45,22 +44,19 @@ class UsdProof(Record):
 
     @property
     def holds(self) -> bool:
-        """True if all differences are within the bounds."""
         is_placed = self.frames <= LENGTH and self.axes <= AXIS
         return is_placed and max(self.masses, self.joints) <= PART
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds."""
         return "the stage agrees with the robot on frames, masses, inertia, axes and limits"
 
     @property
-    def differences(self) -> str:
-        """The differences in words."""
+    def disagreed(self) -> str:
         return (
+            "the USD does not agree with the robot: "
             f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
-            f"joints {self.joints:.2g}; "
-            f"most at '{self.part}'"
+            f"joints {self.joints:.2g}; most at '{self.part}'"
         )
 
 
@@ -84,7 +80,7 @@ class Stage:
         self.links: dict[str, Any] = {}  # those that have a prim, by name
         self._robot = robot
         tree = robot.tree
-        placed = at_zero(tree)
+        placed = tree.frames
         for name in tree.below(tree.roots[0].name):
             joint = next(iter(tree.parents[name]), None)
             parent = self.links.get(joint.parent_name) if joint else root.GetChild("Geometry")
@@ -130,15 +126,6 @@ class Stage:
         return float(np.abs(found - direction(joint)).max())
 
 
-def at_zero(tree: KinematicTree) -> dict[str, Transform]:
-    """Where the links are with all joints at zero, those that follow others as well."""
-    found: dict[str, Transform] = {}
-    for name in tree.below(tree.roots[0].name):
-        joint = next(iter(tree.parents[name]), None)
-        found[name] = found[joint.parent_name] @ joint.origin if joint else Transform()
-    return found
-
-
 def _name(prim: Any) -> str:
     """What the robot calls a prim."""
     return str(prim.GetDisplayName() or prim.GetName())
@@ -147,7 +134,7 @@ def _name(prim: Any) -> str:
 @np.errstate(over="ignore", invalid="ignore")  # of numbers that USD has no room for
 def prove(stage: Stage, robot: Context) -> UsdProof:
     """Compare a stage with a robot."""
-    placed = at_zero(robot.tree)
+    placed = robot.tree.frames
     far = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
     masses = max(_masses(stage, robot), default=(0.0, ""))
     axes = max(_axes(stage, robot), default=(0.0, ""))

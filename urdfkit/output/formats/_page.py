@@ -59,7 +59,7 @@ class TextPage:
         ]:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
             where = self._near(macros[-1].span, first.span) + more
-            blocks.append(f"  expanded from macro '{printable(macros[-1].name)}' at {where}")
+            blocks.append(self._step("macro", macros[-1].name, where))
         if others:
             places = few([self._near(other.span, first.span) for other in others], MAX_CALLS)
             blocks.append(self._labelled(f"{len(others)} more like this", places))
@@ -141,7 +141,10 @@ class TextPage:
                 if number == MAX_CALLS:
                     yield f"  ... {counted(len(trace) - MAX_CALLS - 1, 'more call')} ..."
                 continue
-            yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
+            yield self._step(step.kind, step.name, self.place(step.span))
+
+    def _step(self, kind: str, name: str, where: str) -> str:
+        return f"  {self.wrap(f'{_STEPS[kind].format(name)} {where}', indent=4, used=2)}"
 
     def _near(self, span: Span, other: Span) -> str:
         """A place; without the path if it is the path of another one, which was named before."""
@@ -176,7 +179,7 @@ def _unsaid(message: str, said: str) -> str:
     words, known = without_search(message).split(" "), without_search(said).split(" ")
     alike = takewhile(lambda pair: pair[0] == pair[1], zip(words[::-1], known[::-1], strict=False))
     shared = len(list(alike))
-    return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words)
+    return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words).rstrip(":;,")
 
 
 def _shared(traces: Sequence[Sequence[Step]]) -> int:

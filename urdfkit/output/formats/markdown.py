@@ -33,7 +33,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         many = counted(report.count(Severity.INFO), "info")
         lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
     if report.diagnostics:
-        first = report.diagnostics[0].code
+        first = (bad or infos)[0].code
         lines += [f"Explain a code: `urdfkit explain {first}`", ""]
     return "\n".join(lines)
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from functools import partial
-from math import isfinite
 from typing import Any
 
 from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
+from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
 from urdfkit.lint.check_job import given_targets
 from urdfkit.lint.context import Context, Unavailable
@@ -169,15 +169,13 @@ def _portable(document: ReportDocument, context: Context) -> ReportDocument:
             return {key: portable(one) for key, one in value.items()}
         if isinstance(value, list | tuple):
             return [portable(one) for one in value]
-        if isinstance(value, float):
-            return value if isfinite(value) else None
         if not isinstance(value, str) or os.sep not in value:
             return value
         for directory in around:
             value = without_directory(value, directory)
         return without_directory(value, home, "~/")
 
-    found: ReportDocument = portable(document)
+    found: ReportDocument = portable(finite(document))
     return found
 
 

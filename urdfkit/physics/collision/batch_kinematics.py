@@ -66,7 +66,7 @@ class TreeStep(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Chain:
+class TreeArrays:
     """A kinematic tree as arrays."""
 
     links: tuple[str, ...]  # names; a step names them by number
@@ -161,7 +161,7 @@ def slopes(
     """(n, k): how fast the second of two links leaves the first, as each of k joints moves.
 
     Args:
-        branches: to the two links, from `Chain.branches`.
+        branches: to the two links, from `TreeArrays.branches`.
         frames: (n, 4, 4) of all links on the branches.
         points: (n, 3), fixed to both, in m.
         along: (n, 3), unit vectors.
@@ -184,7 +184,7 @@ def _cross(a: Floats, b: Floats) -> Floats:
     return np.asarray(a[:, _NEXT] * b[:, _LAST] - a[:, _LAST] * b[:, _NEXT])
 
 
-def chain(tree: KinematicTree) -> Chain:
+def tree_arrays(tree: KinematicTree) -> TreeArrays:
     """The arrays of a tree; links in a closed loop that no root leads to stay at the origin."""
     names = tuple(tree.model.links_by_name)
     number = {name: index for index, name in enumerate(names)}
@@ -203,7 +203,7 @@ def chain(tree: KinematicTree) -> Chain:
         steps.append(_step(joint, parent, child, law, columns))
         if joint.kind not in ("planar", "floating"):
             parts[child] = parts[parent]
-    return Chain(names, axes, tuple(steps), tuple(parts))
+    return TreeArrays(names, axes, tuple(steps), tuple(parts))
 
 
 def _step(

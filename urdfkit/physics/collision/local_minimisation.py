@@ -15,7 +15,7 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import slopes
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.collision_geometry import DistanceQuery
-from urdfkit.physics.collision.pair_queries import Examiner, Pair, relative
+from urdfkit.physics.collision.pair_queries import CollisionModel, Pair, relative
 
 #: Configurations to begin in, each the nearest one of its share of those that were drawn: for the
 #: pair of bodies of two links that may be nearest, the next one, and so on; no more are looked at.
@@ -43,16 +43,16 @@ class ClosestPair(NamedTuple):
     configuration: Floats  # (dof,)
 
 
-def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
+def closest(collision_model: CollisionModel, pair: Pair) -> ClosestPair:
     """The nearest that two links are found to come; any collision will do.
 
     Args:
         pair: numbers of links, with a joint that moves between them.
     """
-    columns = examiner.chain.between(*pair)
-    lower, upper = (ends[columns] for ends in examiner.chain.limits)
-    drawn = examiner.drawn[:, columns]
-    bodies = [_Bodies(examiner, pair, *query) for query in examiner.queries(pair)]
+    columns = collision_model.kinematics.between(*pair)
+    lower, upper = (ends[columns] for ends in collision_model.kinematics.limits)
+    drawn = collision_model.drawn[:, columns]
+    bodies = [_Bodies(collision_model, pair, *query) for query in collision_model.queries(pair)]
     bounds = [one.bounds() for one in bodies]
     found, at = inf, drawn[0]
     nearest_first = sorted(range(len(bodies)), key=lambda number: bounds[number].min())
@@ -65,7 +65,7 @@ def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
             found, at = descent.distance, descent.best
         if found < -TOUCH:
             break
-    return ClosestPair(found, examiner.chain.default_with(columns, at[None])[0])
+    return ClosestPair(found, collision_model.kinematics.default_with(columns, at[None])[0])
 
 
 class _Measured(NamedTuple):
@@ -80,14 +80,19 @@ class _Bodies:
     """Two bodies, and how far they are apart, by the positions of the joints between."""
 
     def __init__(
-        self, examiner: Examiner, pair: Pair, first: int, second: int, query: DistanceQuery
+        self,
+        collision_model: CollisionModel,
+        pair: Pair,
+        first: int,
+        second: int,
+        query: DistanceQuery,
     ) -> None:
-        self._chain, self._pair, self._query = examiner.chain, pair, query
-        self._columns = self._chain.between(*pair)
-        self._branches = self._chain.branches(*pair)
+        self._kinematics, self._pair, self._query = collision_model.kinematics, pair, query
+        self._columns = self._kinematics.between(*pair)
+        self._branches = self._kinematics.branches(*pair)
         self._links = {*pair, *(step.child for branch in self._branches for step in branch)}
-        self._frames = [examiner.geometry(body).arrays.frame for body in (first, second)]
-        self._drawn = examiner.drawn_frames
+        self._frames = [collision_model.geometry(body).arrays.frame for body in (first, second)]
+        self._drawn = collision_model.drawn_frames
 
     def bounds(self) -> Floats:
         """(m,): in the configurations that were drawn they are no nearer, in m."""
@@ -122,8 +127,8 @@ class _Bodies:
 
     def _of_links(self, positions: Floats) -> dict[int, Floats]:
         """The frames (n, 4, 4) of the links on the branches to the two."""
-        rows = self._chain.default_with(self._columns, positions)
-        return self._chain.frames(rows, self._links)
+        rows = self._kinematics.default_with(self._columns, positions)
+        return self._kinematics.frames(rows, self._links)
 
     def _placed(self, of_links: Mapping[int, Floats]) -> list[Floats]:
         """The frames (n, 4, 4) of the two bodies."""

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.batch_kinematics import Chain
+from urdfkit.physics.collision.batch_kinematics import TreeArrays
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery
 
-#: Two links, by their numbers in the chain, the first one before the second.
+#: Two links, by their numbers in the `TreeArrays`, the first one before the second.
 Pair = tuple[int, int]
 
 #: Configurations among which descents begin.
@@ -37,12 +37,12 @@ class PairSample(NamedTuple):
     row: int  # the configuration of that distance; -1 if it is none of these
 
 
-class Examiner:
-    """Measures the pairs of one robot."""
+class CollisionModel:
+    """The collision geometries of a robot on its links, whose distances are measured."""
 
-    def __init__(self, chain: Chain, geometries: Iterable[CollisionGeometry]) -> None:
-        self.chain = chain
-        number = {name: index for index, name in enumerate(chain.links)}
+    def __init__(self, kinematics: TreeArrays, geometries: Iterable[CollisionGeometry]) -> None:
+        self.kinematics = kinematics
+        number = {name: index for index, name in enumerate(kinematics.links)}
         self._geometries = list(geometries)
         self._of_link: dict[int, list[int]] = {}
         for index, one in enumerate(self._geometries):
@@ -51,12 +51,12 @@ class Examiner:
     @cached_property
     def drawn(self) -> Floats:
         """(m, dof), configurations all over the limits, the same for all pairs."""
-        return self.chain.samples(_DRAWN, 0, 0)
+        return self.kinematics.samples(_DRAWN, 0, 0)
 
     @cached_property
     def drawn_frames(self) -> dict[int, Floats]:
         """Where the links with bodies are in these, (m, 4, 4) each: 60 MB for 300 links."""
-        return self.chain.frames(self.drawn, self.links)
+        return self.kinematics.frames(self.drawn, self.links)
 
     @property
     def links(self) -> list[int]:
@@ -84,7 +84,7 @@ class Examiner:
 
     def frames(self, configurations: Floats, links: Collection[int]) -> dict[int, Floats]:
         """Where the bodies of some links are, (n, 4, 4) each, by their numbers."""
-        of_links = self.chain.frames(configurations, links)
+        of_links = self.kinematics.frames(configurations, links)
         return {
             body: of_links[link] @ self._geometries[body].arrays.frame
             for link in links
@@ -95,9 +95,11 @@ class Examiner:
 class PairQuery:
     """Distances of some pairs, which go from configurations to more of them."""
 
-    def __init__(self, examiner: Examiner, pairs: Iterable[Pair], limit: float) -> None:
-        self._examiner = examiner
-        self._searches = {pair: _Search(examiner.queries(pair), limit) for pair in pairs}
+    def __init__(
+        self, collision_model: CollisionModel, pairs: Iterable[Pair], limit: float
+    ) -> None:
+        self._collision_model = collision_model
+        self._searches = {pair: _Search(collision_model.queries(pair), limit) for pair in pairs}
 
     def at(
         self, configurations: Floats, pairs: Sequence[Pair] | None = None, *, count: bool
@@ -110,7 +112,7 @@ class PairQuery:
         """
         wanted = self._searches if pairs is None else pairs
         links = sorted({link for pair in wanted for link in pair})
-        frames = self._examiner.frames(configurations, links)
+        frames = self._collision_model.frames(configurations, links)
         return [self._searches[pair].at(frames, count=count) for pair in wanted]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import limits
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.batch_kinematics import Chain, chain
+from urdfkit.physics.collision.batch_kinematics import TreeArrays, tree_arrays
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.pair_queries import Pair
@@ -70,7 +70,7 @@ def collisions(
     """
     applies = robot.targets.applies_units if units is None else units
     bodies, omitted = collision_arrays(robot.model, robot.meshes, unit=applies)
-    moving, adjacency = chain(robot.tree), Adjacency(robot.tree)
+    moving, adjacency = tree_arrays(robot.tree), Adjacency(robot.tree)
     with WorkerPool(moving, bodies, jobs or min(limits.processors(), MAX_PROCESSES)) as pool:
         with_bodies = {body.link for body in pool.bodies}
         links = [at for at, name in enumerate(moving.links) if name in with_bodies]
@@ -138,7 +138,7 @@ def _tasks(measured: Mapping[Pair, bool], start: Floats, samples: int, seed: int
 
 
 def _result(
-    moving: Chain,
+    moving: TreeArrays,
     pair: Pair,
     names: tuple[str, str],
     found: PairFindings | None,
@@ -168,7 +168,7 @@ def _verdict(found: PairFindings, counted: int, *, moves: bool) -> PairVerdict:
     return PairVerdict.ALWAYS if found.hits > ALWAYS * counted else PairVerdict.SOMETIMES
 
 
-def _pairs(moving: Chain, links: Sequence[int]) -> list[Pair]:
+def _pairs(moving: TreeArrays, links: Sequence[int]) -> list[Pair]:
     """The pairs of some links that joints bind to one another."""
     pairs = sorted(islice(moving.pairs(links), MAX_PAIRS + 1))
     if len(pairs) > MAX_PAIRS:
@@ -179,7 +179,7 @@ def _pairs(moving: Chain, links: Sequence[int]) -> list[Pair]:
     return pairs
 
 
-def _parts(moving: Chain, links: Sequence[int]) -> tuple[str, ...]:
+def _parts(moving: TreeArrays, links: Sequence[int]) -> tuple[str, ...]:
     """The topmost links of the parts that are not compared; none if all are one part."""
     tops = dict.fromkeys(moving.parts[link] for link in links)
     return tuple(moving.links[top] for top in tops) if len(tops) > 1 else ()

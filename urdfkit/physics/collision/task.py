@@ -10,7 +10,7 @@ from typing import NamedTuple
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import closest
-from urdfkit.physics.collision.pair_queries import Examiner, Pair, PairQuery
+from urdfkit.physics.collision.pair_queries import CollisionModel, Pair, PairQuery
 
 #: Samples in which the collisions of all pairs are counted; later, only pairs that have none
 #: are looked at.
@@ -50,9 +50,9 @@ class Task(NamedTuple):
     samples: int  # to look at
     seed: int  # of these
 
-    def run(self, examiner: Examiner) -> list[PairFindings]:
+    def run(self, collision_model: CollisionModel) -> list[PairFindings]:
         """What is found out about each pair."""
-        return _Examination(self, examiner).findings()
+        return _TaskRun(self, collision_model).findings()
 
     def parts(self) -> list[Task]:
         """The same work, one task for each pair."""
@@ -60,12 +60,12 @@ class Task(NamedTuple):
         return [self._replace(pairs=(pair,), moves=(moves,)) for pair, moves in pairs]
 
 
-class _Examination:
+class _TaskRun:
     """The run of one task: the start, samples to count in, descents, then ever more samples."""
 
-    def __init__(self, task: Task, examiner: Examiner) -> None:
-        self._task, self._examiner = task, examiner
-        self._query: PairQuery = examiner.query(task.pairs)
+    def __init__(self, task: Task, collision_model: CollisionModel) -> None:
+        self._task, self._collision_model = task, collision_model
+        self._query: PairQuery = collision_model.query(task.pairs)
         self._found = {pair: PairFindings() for pair in task.pairs}
 
     def findings(self) -> list[PairFindings]:
@@ -90,8 +90,8 @@ class _Examination:
     def _descend(self, pairs: Sequence[Pair]) -> None:
         """Bring those together that were not found to collide: a rare collision is found so."""
         for pair in self._free(pairs):
-            if self._examiner.chain.between(*pair):
-                found, nearest = self._found[pair], closest(self._examiner, pair)
+            if self._collision_model.kinematics.between(*pair):
+                found, nearest = self._found[pair], closest(self._collision_model, pair)
                 found.hits_elsewhere = nearest.distance < -TOUCH
                 if nearest.distance < found.distance:
                     found.distance, found.configuration = nearest
@@ -126,7 +126,7 @@ class _Examination:
 
     def _blocks(self, start: int, end: int) -> Iterator[Floats]:
         """The samples from one number to another in blocks that the memory can hold."""
-        chain = self._examiner.chain
-        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(chain.links)))))
+        kinematics = self._collision_model.kinematics
+        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(kinematics.links)))))
         for at in range(start, end, size):
-            yield chain.samples(min(size, end - at), self._task.seed, at)
+            yield kinematics.samples(min(size, end - at), self._task.seed, at)

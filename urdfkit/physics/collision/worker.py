@@ -1,6 +1,6 @@
 """The process that samples: it may crash in native code without taking the caller along.
 
-It is sent the chain and the bodies, then one task after another.
+It is sent the kinematic tree and the bodies, then one task after another.
 """
 
 from urdfkit.core.child_process import Parent
@@ -15,14 +15,14 @@ def main() -> None:
     limit_memory(_MEMORY)
     parent = Parent()
     from urdfkit.physics.collision.collision_geometry import build_geometry
-    from urdfkit.physics.collision.pair_queries import Examiner
+    from urdfkit.physics.collision.pair_queries import CollisionModel
 
     received = parent.received()
-    chain, bodies = next(received)
+    kinematics, bodies = next(received)
     geometries = []
     for body in bodies:
         geometries.append(build_geometry(body))
         parent.send(len(geometries))  # the caller learns which one was fatal
-    examiner = Examiner(chain, geometries)
+    collision_model = CollisionModel(kinematics, geometries)
     for task in received:
-        parent.send(task.run(examiner))
+        parent.send(task.run(collision_model))

@@ -10,7 +10,7 @@ from typing import Any
 
 from urdfkit.core.child_process import ChildProcess, ProcessDied
 from urdfkit.errors import UrdfkitError
-from urdfkit.physics.collision.batch_kinematics import Chain
+from urdfkit.physics.collision.batch_kinematics import TreeArrays
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
 from urdfkit.physics.collision.task import PairFindings, Task
 
@@ -32,10 +32,12 @@ class WorkerPool:
         CollisionError: no process can be started.
     """
 
-    def __init__(self, chain: Chain, bodies: Sequence[CollisionArrays], count: int) -> None:
+    def __init__(
+        self, kinematics: TreeArrays, bodies: Sequence[CollisionArrays], count: int
+    ) -> None:
         self.bodies = list(bodies)  # those that coal takes
         self.omitted: list[OmittedCollision] = []  # those that crashed it
-        self._chain = chain
+        self._kinematics = kinematics
         self._crashes = 0
         self._is_over = False
         self._idle: SimpleQueue[_Worker] = SimpleQueue()
@@ -97,7 +99,7 @@ class WorkerPool:
     def _worker(self) -> _Worker:
         if self._is_over:
             raise CollisionError("the sampling was stopped")
-        worker = _Worker(self._chain, self.bodies)
+        worker = _Worker(self._kinematics, self.bodies)
         self._all.append(worker)
         return worker
 
@@ -141,14 +143,14 @@ class WorkerPool:
 class _Worker(ChildProcess):
     """One worker process."""
 
-    def __init__(self, chain: Chain, bodies: Sequence[CollisionArrays]) -> None:
+    def __init__(self, kinematics: TreeArrays, bodies: Sequence[CollisionArrays]) -> None:
         try:
             super().__init__(_MAIN)
         except OSError as error:
             raise CollisionError(f"no process can be started: {error.strerror}") from error
         self._total = self._expected = len(bodies)
         try:
-            self.send((chain, list(bodies)))
+            self.send((kinematics, list(bodies)))
         except ProcessDied:
             pass  # the result says so
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from enum import Enum
+from itertools import product
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -69,11 +70,10 @@ def find_defects(
     reported: set[tuple[MeshDefect, str]] = set()
     visuals = [use for use in uses if use.role == "visual"]
     for chosen, tests in ((visuals, OF_APPEARANCE), (files, OF_FILES)):
-        for use in chosen:
-            for defect, has_it in tests.items():
-                if (defect, use.path) not in reported and has_it(use):
-                    reported.add((defect, use.path))
-                    found.setdefault(defect, []).append(use)
+        for use, (defect, has_it) in product(chosen, tests.items()):
+            if (defect, use.path) not in reported and has_it(use):
+                reported.add((defect, use.path))
+                found.setdefault(defect, []).append(use)
     # What has no joints may be scenery, where a landscape lies next to a tree.
     span = rest_of_robot(model) if model.joints else 0.0
     for use in uses:

@@ -15,7 +15,7 @@ from math import hypot, log
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector, cross, length, minus, to_rpy
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
-from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
+from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
 
 #: Common volume by the volume of both bounding boxes together, below which they are apart. A body
 #: that stands on its origin in one and lies about it in the other has 1/3, and a little more where
@@ -35,10 +35,7 @@ NEAR = 0.002
 #: part may be, being only similar.
 CUBE, THOUSAND = 1.1, (600.0, 1600.0)
 
-#: A box that is longer, wider and higher by this factor was drawn in another unit.
-LARGER = 5.0
-
-#: The same for two meshes that are larger by one factor in every direction: one part, two scales.
+#: `OTHER_UNIT` for two meshes that differ by one factor in every direction: one part, two scales.
 LARGER_ALIKE, ALIKE = 1.5, 1.02
 
 #: Boxes in one place that would have this much in common are those of one part; those of a motor
@@ -115,7 +112,7 @@ class VisualCollisionPair:
         low, middle, high = sorted(a / b if b > 0 else 0.0 for a, b in edges)
         if low <= 0:
             return None
-        least = LARGER_ALIKE if self._has_meshes and high < ALIKE * low else LARGER
+        least = LARGER_ALIKE if self._has_meshes and high < ALIKE * low else OTHER_UNIT
         return middle if low >= least or high <= 1 / least else None
 
     @cached_property
@@ -158,8 +155,7 @@ class VisualCollisionPair:
         concentric = other.moved(Transform(position=minus(one.center, other.center)))
         if _overlap(one, concentric) >= SAME:
             return True
-        gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
-        return gap > max(*one.edges, *other.edges)
+        return one.gap(other) > max(*one.edges, *other.edges)
 
     @property
     def _is_near(self) -> bool:

@@ -17,6 +17,7 @@ from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
 from urdfkit.robot.model import Tensor
+from urdfkit.robot.shapes import OTHER_UNIT
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Confidence, Fix
 from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
@@ -39,9 +40,6 @@ NEAR = 1.5
 
 #: In kg/m³: of a body that is lighter, the shape is too large, as of millimetres taken for metres.
 _AIR = 1.2
-
-#: Which of two shapes is that of the link is unknown if one is longer by this factor (GEO004).
-_LARGER = 5.0
 
 #: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
 CLEAR = 2e-3
@@ -111,7 +109,8 @@ def _of_shape(link: LinkInertia) -> Tensor | None:
     """The tensor of the shape; None where that marks a place, or cannot be that of the mass."""
     low, high = link.densities or (HEAVIEST, HEAVIEST)
     lengths = [max(part.longest for part in one.parts) for one in link.solids]
-    is_unknown = link.is_marker or max(lengths, default=0.0) > _LARGER * min(lengths, default=0.0)
+    is_in_two_units = bool(lengths) and max(lengths) > OTHER_UNIT * min(lengths)
+    is_unknown = link.is_marker or is_in_two_units
     return None if is_unknown or low > HEAVIEST or high < _AIR else link.expected
 
 
@@ -195,6 +194,9 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
         if suggested and is_possible(suggested) and (keys := opposite(link.tensor, suggested)):
             cause = f"has {' and '.join(keys)} with the opposite sign"
             return Diagnosis(cause, suggested, Confidence.INFERRED)
+        shape = _of_shape(link)
+        if shape and [_differs(key, link, shape) for key in Tensor._fields].count(True) == 1:
+            return Diagnosis("", shape, Confidence.INFERRED)  # all other entries are of the shape
     for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     for other in _symmetric_pairs(link, masses):

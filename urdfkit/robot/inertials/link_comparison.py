@@ -28,6 +28,9 @@ SAME = 0.03
 #: Three moments that agree to this factor with those of another formula are no chance.
 EXACT = 1.03
 
+#: The same of moments about x, y and z that are those of a solid, and not of it turned.
+_OF_SOLID = 1.2
+
 #: What a turn changes in an entry of the tensor, as a part of the largest moment.
 TURNED = 0.25
 
@@ -133,7 +136,7 @@ class LinkInertia:
         """The tensor that the uniform solid has, along the axes of the ``<inertial>``."""
         return self._uniform(self.solid) if self.solid else None
 
-    def _uniform(self, solid: LinkSolid) -> Tensor:
+    def _uniform(self, solid: LinkSolid | Primitive) -> Tensor:
         tensor = solid.properties(self.mass).tensor
         return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
 
@@ -147,8 +150,7 @@ class LinkInertia:
             return None
         x, y, z = part.size
         larger = part._replace(size=(2 * x, 2 * y, 2 * z), radius=2 * part.radius)
-        tensor = larger.properties(self.mass).tensor
-        return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
+        return self._uniform(larger)
 
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
@@ -184,6 +186,10 @@ class LinkInertia:
         """True if the moments about x, y and z differ by no more than a factor."""
         return inertia.agree(self.tensor, expected, factor)
 
+    def is_of(self, solid: LinkSolid) -> bool:
+        """True if the moments about x, y and z are those of a uniform solid as it lies."""
+        return self.fits(self._uniform(solid), _OF_SOLID)
+
     @property
     def differs(self) -> bool:
         """True if a tensor without products is not that of the uniform solid, nor near it."""
@@ -206,7 +212,7 @@ class LinkInertia:
         """
         if self.expected is None:
             return False
-        if self.is_diagonal and any(self.fits(self._uniform(one), 1.2) for one in self.solids):
+        if self.is_diagonal and any(map(self.is_of, self.solids)):
             return False
         apart = max(abs(a - b) for a, b in zip(self.tensor, self.expected, strict=True))
         if not self.is_diagonal and apart < TURNED * self.moments[2]:

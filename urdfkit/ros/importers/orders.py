@@ -44,14 +44,13 @@ def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], l
 def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
     found: list[Joint] = []
     seen = {root.name for root in tree.roots}
-    for root in tree.roots:
-        stack = list(reversed(list(below(root.name))))
-        while stack:
-            joint = stack.pop()
-            if joint.child_name not in seen:
-                seen.add(joint.child_name)
-                found.append(joint)
-                stack += reversed(list(below(joint.child_name)))
+    stack = [joint for root in tree.roots for joint in below(root.name)][::-1]
+    while stack:
+        joint = stack.pop()
+        if joint.child_name not in seen:
+            seen.add(joint.child_name)
+            found.append(joint)
+            stack += reversed(list(below(joint.child_name)))
     return found
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
@@ -20,7 +21,7 @@ from urdfkit.ros.launch.contents import (
 )
 from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.comments import blank_comments
-from urdfkit.text.diagnostic import Problem
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -29,7 +30,8 @@ from urdfkit.workspace.resolve import Resolver
 UNKNOWN = "/package-not-found"
 
 
-_XACRO = ("xacro", "xacro.py")
+_FORMER = "xacro.py"
+_XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
 #: Reads a launch file with the values of its arguments, included at a place.
 Reader: TypeAlias = (
@@ -85,8 +87,13 @@ class Collector:
         return exists
 
     def mention(self, path: str, span: Span) -> None:
-        """Record a path of a package whose use is not known, if something is there."""
-        if self.resolver.packages.enclosing(path) and disk.exists(path):
+        """Record a path of a package whose use is not known, if something is there.
+
+        One that leaves its package on the way leads elsewhere once the package is installed.
+        """
+        home = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
+        path, written = os.path.normpath(path), path
+        if home and not _leaves(written, home[1]) and disk.exists(path):
             self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
@@ -101,6 +108,10 @@ class Collector:
             words = words[1:]  # rosrun xacro xacro
         if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
             return
+        if os.path.basename(words[0]) == _FORMER and frame.outer is None:
+            message = f"{_FORMER} was removed with ROS Noetic, and ROS 2 has none"
+            severity = Severity.WARNING if span.source.path.endswith(".py") else Severity.INFO
+            self.problems.append(Problem("LAU003", span, message, "write xacro", severity=severity))
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
         arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
         if len(files) == 1:
@@ -199,3 +210,10 @@ def path_from(source: Source, text: str) -> str:
     """A path as launch finds it: absolute, or relative to the launch file."""
     directory = os.path.dirname(os.path.abspath(source.path))
     return os.path.normpath(os.path.join(directory, text))
+
+
+def _leaves(path: str, directory: str) -> bool:
+    """True if a path goes out of a directory on the way, wherever it ends."""
+    parts = path.split(os.sep)
+    ends = (end for end, part in enumerate(parts, 1) if part == os.pardir)
+    return any(not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends)

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 #: Parameters that name a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
 #: the controllers of wheels.
 _OF_ROBOT = ("base_link_frame", "robot_base_frame", "base_frame", "base_frame_id", "sensor_frame")
+#: Of costmaps, behaviours and the navigator: the frame of a map or of odometry.
+GLOBAL = "global_frame"
+_NAMING = (*_OF_ROBOT, GLOBAL)
 _PARAMETERS = "ros__parameters"
 #: In a value that is known at run time only.
 _OPEN = ("$", "<", "{")
@@ -58,13 +61,13 @@ def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
 
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in the parameters of nodes in ROS 2."""
-    if not any(key.encode() in source.data for key in _OF_ROBOT):
+    if not any(key.encode() in source.data for key in _NAMING):
         return
     stack: list[tuple[Node, bool]] = [(load(source), False)]
     while stack:
         node, is_inside = stack.pop()
         for key, value in mapping(node).items():
-            if is_inside and key in _OF_ROBOT and isinstance(value, Value):
+            if is_inside and key in _NAMING and isinstance(value, Value):
                 yield key, key, value
             elif isinstance(value, dict) and isinstance(key, Key):
                 stack.append((value, is_inside or key == _PARAMETERS))

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from urdfkit.core import disk
 from urdfkit.ros.launch import moveit_builder
+from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
@@ -16,6 +17,7 @@ from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
     entry_point,
+    joined,
     mistakes,
     not_started,
 )
@@ -76,6 +78,7 @@ class _PythonReader:
             called(call) == "GroupAction" and argument(call, None, "condition")
             for call in self.calls
         )
+        self._decided = decided_calls(tree)
         #: Expressions whose value nothing reads.
         self._idle = unread(tree)
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
@@ -116,8 +119,9 @@ class _PythonReader:
         for call in self.calls:
             if call not in self._idle:
                 problems += mistakes(call, self.values)
-            if dropped := dropped_directory(call, self.values):
-                problems.append(dropped)
+            found = dropped_directory(call, self.values) or joined(call, self.values)
+            if found:
+                problems.append(found)
         for node in self._expressions:
             if mistake := added(node, self.values):
                 problems.append(mistake)
@@ -144,7 +148,7 @@ class _PythonReader:
             if is_path and node not in self._idle:
                 path = self.values.text(node)
                 if path and os.path.isabs(path):
-                    self.collector.mention(os.path.normpath(path), self.values.span(node))
+                    self.collector.mention(path, self.values.span(node))
 
     # ---------------------------------------------------------------- calls
 
@@ -197,13 +201,8 @@ class _PythonReader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
-                    if name == "robot_description" and self.frame is None:
-                        self._unexpanded(value)
-                    if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
-                        items = self.values.items(value)
-                        lists[name] = tuple(self.values.text(item) for item in items)
-                    if name == "config_file" and self.values.text(value):
-                        self._file(value, "configuration of the bridge")
+                    lists.update(self._listed(name or "", value))
+                    self._note_files(name or "", value)
             elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
                 file = self._path(path)
                 files += [file] if file else []
@@ -212,6 +211,19 @@ class _PythonReader:
                 is_whole = False
         found.pop("", None)
         return GivenParameters(found, tuple(files), is_whole, lists)
+
+    def _listed(self, name: str, value: ast.expr) -> dict[str, tuple[str | None, ...]]:
+        """The items of a parameter, by its name; empty if it is no list."""
+        if not name or not isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
+            return {}
+        return {name: tuple(self.values.text(item) for item in self.values.items(value))}
+
+    def _note_files(self, name: str, value: ast.expr) -> None:
+        """Note the file that is the value of a parameter, or whose text is."""
+        if name == "robot_description" and self.frame is None:
+            self._unexpanded(value)
+        if name == "config_file" and self.values.text(value):
+            self._file(value, "configuration of the bridge")
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
@@ -254,7 +266,7 @@ class _PythonReader:
         """Whether the condition of an action holds; None if that is known at run time only."""
         written = argument(action, None, "condition")
         if written is None:
-            return True
+            return None if action in self._decided else True
         condition = self.values.suggested(written)
         if not isinstance(condition, ast.Call):
             return None
@@ -262,7 +274,9 @@ class _PythonReader:
         holds = {"true": True, "1": True, "false": False, "0": False}.get(value)
         if holds is None or called(condition) not in ("IfCondition", "UnlessCondition"):
             return None
-        return holds is (called(condition) == "IfCondition")
+        if holds is (called(condition) != "IfCondition"):
+            return False
+        return None if action in self._decided else True
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")

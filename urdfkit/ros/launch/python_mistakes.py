@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from urdfkit.core.suggest import nearest
-from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source, Span
 
@@ -38,6 +38,9 @@ _FORMER = {
 }
 #: What gives a text at run time.
 _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
+#: What xacro gives as a document, whose text is wanted, and the methods that give the text.
+_DOCUMENTS = ("process_file", "parse")
+_TEXTS = ("toxml", "toprettyxml")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
 #: Numbers and booleans, as launch has texts and substitutions only.
 _NO_TEXT = (bool, int, float)
@@ -49,6 +52,7 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
     if name == "Node":
         yield from _lists(call, values)
         yield from _words(argument(call, None, "arguments"), values)
+        yield from _documents(argument(call, None, "parameters"), values)
         yield from _former(call, values)
     elif name in _HOLDERS:
         yield from _held(call, values)
@@ -78,17 +82,28 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
 
 def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
     """A path that begins with a slash behind others, which ``os.path.join`` then drops."""
-    parts: list[ast.expr] = list(call.args)
-    if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
-        parts = list(parts[0].elts)
     if called(call) not in ("join", "PathJoinSubstitution"):
         return None
-    for part in parts[1:]:
+    for part in parts_of_path(call)[1:]:
         text = part.value if isinstance(part, ast.Constant) else None
         if isinstance(text, str) and text.startswith("/"):
             message = f"'{text}' begins with a slash, so the directories before it are dropped"
             help = f"write '{text.lstrip('/')}'"
             return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
+    return None
+
+
+def joined(call: ast.Call, values: Values) -> Problem | None:
+    """A substitution in ``os.path.join``, which Python rejects: it has no value yet."""
+    function = call.func
+    if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
+        return None
+    for part in call.args:
+        given = values.suggested(part)
+        if isinstance(given, ast.Call) and called(given) in _SUBSTITUTIONS:
+            message = f"os.path.join takes no {called(given)}: its value is known at run time only"
+            help = "write PathJoinSubstitution([...]) with the same parts"
+            return _rejected(part, message, help, values)
     return None
 
 
@@ -218,6 +233,21 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
             names = tuple(pair.value.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
             yield _rejected(pair, f"'{pair.value}' in remappings is not a pair", help, values)
+
+
+def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    """A parameter that is the document of xacro, or the method that would give its text."""
+    dictionaries = (values.suggested(item) for item in values.items(node) if node)
+    for given in dictionaries:
+        for value in given.values if isinstance(given, ast.Dict) else ():
+            found = values.suggested(value)
+            is_method = isinstance(found, ast.Attribute) and found.attr in _TEXTS
+            if is_method and isinstance(found, ast.Attribute):
+                message = f"{found.attr} is a method, where launch takes a text"
+                yield _rejected(value, message, f"write {found.attr}()", values)
+            elif isinstance(found, ast.Call) and called(found) in _DOCUMENTS:
+                message = f"{called(found)}() gives a document of XML, where launch takes a text"
+                yield _rejected(value, message, "write .toxml() behind it", values)
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:

@@ -109,10 +109,7 @@ class Values:
         if name in PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
         if name in JOINED:
-            parts = list(call.args)
-            if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
-                parts = list(parts[0].elts)
-            return _path(self.text(part, depth + 1) for part in parts)
+            return _path(self.text(part, depth + 1) for part in parts_of_path(call))
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
         if name == "ThisLaunchFileDir":
@@ -163,6 +160,13 @@ def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None
     if position is not None and position < len(call.args):
         return call.args[position]
     return None
+
+
+def parts_of_path(call: ast.Call) -> list[ast.expr]:
+    """What one of `JOINED` puts together: its arguments, or the items of the only one."""
+    if len(call.args) == 1 and isinstance(call.args[0], (ast.List, ast.Tuple)):
+        return call.args[0].elts
+    return call.args
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:

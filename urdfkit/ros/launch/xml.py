@@ -148,7 +148,7 @@ class _XmlReader(XmlLaunchFile):
             if "$(find" in attribute.value:
                 for word in (self.text(attribute) or "").split():
                     if os.path.isabs(word):
-                        self.collector.mention(os.path.normpath(word), attribute.span)
+                        self.collector.mention(word, attribute.span)
 
     def _ros_of_package(self) -> int | None:
         manifest = manifest_of(self.collector.resolver, self.source.path)

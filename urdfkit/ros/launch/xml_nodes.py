@@ -5,6 +5,7 @@ import re
 
 from urdfkit.ros.launch.collect import frame_at, path_from
 from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram
+from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.substitutions import unresolved
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.text.diagnostic import Problem
@@ -127,6 +128,17 @@ def _parameter_file(file: XmlLaunchFile, attribute: Attribute, switch: str) -> N
         return
     if found := unresolved(path, file.ros, file.collector.resolver):
         message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
-        help = f'write {switch}="true"'
+        help = f'write {switch}="true"' + _undeclared(found, attribute.element)
         problem = Problem("LAU019", attribute.span, message, help, file.frame)
         file.collector.problems.append(problem)
+
+
+def _undeclared(substitution: str, element: Element) -> str:
+    """What a substitution takes besides: roslaunch stops at an argument without a declaration."""
+    if not substitution.startswith("$(arg "):
+        return ""
+    name = substitution[len("$(arg ") : -1]
+    while element.parent is not None:
+        element = element.parent
+    is_declared = name in {one.get("name") for one in arguments_in(element)}
+    return "" if is_declared else f', and declare <arg name="{name}"/>'

@@ -19,15 +19,22 @@ if TYPE_CHECKING:
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.workspace.resolve import Resolver
 
+_OMPL = "ompl_planning.yaml"
 #: Files with a section for each group, and the keys by which one is known.
 _OF_GROUPS = {
     "kinematics.yaml": ("kinematics_solver",),
-    "ompl_planning.yaml": ("planner_configs", "default_planner_config", "projection_evaluator"),
+    _OMPL: ("planner_configs", "default_planner_config", "projection_evaluator"),
 }
 _OF_CONTROLLERS = (
     "moveit_controllers.yaml",
     "simple_moveit_controllers.yaml",
     "fake_controllers.yaml",
+)
+_PIPELINES = (
+    _OMPL,
+    "chomp_planning.yaml",
+    "pilz_industrial_motion_planner_planning.yaml",
+    "stomp_planning.yaml",
 )
 _INITIAL = "initial_positions.yaml"
 MANAGER = "moveit_simple_controller_manager"
@@ -53,6 +60,26 @@ def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
         ]
         for key, node in found:
             yield GroupEntry(key, node, len(found) == 1)
+
+
+def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
+    """The planners that groups name in the file of OMPL, with those that it defines."""
+    root = load_next_to(srdf, _OMPL, resolver)
+    defined = [str(key) for key in mapping(root, "planner_configs")]
+    for key, group in _mappings(root):
+        named = [group.get("default_planner_config"), *scalars(group.get("planner_configs"))]
+        for one in named if key != "planner_configs" else ():
+            if isinstance(one, Value) and one.text and not one.text.startswith(_OPEN):
+                yield one, defined
+
+
+def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
+    """The plugins of the planning pipelines in the files of OMPL and the like."""
+    for file in _PIPELINES:
+        root = load_next_to(srdf, file, resolver)
+        for one in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
+            if isinstance(one, Value):
+                yield one
 
 
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:

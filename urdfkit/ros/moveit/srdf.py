@@ -17,7 +17,7 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.siblings import other_srdf_files, srdf_files
+from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files
 
 
 class Srdf:
@@ -119,7 +119,7 @@ class Srdf:
         virtual = {joint.get("name") or "" for joint in self.virtual_joints}
         return virtual | set(self.tree.model.joints_by_name)
 
-    def chain(self, base: str, tip: str) -> list[Joint] | None:
+    def joints_between(self, base: str, tip: str) -> list[Joint] | None:
         """The joints from a link down to another one; None if the second is not below."""
         joints = self.tree.path(tip)
         if base == tip:
@@ -147,7 +147,7 @@ class Srdf:
         if part.tag == "group":
             return self.links_of(name, seen)
         if part.tag == "chain":
-            joints = self.chain(part.get("base_link") or "", part.get("tip_link") or "")
+            joints = self.joints_between(part.get("base_link") or "", part.get("tip_link") or "")
             return {joint.child_name for joint in joints or ()}
         return set()
 
@@ -175,14 +175,16 @@ def find(
     """The SRDF of a robot, if exactly one is next to it; an unreadable one does not count.
 
     One with another name is the robot's if it speaks of its links and joints; one of a package of
-    MoveIt that may be for other robots, too, if it fits this one.
+    MoveIt that may be for other robots, too, if it fits this one. One that is called like the file
+    of another robot next to this one is of that other one.
 
     Args:
         trust: let expressions of a xacro run unfenced and read any file.
         arguments: of the robot; a xacro of its SRDF has those of the same names.
     """
     read_one = partial(read, tree=tree, resolver=resolver, trust=trust, arguments=arguments)
-    read_files = map(read_one, srdf_files(path, resolver))
+    files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
+    read_files = map(read_one, files)
     found = [srdf for srdf in read_files if srdf is not None]
     same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]

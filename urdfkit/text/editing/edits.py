@@ -219,22 +219,20 @@ def _below(span: Span, lines: Iterable[str]) -> str:
 
 def insert_first(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
     """Put lines of XML into an element, before what it holds."""
-    tag = element.tag_at
-    if tag.close == tag.start:
-        return _opened(element, lines)
-    separator = _before_content(element)
-    text = "".join(separator + line for line in lines)
-    return (Edit(Span(tag.source, tag.inner_start, tag.inner_start), text),)
+    return _inserted(element, lines, element.tag_at.inner_start)
 
 
 def insert_last(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
     """Put lines of XML into an element, behind what it holds."""
+    source, start, end = element.tag_at.inner_span
+    return _inserted(element, lines, start + len(source.data[start:end].rstrip()))
+
+
+def _inserted(element: Element, lines: Iterable[str], at: int) -> tuple[Edit, ...]:
     tag = element.tag_at
     if tag.close == tag.start:
         return _opened(element, lines)
     separator = _before_content(element)
-    _, start, end = tag.inner_span
-    at = start + len(tag.source.data[start:end].rstrip())
     return (Edit(Span(tag.source, at, at), "".join(separator + line for line in lines)),)
 
 

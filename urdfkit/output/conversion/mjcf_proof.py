@@ -47,14 +47,13 @@ class MjcfProof(Record):
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds."""
-        agreed = "masses, frames, mass matrix and gravity torques"
-        return f"MuJoCo and {self.engine} agree on {agreed}"
+        what = "masses, frames, mass matrix and gravity torques"
+        return f"MuJoCo and {self.engine} agree on {what}"
 
     @property
-    def differences(self) -> str:
-        """The differences in words."""
+    def disagreed(self) -> str:
         return (
+            f"MuJoCo and {self.engine} do not agree on the robot: "
             f"frames {self.frames:.2g} m (link '{self.link}'), masses {self.mass:.2g} kg, "
             f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}"
         )

@@ -1,0 +1,178 @@
+"""What was wrong on small robots of laboratories and students, for which nobody had tuned."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import INCLUDE, systems
+from tests.checks.worlds.started import found as of_world
+from tests.gazebos import BASE, block, child, plugin, sensor
+from tests.launched import reported as of_launch
+from tests.physics.collision.robots import box, joint, link, revolute, sphere
+from tests.reported import messages, reported
+from tests.workspaces import add_file
+from urdfkit import check
+
+MODEL = "<gazebo>{}</gazebo>"
+LINK = '<gazebo reference="tool">{}</gazebo>'
+
+
+@pytest.mark.parametrize(
+    ("block", "library", "severity"),
+    [
+        (LINK, "gz-sim-imu-system", "info"),
+        (LINK, "libgazebo_ros_control.so", "warning"),
+        (LINK, "", "warning"),
+        (MODEL, "gz-sim-imu-system", "warning"),
+    ],
+)
+def test_gz_sim_does_not_read_self_collide_of_a_link(
+    block: str, library: str, severity: str
+) -> None:
+    """A rover whose links all have it: gz-sim takes that of the model alone."""
+    pytest.importorskip("coal")
+    moments = 'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"'
+    inertial = f'<inertial><mass value="1"/><inertia {moments}/></inertial>'
+    robot = "\n".join(
+        (
+            link("base", box(0.2, 0.2, 0.2)),
+            link("upper", f"{sphere(0.02)}@0 0 0.2"),
+            link("tool", sphere(0.1)),
+            joint("base", "upper", "revolute", "0 0 0.15", revolute(-1, 1, "0 0 1")),
+            joint("upper", "tool", "revolute", "0 0 0", revolute(-1, 1, "0 0 1")),
+        )
+    ).replace("</link>", f"{inertial}</link>")
+    flag = block.format("<self_collide>true</self_collide>")
+    (found,) = reported("COL001", robot + flag + (plugin(library) if library else ""))
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize("kind", ["lidar", "gpu_lidar", "imu"])
+def test_a_world_system_in_a_sensor_needs_no_type_of_it(kind: str) -> None:
+    """`Sensors` in a `<sensor>` renders those of the world; what is wrong is its place."""
+    system = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>'
+    (message,) = messages("GAZ014", BASE + sensor(kind, system))
+    assert message.endswith("is a world system, which belongs in the world file")
+
+
+ARM = """<robot name="arm"><link name="base"/><link name="tip"/>
+<joint name="elbow" type="revolute"><parent link="base"/><child link="tip"/>
+  <limit lower="{}" upper="1" effort="1" velocity="1"/></joint></robot>"""
+SRDF = """<robot name="arm"><group name="arm"><joint name="elbow"/></group>
+<group_state name="home" group="arm"><joint name="elbow" value="-1"/></group_state></robot>"""
+
+
+def test_an_srdf_between_two_robots_is_of_the_one_that_it_is_called_like(tmp_path: Path) -> None:
+    """A Panda of older limits, next to the one of today that has the same name."""
+    add_file(tmp_path / "package.xml", b"<package><name>p</name></package>")
+    narrow = add_file(tmp_path / "urdf" / "arm.urdf", ARM.format("0").encode())
+    add_file(tmp_path / "urdf" / "arm_hand.srdf", SRDF.encode())
+    assert len(check(narrow, select=["SRD004"]).diagnostics) == 1
+    wide = add_file(tmp_path / "urdf" / "arm_hand.urdf", ARM.format("-2").encode())
+    assert check(narrow, select=["SRD004"]).diagnostics == ()
+    wide.write_text(ARM.format("0"))
+    assert len(check(wide, select=["SRD004"]).diagnostics) == 1
+    wide.write_text(ARM.format("0").replace(' name="arm"', ""))
+    assert len(check(narrow, select=["SRD004"]).diagnostics) == 1, "a part is no robot"
+
+
+LAUNCH = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory("arm"), {}, "run.py")
+    return LaunchDescription([print(path)])
+"""
+
+
+@pytest.mark.parametrize(
+    ("way", "count"),
+    [
+        ('"scripts"', 1),
+        ('"launch", "..", "scripts"', 1),
+        ('"..", "..", "src", "arm", "scripts"', 0),
+    ],
+)
+def test_a_path_from_the_share_directory_back_to_the_sources(
+    tmp_path: Path, way: str, count: int
+) -> None:
+    """It ends in the package by the layout of the sources alone; to install it does not help."""
+    cmake = "project(arm)\ninstall(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
+    files = {"CMakeLists.txt": cmake, "scripts/run.py": ""}
+    (tmp_path / "src").mkdir()
+    found = of_launch(tmp_path / "src" / "arm", "PKG002", "a.launch.py", LAUNCH.format(way), files)
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("hand_controller", 0), ("haed_controller", 1)])
+def test_a_controller_of_a_hand_is_no_misspelt_one_of_the_head(
+    tmp_path: Path, name: str, count: int
+) -> None:
+    """A launch file that loads nothing: who includes it has the parameters of the hand."""
+    text = f'<node name="s" pkg="controller_manager" type="spawner" args="{name}"/>'
+    files = {"config/c.yaml": "head_controller: {type: effort_controllers/X}\n"}
+    assert len(of_launch(tmp_path / "arm", "LAU013", "a.launch", text, files)) == count
+
+
+def test_a_misspelt_option_is_not_to_be_removed(tmp_path: Path) -> None:
+    node = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 't', '-r', '1'])"
+    text = LAUNCH.format('"a"').replace("print(path)", node)
+    text = text.replace("import os", "import os\nfrom launch_ros.actions import Node")
+    (found,) = of_launch(tmp_path / "arm", "LAU016", "a.launch.py", text)
+    assert found.message == "create has no option '-r' (ignored); did you mean '-R'?"
+    assert found.help == "write -R"
+
+
+@pytest.mark.parametrize(
+    ("project", "count"),
+    [("driver-${KIND}", 0), ("driver-$ENV{KIND}", 0), ("driver-x", 1), ("driver", 1)],
+)
+def test_a_project_whose_name_ends_in_a_variable(tmp_path: Path, project: str, count: int) -> None:
+    """A driver for several cameras, whose name the command line completes."""
+    files = {"CMakeLists.txt": f"project({project})\nament_package()\n"}
+    assert len(of_launch(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
+
+
+@pytest.mark.parametrize(("declared", "count"), [("", 1), ('<arg name="arm_id" default="a"/>', 0)])
+def test_substitutions_in_a_file_take_the_arguments_of_the_launch_file(
+    tmp_path: Path, declared: str, count: int
+) -> None:
+    """Controllers of one and of two arms in one file: `subst_value` alone stops roslaunch."""
+    text = f'{declared}<rosparam file="$(find arm)/c.yaml"/>'
+    (tmp_path / "arm").mkdir()
+    (found,) = of_launch(
+        tmp_path / "arm", "LAU019", "a.launch", text, {"c.yaml": "one: $(arg arm_id)_joint\n"}
+    )
+    assert found.help == 'write subst_value="true"' + ', and declare <arg name="arm_id"/>' * count
+
+
+@pytest.mark.parametrize("of_arm", [False, True])
+def test_a_flag_that_the_link_has_into_which_another_one_is_merged(of_arm: bool) -> None:
+    """Universal Robots' tool flange: its <selfCollide> adds nothing to that of the last wrist."""
+    ball = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    robot = BASE.replace("</link>", f"{ball}</link>") + child("hand", "fixed")
+    robot += block("<selfCollide>true</selfCollide>", "hand")
+    robot += child("gripper", "fixed").replace("</inertial>", f"</inertial>{ball}")
+    if of_arm:
+        robot += block("<selfCollide>true</selfCollide>")
+    assert len(messages("GAZ067", robot)) == (not of_arm)
+
+
+def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
+    tmp_path: Path,
+) -> None:
+    """Its plugins are right; to remove them breaks it where it is started as it should be."""
+    classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
+    classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
+    (found,) = of_world(tmp_path, "WLD002", world=systems("physics", "sensors"), launch=classic)
+    assert found.message == (
+        "world 'hall' is for gz-sim, and is started in Gazebo Classic, which loads none of its "
+        "2 plugins"
+    )
+    assert found.span.source.path.endswith(".launch.py")
+    mixed = systems("physics") + '<plugin name="p" filename="libgazebo_ros_state.so"/>'
+    (found,) = of_world(tmp_path, "WLD002", world=mixed, launch=classic)
+    assert found.help == "remove it"

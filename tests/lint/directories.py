@@ -1,0 +1,27 @@
+"""Directories of robots for tests."""
+
+from pathlib import Path
+
+from urdfkit.lint.entry_points import DirectoryContents
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+ROOT_ROBOT = '<robot name="box"><link name="box"/></robot>\n'
+CART = """<link name="base"/><link name="wheel"/>
+<joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>"""
+
+
+def write(directory: Path, name: str, body: str) -> str:
+    """Write a description and give its path."""
+    path = directory / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"{HEAD}\n{body}\n</robot>\n")
+    return str(path)
+
+
+def include(name: str) -> str:
+    return f'<xacro:include filename="{name}"/>'
+
+
+def names(found: DirectoryContents) -> list[str]:
+    """The names of the files of the robots."""
+    return [Path(robot.file).name for robot in found.robots]

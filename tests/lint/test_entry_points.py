@@ -1,0 +1,70 @@
+"""Which descriptions are whole robots, and which are parts of others."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.lint.directories import HEAD, include, names, write
+from urdfkit import check
+from urdfkit.lint.config import Config
+from urdfkit.lint.discovery import discover
+from urdfkit.workspace.resolve import Resolver
+
+ARM = '<link name="arm"/><xacro:arg default="1" name="scale"/><joint name="$(arg scale)"/>'
+
+
+def test_of_files_that_include_each_other_one_is_checked_and_tells_of_the_ring(tmp_path):
+    write(tmp_path, "a.xacro", include("b.xacro") + '<link name="a"/>')
+    write(tmp_path, "b.xacro", include("c.xacro"))
+    write(tmp_path, "c.xacro", include("b.xacro") + include("a.xacro"))
+    write(tmp_path, "whole.xacro", '<link name="whole"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["a.xacro", "whole.xacro"]
+    report = check(tmp_path)
+    assert [found.code for found in report.diagnostics if found.severity.value == "error"] != []
+
+
+@pytest.mark.parametrize(
+    ("declared", "expected"),
+    [
+        ("", ["arm.xacro", "sim.xacro"]),
+        ('<xacro:arg name="sim"/>', ["arm.xacro", "sim.xacro"]),
+        ('<xacro:arg name="sim" default="true"/>', ["sim.xacro"]),
+        ('<xacro:arg default="" name="sim"/>', ["sim.xacro"]),
+    ],
+)
+def test_a_whole_robot_in_one_that_needs_arguments(
+    tmp_path: Path, declared: str, expected: list[str]
+):
+    write(tmp_path, "arm.xacro", ARM + include("rod.xacro"))
+    write(tmp_path, "rod.xacro", '<xacro:macro name="rod"/>')
+    write(tmp_path, "sim.xacro", f'{declared}{include("arm.xacro")}<link name="$(arg sim)"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == expected
+
+
+def test_parts_of_a_robot_that_needs_arguments_stay_parts(tmp_path: Path):
+    write(tmp_path, "part.xacro", '<link name="$(arg prefix)_part"/>')
+    (tmp_path / "nameless.xacro").write_text('<robot><link name="x"/></robot>')
+    body = include("part.xacro") + include("nameless.xacro") + '<link name="$(arg prefix)"/>'
+    write(tmp_path, "whole.xacro", body)
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["whole.xacro"]
+
+
+@pytest.mark.parametrize(
+    ("name", "parent", "is_part"),
+    [
+        ("arm", "base", True),
+        ("base", "base", False),
+        ("${x}", "base", False),
+        ("arm", "${x}", False),
+    ],
+)
+def test_a_xacro_without_a_name_is_a_part_if_a_parent_is_certainly_elsewhere(
+    tmp_path: Path, name: str, parent: str, is_part: bool
+):
+    write(tmp_path, "whole.xacro", '<link name="base"/>')
+    ends = f'<parent link="{parent}"/><child link="arm"/>'
+    body = f'<link name="{name}"/><joint name="j" type="fixed">{ends}</joint>'
+    nameless = f"{HEAD}{body}</robot>".replace(' name="r"', "")
+    (tmp_path / "part.xacro").write_text(nameless)
+    found = names(discover(str(tmp_path), Config(), Resolver()))
+    assert found == (["whole.xacro"] if is_part else ["part.xacro", "whole.xacro"])

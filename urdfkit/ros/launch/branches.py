@@ -1,0 +1,43 @@
+"""The calls of a Python program that an if statement decides."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+
+def decided_calls(tree: ast.Module) -> set[ast.Call]:
+    """The calls that are run in one branch of the program only, or whose value is used in one."""
+    within: set[ast.AST] = set(_decided(tree))
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    loads = [node for node in names if isinstance(node.ctx, ast.Load)]
+    always = {node.id for node in loads if node not in within}
+    sometimes = {node.id for node in loads} - always
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and _names(node.targets) & sometimes:
+            within.update(ast.walk(node.value))
+    return {node for node in within if isinstance(node, ast.Call)}
+
+
+def _decided(tree: ast.Module) -> Iterator[ast.AST]:
+    stack: list[tuple[ast.AST, bool]] = [(tree, False)]
+    while stack:
+        node, is_decided = stack.pop()
+        if is_decided:
+            yield node
+        is_branch = isinstance(node, (ast.If, ast.IfExp, ast.match_case))
+        for name, value in ast.iter_fields(node):
+            may_not_run = is_decided or (is_branch and name != "test")
+            for child in value if isinstance(value, list) else [value]:
+                if isinstance(child, ast.AST):
+                    stack.append((child, may_not_run))
+                    # What follows a branch that returns is the other branch.
+                    may_not_run = may_not_run or _returns(child)
+
+
+def _returns(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and any(isinstance(one, ast.Return) for one in node.body)
+
+
+def _names(targets: list[ast.expr]) -> set[str]:
+    return {node.id for node in targets if isinstance(node, ast.Name)}
