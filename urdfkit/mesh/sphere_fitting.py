@@ -223,6 +223,8 @@ def fit(
         most: of all solids together, but at least one of each.
         report: called with the number of solids done.
     """
+    if not coverings:
+        return []
     chosen = _choose(coverings, margin, most)
     found = []
     for covering, candidates in zip(coverings, chosen, strict=True):

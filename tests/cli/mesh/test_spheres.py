@@ -112,3 +112,13 @@ def test_a_reason_is_given(shape: str, why: str, tmp_path: Path, capsys) -> None
     )
     assert main(["mesh", "spheres", str(file)]) == 2
     assert f"collision 1 of link 'a' is left out: {why}" in capsys.readouterr().err
+
+
+def test_a_robot_of_spheres_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "ball.urdf"
+    file.write_text(
+        '<robot name="ball"><link name="base"><collision><geometry><sphere radius="0.02"/>'
+        "</geometry></collision></link></robot>"
+    )
+    assert main(["mesh", "spheres", str(file), "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["links"][0]["radii"] == [0.02]
