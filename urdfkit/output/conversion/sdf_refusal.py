@@ -29,7 +29,8 @@ def require(robot: Context, conversion: SdfConversion) -> None:
     """
     diagnostics = run_rules(robot, sorted(CODES)).diagnostics
     for one in rejections(diagnostics, conversion):
-        raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}")
+        remedy = f"; see: urdfkit explain {one.code}" if one.code else ""
+        raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}{remedy}")
     for diagnostic in diagnostics:
         if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
             raise UrdfkitError(

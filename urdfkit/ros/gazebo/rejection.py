@@ -119,7 +119,7 @@ def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
             if added.tag not in ("frame", "model"):
                 continue
             if name in taken:
-                message = f"another part is called '{name}'"
+                message = f"another part is called '{name}'; rename one of the two"
                 yield Rejection("gz", "", message, added.span)
             taken.add(name)
 
@@ -142,6 +142,7 @@ def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
             yield Rejection("gz", "NAM004", message, at.span)
         if name in taken and kind != "robot":
             message = f"{kind} '{name}' has the name of a {taken[name]} after the conversion"
+            message += "; rename one of the two"
             yield Rejection("gz", "NAM003" if taken[name] != kind else "", message, at.span)
         elif kind != "robot":
             taken[name] = kind
