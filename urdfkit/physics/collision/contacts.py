@@ -189,7 +189,7 @@ class Contacts:
             first, second = sorted(near, key=lambda body: order[body.link])
             names = (first.link, second.link)
             bound = lower_bound(first, second, relative(first, second, self.frames))
-            if bound < -TOUCH and self._are_connected(names):
+            if bound < -TOUCH and self._placed_by[names[0]] == self._placed_by[names[1]]:
                 found.setdefault(names, []).append((first, second, bound))
         pairs = sorted(found.items(), key=lambda pair: [order[name] for name in pair[0]])
         return tuple(LinkPair(self, names, bounds) for names, bounds in pairs)
@@ -298,12 +298,15 @@ class Contacts:
     def _every(self) -> list[CollisionBody]:
         return [body for bodies in self.bodies.values() for body in bodies]
 
-    def _are_connected(self, names: tuple[str, str]) -> bool:
-        """True for two links of one tree with nothing but joints of one number between them."""
-        first, second = map(self.tree.root_of.get, names)
-        return first == second and not any(
-            joint.kind in ("planar", "floating") for joint in self.between(names)
-        )
+    @cached_property
+    def _placed_by(self) -> dict[str, str]:
+        """The link from which joints of one number lead to each link, and none of more."""
+        found = {root.name: root.name for root in self.tree.roots}
+        for joint in self.tree.spanning:
+            child = joint.child_name
+            is_free = joint.kind in ("planar", "floating")
+            found[child] = child if is_free else found[joint.parent_name]
+        return found
 
     def _placed(self, way: Iterable[Joint], given: Mapping[str, float]) -> Transform:
         """Where a way of joints leads, in the frame where it begins."""
