@@ -4,6 +4,7 @@ Tracing is an expansion of its own, run on request: it notes which names every e
 looks up, and how each of them got its value.
 """
 
+import reprlib
 from collections.abc import Iterator
 from types import FrameType
 from typing import Any
@@ -24,6 +25,7 @@ class Tracer:
         self._defined = defined
         self._collected: list[dict[str, Origin]] = []
         self._last: tuple[Origin, ...] = ()
+        self._definitions: dict[tuple[Node, str], tuple[str, Span, str]] = {}
 
     def begin(self) -> None:
         """An expression's evaluation begins."""
@@ -41,7 +43,7 @@ class Tracer:
         """A name got the value of the text that was evaluated last."""
         annotations = annotations_of(table)
         definer = annotations.definers.get(key)
-        if definer is not None and "$" in _definition(definer, key)[2]:
+        if definer is not None and "$" in self._definition(definer, key)[2]:
             annotations.inputs[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
@@ -53,8 +55,14 @@ class Tracer:
         if definer is None:
             return  # built in
         inputs = annotations.inputs.get(key, ())
-        kind, span, text = _definition(definer, key)
+        kind, span, text = self._definition(definer, key)
         self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
+
+    def _definition(self, definer: Node, key: str) -> tuple[str, Span, str]:
+        """That of a name, which most expressions look up again and again."""
+        if (definer, key) not in self._definitions:
+            self._definitions[definer, key] = _definition(definer, key)
+        return self._definitions[definer, key]
 
     def argument(self, name: str, value: str) -> None:
         """An expression used ``$(arg name)``."""
@@ -122,7 +130,8 @@ def _definition(definer: Node, key: str) -> tuple[str, Span, str]:
 
 
 def _short(value: Any) -> str:
-    text = str(value)
+    # The text of what a YAML file holds is long.
+    text = reprlib.repr(value) if isinstance(value, (dict, list)) else str(value)
     return text if len(text) <= 60 else text[:57] + "..."
 
 

@@ -56,16 +56,26 @@ def _loader() -> Any:
     return Loader
 
 
-class _PlacedFloat(float):
-    span: Span
+class _Placed:
+    """A value that knows where it stands."""
+
+    place: tuple[Source, Any, Any]  # the file, and libyaml's marks of its ends
+
+    @property
+    def span(self) -> Span:
+        return _span(*self.place)
 
 
-class _PlacedInt(int):
-    span: Span
+class _PlacedFloat(_Placed, float):
+    pass
 
 
-class _PlacedText(str):
-    span: Span
+class _PlacedInt(_Placed, int):
+    pass
+
+
+class _PlacedText(_Placed, str):
+    pass
 
 
 _PLACED: dict[type, Any] = {float: _PlacedFloat, int: _PlacedInt, str: _PlacedText}
@@ -81,7 +91,7 @@ def _placing(base: Any, source: Source) -> Any:
             if placed is None:
                 return value
             value = placed(value)
-            value.span = _span(source, node.start_mark, node.end_mark)
+            value.place = source, node.start_mark, node.end_mark
             return value
 
     return Placing
