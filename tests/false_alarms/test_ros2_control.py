@@ -104,7 +104,7 @@ def test_a_sensor_whose_broadcaster_has_the_frame() -> None:
 @pytest.mark.parametrize(("name", "count"), [("left_force", 0), ("left_camera", 1)])
 def test_sensors_that_are_interfaces_of_one(name: str, count: int) -> None:
     """Quadrupeds: the force sensors of the feet are one sensor of ros2_control."""
-    force = '<sensor name="force"><state_interface name="left"/></sensor>'
+    force = '<sensor name="force"><state_interface name="left_force"/></sensor>'
     feet = sensor("force_torque", "", "base").replace('name="s"', f'name="{name}"')
     robot = ROBOT + control(force, plugin=GZ) + feet
     assert len(reported("GAZ058", robot, targets=("gz-harmonic",))) == count

@@ -97,15 +97,14 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
 def _controlled(model: RobotModel) -> set[str]:
     """Names of sensors that ``<ros2_control>`` reads, whose broadcasters have frames.
 
-    One of its sensors may read several of Gazebo, by an interface each: `FL_force` is `FL` of
-    `force`.
+    One of its sensors may read several of Gazebo, by interfaces of their names.
     """
     if not model.ros2_controls:
         return set()
     from urdfkit.ros.ros_control import components
 
     parts = [part for block in components(model) for part in block.parts if part.kind == "sensor"]
-    several = {f"{one.name}_{part.name}" for part in parts for one in part.interfaces}
+    several = {one.name for part in parts for one in part.interfaces}
     return several.union(part.name for part in parts)
 
 
