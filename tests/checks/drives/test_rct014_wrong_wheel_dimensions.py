@@ -54,6 +54,21 @@ def drive(separation: float, radius: float) -> str:
     )
 
 
+@pytest.mark.parametrize(
+    ("parameter", "value", "count"),
+    [
+        ("wheel_separation_multiplier", "1.5", 1),
+        ("left_wheel_radius_multiplier", "1.02", 1),
+        ("wheel_separation_multiplier", "1.0", 2),
+    ],
+)
+def test_a_length_that_is_multiplied(
+    parameter: str, value: str, count: int, tmp_path: Path
+) -> None:
+    text = drive(0.3, 0.2).rstrip("\n") + f"\n    {parameter}: {value}\n"
+    assert len(reported(tmp_path, text, robot())) == count
+
+
 def test_separation(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
     assert found.message == (

@@ -4,7 +4,8 @@ The drive computes wheel speeds and odometry from its own numbers. With a wrong 
 drives too fast or too slow, and measures too little or too much; with a wrong separation it turns
 by the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
 sphere, how large. Write its values into the plugin or the parameter file, corrections into
-multipliers. A separation larger than the track is not reported where wheels slip in turns.
+multipliers, of which a controller's length is not reported. A separation larger than the track is
+not reported where wheels slip in turns.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -93,6 +94,8 @@ def _of_controller(controller: Controller, context: Context) -> Findings:
         written = controller.values([measure.parameter])
         value = number(written[0].text) if written else None
         real = _real(measure, controller, context)
+        if _is_multiplied(controller, measure.parameter):
+            continue  # by who measured how the robot drives
         if value is not None and real and _differs(value, real):
             yield Finding(
                 Location(written[0].span),
@@ -101,6 +104,12 @@ def _of_controller(controller: Controller, context: Context) -> Findings:
                 _help(real[0]),
                 weight=abs(value - real[0]),
             )
+
+
+def _is_multiplied(controller: Controller, parameter: str) -> bool:
+    """True if the controller multiplies a length by another number than 1."""
+    names = [f"{side}{parameter}_multiplier" for side in ("", "left_", "right_")]
+    return any(number(one.text) not in (None, 1.0) for one in controller.values(names))
 
 
 def _help(real: float) -> str:
