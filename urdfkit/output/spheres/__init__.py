@@ -92,9 +92,9 @@ def fit_spheres(
     if not solids:
         why = f": {few(left_out, 1)}" if left_out else ""
         links = context.model.links_by_name.values()
-        if not visual and not any(link.collisions for link in links):
-            if any(link.visuals for link in links):
-                why = "; only visual geometry, which --visual (visual=True in Python) covers"
+        no_collision = not any(one.collisions for one in links)
+        if no_collision and not visual and any(one.visuals for one in links):
+            why = "; only visual geometry, which --visual (visual=True in Python) covers"
         raise UrdfkitError(f"{shown(context.source.path)}: no link has geometry to cover{why}")
     report = progress or (lambda done, of: None)
     exact = {name: found for name in solids if (found := _exact(context, name, visual))}
