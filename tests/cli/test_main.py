@@ -116,6 +116,7 @@ def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixtur
         (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
         (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
         (["check", "no_such.urdf"], "no_such.urdf: file not found"),
+        (["check", ""], "'': file not found"),
         (["check", GOOD, "no_such.urdf"], "no_such.urdf: file not found"),
         (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
         (["check", "/no/such/directory/robot.urdf"], "no such directory '/no/such/directory'"),

@@ -75,7 +75,7 @@ class Source:
         try:
             data = disk.read(path, MAX_BYTES + 1)
         except OSError as error:
-            raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
+            raise UnreadableFile(f"{path or repr(path)}: {why_unreadable(path, error)}") from error
         except ValueError as error:  # a NUL in the name
             raise UnreadableFile(f"{path!r}: {error}") from error
         if len(data) > MAX_BYTES:

@@ -94,7 +94,20 @@ def test_visual_geometry(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
 
 def test_without_geometry(balls: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", "spheres", balls, "--visual"]) == 2
-    assert "no link has geometry to cover" in capsys.readouterr().err
+    error = capsys.readouterr().err
+    assert "no link has geometry to cover" in error
+    assert "--visual" not in error
+
+
+def test_of_a_robot_with_visual_geometry_only_the_error_names_the_option(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "seen.urdf"
+    file.write_text(BALLS.replace("collision", "visual"))
+    assert main(["mesh", "spheres", str(file)]) == 2
+    error = capsys.readouterr().err
+    assert "no link has geometry to cover; only visual geometry" in error
+    assert "--visual" in error
 
 
 @pytest.mark.parametrize(

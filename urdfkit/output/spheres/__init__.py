@@ -91,6 +91,10 @@ def fit_spheres(
     solids = _solids(context, visual, left_out, replaced)
     if not solids:
         why = f": {few(left_out, 1)}" if left_out else ""
+        links = context.model.links_by_name.values()
+        no_collision = not any(one.collisions for one in links)
+        if no_collision and not visual and any(one.visuals for one in links):
+            why = "; only visual geometry, which --visual (visual=True in Python) covers"
         raise UrdfkitError(f"{shown(context.source.path)}: no link has geometry to cover{why}")
     report = progress or (lambda done, of: None)
     exact = {name: found for name in solids if (found := _exact(context, name, visual))}
