@@ -36,7 +36,7 @@ def command(name: str, kind: str, out: str) -> int:
             "",
             f"Check it:      urdfkit check {shlex.quote(package)}",
             "Simulate it:   urdfkit simulate " + shlex.quote(f"{package}/urdf/{name}.urdf.xacro"),
-            "Build it:      colcon build && source install/setup.bash, in its workspace",
+            "Build it:      colcon build && source install/setup.bash  # in the workspace",
             f"Start it:      ros2 launch {name} simulation.launch.py",
         )
     )

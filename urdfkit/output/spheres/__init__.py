@@ -90,11 +90,7 @@ def fit_spheres(
     replaced: list[str] = []
     solids = _solids(context, visual, left_out, replaced)
     if not solids:
-        why = f": {few(left_out, 1)}" if left_out else ""
-        links = context.model.links_by_name.values()
-        no_collision = not any(one.collisions for one in links)
-        if no_collision and not visual and any(one.visuals for one in links):
-            why = "; only visual geometry, which --visual (visual=True in Python) covers"
+        why = _why_nothing(context, visual, left_out)
         raise UrdfkitError(f"{shown(context.source.path)}: no link has geometry to cover{why}")
     report = progress or (lambda done, of: None)
     exact = {name: found for name in solids if (found := _exact(context, name, visual))}
@@ -117,6 +113,15 @@ def fit_spheres(
     ]
     whole = total([one.quality for one in links])
     return RobotSpheres(tuple(links), whole, tuple(left_out), tuple(replaced))
+
+
+def _why_nothing(robot: Context, visual: bool, left_out: list[str]) -> str:
+    if left_out:
+        return f": {few(left_out, 1)}"
+    is_seen = any(link.visuals for link in robot.model.links)
+    if is_seen and not visual:
+        return "; only visual geometry, which --visual (visual=True in Python) covers"
+    return ""
 
 
 def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
