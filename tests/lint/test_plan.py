@@ -97,7 +97,7 @@ def test_a_directory_of_launch_files_alone_is_checked(tmp_path):
 
 
 def test_a_robot_is_checked_with_the_arguments_of_launch_files(package):
-    """What is left out without them is told once."""
+    """What is left out without them is reported once."""
     (package / "urdf").mkdir(exist_ok=True)
     (package / "urdf" / "arm.urdf.xacro").write_text(
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'

@@ -142,13 +142,13 @@ def test_a_gazebo_block_counts_as_well() -> None:
     assert fixed("GAZ001", robot.format("griper")) == after
 
 
-@pytest.mark.parametrize(("drives", "mended"), [(1, "sholder"), (2, "shoulder")])
-def test_what_mimic_joints_agree_on_is_right(drives: int, mended: str) -> None:
+@pytest.mark.parametrize(("drives", "right"), [(1, "sholder"), (2, "shoulder")])
+def test_what_mimic_joints_agree_on_is_right(drives: int, right: str) -> None:
     robot = '<link name="a"/><joint name="{}" type="fixed"><child link="a"/></joint>'
     robot += "".join(
         f'<joint name="j{n}" type="fixed"><child link="a"/><mimic joint="{{}}"/></joint>'
         for n in range(drives)
     )
-    names = [mended] * (drives + 1)
+    names = [right] * (drives + 1)
     after = f'<robot name="example">\n{robot.format(*names)}\n</robot>\n'
     assert fixed("REF001", robot.format("sholder", *["shoulder"] * drives)) == after

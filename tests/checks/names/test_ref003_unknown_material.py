@@ -70,13 +70,13 @@ def test_hints(name: str, hint: str) -> None:
     assert places("REF003", robot) == [(2, name)]
 
 
-@pytest.mark.parametrize(("uses", "mended"), [(1, "orangge"), (2, "orange")])
+@pytest.mark.parametrize(("uses", "right"), [(1, "orangge"), (2, "orange")])
 def test_of_one_definition_and_several_uses_the_definition_is_misspelt(
-    uses: int, mended: str
+    uses: int, right: str
 ) -> None:
     robot = '<material name="{}"><color rgba="1 0 0 1"/></material>'
     for number in range(uses):
         visual = '<visual><material name="{}"/><geometry><sphere radius="1"/></geometry></visual>'
         robot += f'<link name="l{number}">{visual}</link>'
-    after = f'<robot name="example">\n{robot.format(*[mended] * (uses + 1))}\n</robot>\n'
+    after = f'<robot name="example">\n{robot.format(*[right] * (uses + 1))}\n</robot>\n'
     assert fixed("REF003", robot.format("orangge", *["orange"] * uses)) == after

@@ -1,7 +1,8 @@
 from pathlib import Path
 
 from tests.controls import NEXT, ROBOT, control, driven, transmission
-from tests.reported import messages, places, reported
+from tests.jointed import joint, limit, robot
+from tests.reported import fixed, messages, places, reported
 from urdfkit import check
 
 
@@ -51,3 +52,10 @@ def test_a_description_of_the_hardware_alone() -> None:
     block = control(driven("left motor"), driven("right motor"))
     assert reported("RCT001", block) == reported("RCT001", '<link name="base"/>' + block) == []
     assert len(reported("RCT001", ROBOT + block)) == 2
+
+
+def test_the_joint_is_renamed_that_two_blocks_call_otherwise() -> None:
+    joints = robot(joint("swnig", "continuous", limit("0", "0", "10", "2")))
+    once, twice = (joints + control(driven("swing")) * count for count in (1, 2))
+    assert fixed("RCT001", once).count('<joint name="swnig"') == 2
+    assert fixed("RCT001", twice).count('<joint name="swing"') == 3

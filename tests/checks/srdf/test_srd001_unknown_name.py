@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CORPUS, needs_corpus
-from tests.srdfs import findings
+from tests.controls import control, driven
+from tests.srdfs import ROBOT, findings
 from urdfkit import Diagnostic, check
 
 BAD = [
@@ -248,3 +249,17 @@ def test_an_srdf_has_the_arguments_of_its_robot(tmp_path: Path) -> None:
     for dof, count in (("5", 0), ("6", 0)):
         report = check(tmp_path / "r.urdf.xacro", arguments={"dof": dof}, select=["SRD001"])
         assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("block", "corrected"), [("", "r.srdf"), (driven("shoulder"), "r.urdf")])
+def test_of_srdf_and_ros2_control_against_one_joint_the_joint_is_misspelt(
+    block: str, corrected: str, tmp_path: Path
+) -> None:
+    robot = ROBOT.replace('"shoulder"', '"sholder"').replace(
+        "</robot>", control(block) + "</robot>"
+    )
+    (tmp_path / "r.urdf").write_text(robot)
+    (tmp_path / "r.srdf").write_text('<robot name="r"><passive_joint name="shoulder"/></robot>')
+    (found,) = check(tmp_path / "r.urdf", select=["SRD001"]).diagnostics
+    assert found.fix is not None
+    assert [Path(edit.span.source.path).name for edit in found.fix.edits] == [corrected]

@@ -73,12 +73,12 @@ def test_a_row_for_every_finding_the_worst_first() -> None:
             span(PLAIN, "arm"),
             severity=Severity.ERROR,
             message="bad",
-            help="mend it",
+            help="correct it",
             code="ABC124",
         ),
     )
     assert rows(checked) == [
-        ["error ABC124", "urdf/robot.urdf:2:15", "bad\nmend it"],
+        ["error ABC124", "urdf/robot.urdf:2:15", "bad\ncorrect it"],
         ["warning ABC123", "urdf/robot.urdf:2:4", "doubtful"],
         ["info ABC123", "urdf/robot.urdf:1:2", "a hint"],
     ]

@@ -81,10 +81,10 @@ def _scripted(context: Context) -> set[str]:
 
 
 def _finding(child: Element, name: str, right: str) -> Finding:
+    if child.children and not name:
+        message = f"Gazebo ignores <{child.children[0].tag}> in <material>, which names a material"
+        return Finding(child, message, "write <visual><material>...</material></visual>")
     edits = replace_text(child, right) if right and not child.get("value") else None
     message = f"unknown Gazebo material '{name}'" if name else "<material> is empty"
     help = f"did you mean '{right}'?" if right else ""
-    if child.children and not name:
-        message = f"Gazebo ignores <{child.children[0].tag}> in <material>, which names a material"
-        help = "write <visual><material>...</material></visual>"
     return Finding(child, message, help, Fix.of(f"write {right}", edits), group_key=name)
