@@ -22,6 +22,7 @@ from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.schema import JOINT_TYPES
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
 NARROWEST = 1e-6
@@ -136,7 +137,10 @@ class MjcfRobot:
             for tag in ("axis", "limit", "dynamics"):
                 self.losses.lose(at.child(tag), "a fixed joint does not move")
         else:
-            raise UrdfkitError(f"{at.span}: joint '{joint.name}' has the type '{joint.kind}'")
+            raise UrdfkitError(
+                f"{at.span}: joint '{joint.name}' has the type '{joint.kind}', which URDF does not "
+                f"have; take one of {', '.join(JOINT_TYPES)}"
+            )
 
     def _limits(self, made: Any, joint: Joint) -> None:
         limit = joint.limit
@@ -150,7 +154,9 @@ class MjcfRobot:
             self.losses.lose(attributes.get("lower"), reason)
             self.losses.lose(attributes.get("upper"), reason)
         elif lower > upper:
-            raise UrdfkitError(f"{limit.at.span}: joint '{joint.name}': lower is over upper")
+            raise UrdfkitError(
+                f"{limit.at.span}: joint '{joint.name}': lower is over upper; swap them"
+            )
         else:
             made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:
