@@ -23,7 +23,9 @@ class UrdfProof(Record):
     different: int  # of them, apart from the names of files
     missing: int  # files that it names and that are not there
 
-    part = ""
+    @property
+    def part(self) -> str:
+        return ""
 
     @property
     def holds(self) -> bool:
