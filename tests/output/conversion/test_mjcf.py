@@ -278,8 +278,11 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
     ("robot", "reason"),
     [
         (arm(LIMIT, tip=""), "arm.urdf:3:1: MuJoCo rejects the robot: mass and inertia"),
-        (arm(LIMIT.replace('"2"', '"-3"')), "lower is over upper"),
-        (arm(LIMIT, kind="hinge"), "joint 'turn' has the type 'hinge'"),
+        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is over the upper one"),
+        (arm(LIMIT.replace('"2"', '"inf"')), "joint 'turn': upper of <limit> is 'inf'; write a"),
+        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis 0 0 0 has no direction"),
+        (arm(LIMIT, tip=INERTIAL.replace('"2"', '"2 kg"')), "value of <mass> is '2 kg'"),
+        (arm(LIMIT, kind="hinge"), "joint 'turn': its type is 'hinge'"),
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
         (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),

@@ -133,8 +133,11 @@ def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path
     ("robot", "reason"),
     [
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
-        (arm('<origin xyz="1 2"/>'), "arm.urdf:4:"),
-        (arm(LIMIT, kind="hinge"), "arm.urdf:4:1: urdf-usd-converter rejects the robot: Invalid"),
+        (
+            Source("r.urdf", arm().data.replace(b"0 0 0.5", b"0 0.5")),
+            "xyz of <origin> is '0 0.5'; write 3 finite",
+        ),
+        (arm(LIMIT + '<mimic joint="m"/>'), "arm.urdf:4:152: urdf-usd-converter rejects the robot"),
         (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),
     ],
 )

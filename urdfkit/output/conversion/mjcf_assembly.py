@@ -15,6 +15,7 @@ from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.mjcf_sensors import add_sensors
 from urdfkit.output.conversion.mjcf_srdf import exclude_disabled
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import lowest_links
 from urdfkit.text.source import shown
@@ -36,10 +37,9 @@ def floats(robot: Context, base: str) -> bool:
     its base move. An arm may hang below its base, too, but by one joint.
 
     Raises:
-        UrdfkitError: links and joints do not form one tree, or the world is to float.
+        UrdfkitError: a part of the robot has no meaning, or the world is to float.
     """
-    if not robot.tree.is_sound:
-        raise UrdfkitError(robot.tree.unsound)
+    require_meaning(robot)
     if base == "free" and robot.tree.roots[0].name == "world":
         raise UrdfkitError(
             f"{robot.model.place('world')}: a root link called 'world' cannot float; rename it, "

@@ -7,7 +7,6 @@ import mujoco
 import numpy as np
 
 from urdfkit.core.spatial import Rotation, Transform, vector
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
@@ -22,7 +21,6 @@ from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.schema import JOINT_TYPES
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
 NARROWEST = 1e-6
@@ -133,14 +131,9 @@ class MjcfRobot:
             ):
                 body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
             keep(at.child("axis"), "axes")
-        elif joint.kind == "fixed":
+        else:
             for tag in ("axis", "limit", "dynamics"):
                 self.losses.lose(at.child(tag), "a fixed joint does not move")
-        else:
-            raise UrdfkitError(
-                f"{at.span}: joint '{joint.name}' has the type '{joint.kind}', which URDF does not "
-                f"have; take one of {', '.join(JOINT_TYPES)}"
-            )
 
     def _limits(self, made: Any, joint: Joint) -> None:
         limit = joint.limit
@@ -153,10 +146,6 @@ class MjcfRobot:
             reason = "a continuous joint has no range"
             self.losses.lose(attributes.get("lower"), reason)
             self.losses.lose(attributes.get("upper"), reason)
-        elif lower > upper:
-            raise UrdfkitError(
-                f"{limit.at.span}: joint '{joint.name}': lower is over upper; swap them"
-            )
         else:
             made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:

@@ -22,6 +22,7 @@ from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
@@ -45,8 +46,7 @@ class Warned(Record):
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
-    if not robot.tree.is_sound:
-        raise UrdfkitError(robot.tree.unsound)
+    require_meaning(robot)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
         atomic.make_directory(directory)
