@@ -231,8 +231,6 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
         name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not disk.is_directory(directory):
-            raise UsageError(f"--package {word}: no such directory '{directory}'")
         found[name] = directory
     return found
 
