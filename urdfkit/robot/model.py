@@ -240,6 +240,11 @@ class RobotModel:
             raise UnknownLink(f"no link '{name}'{did_you_mean(name, self.links_by_name)}")
         return self.links_by_name[name]
 
+    def place(self, name: str = "") -> Span:
+        """Where the first link or else joint of a name stands; the robot, if there is none."""
+        part = self.links_by_name.get(name) or self.joints_by_name.get(name)
+        return (part.at if part else self.root).span
+
     def collision(self, link: str, number: int) -> Element:
         """The element of a collision of a link, by its number from 0."""
         return self.links_by_name[link].collisions[number].at

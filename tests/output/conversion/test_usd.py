@@ -1,6 +1,7 @@
 """USD: what the stage holds is the robot, and warnings stand at the lines of the robot."""
 
 import json
+import re
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
-from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, arm
+from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, PLACE_AND_REMEDY, arm
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
@@ -132,8 +133,11 @@ def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path
     ("robot", "reason"),
     [
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
-        (arm('<origin xyz="1 2"/>'), "arm.urdf:4:"),
-        (arm(LIMIT, kind="hinge"), "arm.urdf:4:1: urdf-usd-converter rejects the robot: Invalid"),
+        (
+            Source("r.urdf", arm().data.replace(b"0 0 0.5", b"0 0.5")),
+            "xyz of <origin> is '0 0.5'; write 3 finite",
+        ),
+        (arm(LIMIT + '<mimic joint="m"/>'), "arm.urdf:4:152: urdf-usd-converter rejects the robot"),
         (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),
     ],
 )
@@ -143,6 +147,7 @@ def test_what_cannot_be_converted_leaves_nothing(
     with pytest.raises(UrdfkitError) as raised:
         convert(read(robot), tmp_path / "o", to="usd")
     assert reason in str(raised.value)
+    assert re.match(PLACE_AND_REMEDY, str(raised.value))
     assert list(tmp_path.iterdir()) == []
 
 

@@ -98,7 +98,7 @@ class Geoms:
             if size is None:
                 what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
                 if not is_visual:
-                    raise UrdfkitError(f"{shape.at.span}: {what}")
+                    raise UrdfkitError(f"{shape.at.span}: {what}; give it one, or remove it")
                 self._losses.lose(geometry.at, what)
                 continue
             place = frame @ geometry.origin

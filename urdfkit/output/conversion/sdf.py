@@ -51,7 +51,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         model = SdfModel(conversion, names)
         write_files(_files(robot, model), directory)
         sdf = Sdf(Source.read(os.path.join(directory, MODEL)))
-        proof = proven(prove(sdf, robot, conversion))
+        proof = proven(prove(sdf, robot, conversion), robot)
         losses = LossTable()
         record_losses(losses, conversion, model, bundle)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, REASONS))

@@ -216,7 +216,8 @@ def _setting(child: Element) -> str:
     )
     if not read or is_large:
         raise UrdfkitError(
-            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends"
+            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends; "
+            "write one"
         )
     return number_text(number)
 
@@ -255,7 +256,7 @@ def _move(tag: Tag, at: Element, frame: Transform) -> None:
         if read is None or len(read) < 6:
             raise UrdfkitError(
                 f"{at.span}: the <pose> of <{tag.tag}> has no six numbers: "
-                "Gazebo cannot move it with its link"
+                "Gazebo cannot move it with its link; write x y z roll pitch yaw"
             )
         values = read
         tag.remove(pose)

@@ -20,13 +20,14 @@ from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import read_xml
 
 #: COLLADA is converted: what it says of units and axes is then applied as everywhere here.
@@ -43,15 +44,14 @@ class Warned(Record):
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
-    if not robot.tree.is_sound:
-        raise UrdfkitError(robot.tree.unsound)
+    require_meaning(robot)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
         atomic.make_directory(directory)
         write_files(bundle.files(), scratch)
         warnings = _converted(robot, bundle, scratch, directory)
         stage = Stage(Usd.Stage.Open(os.path.join(directory, f"{bundle.name}.usda")), robot)
-        proof = proven(prove(stage, robot))
+        proof = proven(prove(stage, robot), robot)
         losses = LossTable()
         mark_parts(losses, robot, stage)
         for one in warnings:
@@ -76,7 +76,8 @@ def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> 
     except (ValueError, RuntimeError, Tf.ErrorException) as error:
         warned = places.find(str(error))
         why = f"urdf-usd-converter rejects the robot: {warned.text}"
-        raise UrdfkitError(f"{warned.element.span}: {why}") from error
+        see = f"see 'urdfkit check {shown(robot.source.path)}'"
+        raise UrdfkitError(f"{warned.element.span}: {why}; {see}") from error
     finally:
         diagnostics = delegate.TakeUncoalescedDiagnostics()
     return [
@@ -103,7 +104,7 @@ class _ConvertedElements:
         assert document is not None  # it was written from one
         name = document.root.attributes.get("name")
         if name is None:
-            raise UrdfkitError(f"{self._root.span}: <robot> has no name")
+            raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it one")
         with open(path, "wb") as file:
             file.write(apply_edits(source.data, [Edit(name.span, bundle.name)]))
         self._by_line: dict[tuple[str, int], Element] = {}
