@@ -1,11 +1,9 @@
 """``urdfkit expand``: the ``xacro`` command without ROS."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -14,12 +12,9 @@ from urdfkit.cli.decorators import to_file, with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Problem
-    from urdfkit.xacro import Xacro
+from urdfkit.xacro import Xacro
 
 #: An option of the ``xacro`` command that changes nothing here.
 _IGNORED = partial(
