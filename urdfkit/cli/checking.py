@@ -266,14 +266,11 @@ def apply_fixes(
 
 def _print_fixes(fixes: Fixes) -> None:
     """Say on standard error what was fixed; the report says what is left."""
-    if sys.stderr is None:
-        return
-    for file in fixes.files:
-        print(f"fixed {shown(file.path)}", file=sys.stderr)
+    output.tell(*(f"fixed {shown(file.path)}" for file in fixes.files))
     reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
-        print(f"not fixed ({count}): {reason}", file=sys.stderr)
+        output.tell(f"not fixed ({count}): {reason}")
 
 
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:

@@ -1,7 +1,5 @@
 """A description as it was in a git revision, with the packages around it as they were."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 
