@@ -1,7 +1,5 @@
 """The configuration of a project: ``[tool.urdfkit]`` in pyproject.toml, or ``urdfkit.toml``."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 

@@ -22,8 +22,6 @@ Sources:
     measured: of 671 public robots six have an opposite pair, of 1300 none has one of four
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule

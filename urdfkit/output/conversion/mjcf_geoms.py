@@ -1,7 +1,5 @@
 """The geoms of a robot in MJCF: shapes, meshes with materials and textures, simpler collisions."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any

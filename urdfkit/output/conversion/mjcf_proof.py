@@ -1,7 +1,5 @@
 """Compares the robot that MuJoCo reads from a file with the robot that Pinocchio computes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -4,8 +4,6 @@ Equal to what sdformat 14 to 16 write, but for the names of mesh files. What Gaz
 what sdformat and urdfdom read in a way of their own, is an error at its line.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from xml.etree.ElementTree import Element as Tag

@@ -5,8 +5,6 @@ lights at their new places. Source: ``ParseSDFExtension``, ``InsertSDFExtension*
 ``ReduceSDFExtension*`` in parser_urdf.cc of sdformat 14 to 16.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from copy import deepcopy
 from math import inf, isinf

@@ -1,7 +1,5 @@
 """The robots of which no SDF is written: Gazebo has none, or reads them in a way of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError

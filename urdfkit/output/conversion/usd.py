@@ -3,8 +3,6 @@
 https://github.com/newton-physics/urdf-usd-converter, which takes a bundle of the robot.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from pathlib import PurePosixPath
