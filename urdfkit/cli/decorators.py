@@ -47,7 +47,8 @@ def option(
     flags = [word.rstrip(",") for word in words if word.startswith("-")]
     metavar = " ".join(words[len(flags) :])
     names = (*flags, to) if to else flags
-    return click.option(*names, metavar=metavar or None, is_flag=not metavar, help=help, **more)
+    more |= {"metavar": metavar} if metavar else {"is_flag": True}
+    return click.option(*names, help=help, **more)
 
 
 def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Command]:
