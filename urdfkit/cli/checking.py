@@ -16,7 +16,7 @@ from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source, shown
+from urdfkit.text.source import STANDARD_INPUT, Source, shown
 from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
@@ -197,7 +197,7 @@ def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
 
 
 def _check(values: Mapping[str, Any], chosen: Options) -> Report:
-    name = values["stdin_filename"] or "<stdin>"
+    name = values["stdin_filename"] or STANDARD_INPUT
     files = options.files(values)
     progress = _progress(files)
     try:

@@ -13,7 +13,7 @@ from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.source import Source
+from urdfkit.text.source import STANDARD_INPUT, Source
 from urdfkit.xacro import Xacro
 
 #: An option of the ``xacro`` command that changes nothing here.
@@ -80,7 +80,7 @@ def command(
 
 def _read(file: str, root_dir: str) -> Source:
     if file == "-":
-        return stdin.read("<stdin>")
+        return stdin.read(STANDARD_INPUT)
     if root_dir == os.curdir:
         return Source.read(file)
     source = Source.read(os.path.join(root_dir, file))

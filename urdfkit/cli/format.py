@@ -9,7 +9,7 @@ from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, option, with_example
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
-from urdfkit.text.source import shown
+from urdfkit.text.source import STANDARD_INPUT, shown
 
 
 @with_examples("format", "urdfkit format urdf", "urdfkit format --check .")
@@ -56,7 +56,7 @@ def command(
 
 
 def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
-    source = stdin.read("<stdin>")
+    source = stdin.read(STANDARD_INPUT)
     rewrite = Rewrite(source.path, source.data, formatted(source, width))
     if diff:
         output.write_diff(rewrite.diff(), color)

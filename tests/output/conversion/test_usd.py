@@ -26,7 +26,7 @@ from pxr import Usd, UsdGeom
 
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.result import REPORT
-from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.output.conversion.usd_proof import Stage, UsdProof, prove
 
 
 def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:
@@ -121,6 +121,19 @@ def test_warnings_stand_at_the_line(tmp_path: Path) -> None:
     capsule = '<collision><geometry><capsule radius="1" length="2"/></geometry></collision>'
     _, parts = loaded(arm(LIMIT, tip=INERTIAL + capsule), tmp_path / "o")
     assert parts["link/tip/collision/geometry/capsule"] == "lost: Invalid geometry type"
+
+
+def test_a_small_rotation_is_kept(tmp_path: Path) -> None:
+    """USD makes no rotation of 3e-4 rad in single precision."""
+    text = arm(LIMIT).data.replace(b'xyz="0 0 0.5"', b'xyz="0 0 0.5" rpy="3e-4 0 0"')
+    proof = convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof
+    assert isinstance(proof, UsdProof)
+    assert proof.frames < 1e-8
+
+
+def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:
+    text = arm(LIMIT).data.replace(b"<robot", b'<robot xmlns="http://www.ros.org/wiki/urdf"')
+    assert convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof.holds
 
 
 @pytest.mark.parametrize(("x", "result"), [(5e-5, "approximated: axis, off by"), (5e-3, "kept")])
