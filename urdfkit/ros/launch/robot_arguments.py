@@ -99,6 +99,13 @@ def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
     return _launches(resolver.packages.workspace(path), resolver)
 
 
+def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
+    """True for a file that a launch file of its workspace expands by xacro."""
+    real, launches = disk.real(source.path), launches_of_workspace(source.path, resolver)
+    described = (one for launch in launches for one in launch.descriptions)
+    return any(one.is_expanded and disk.real(one.path) == real for one in described)
+
+
 def is_not_started(source: Source, resolver: Resolver) -> bool:
     """True for a URDF that nothing starts: no launch file of its workspace names the file.
 
