@@ -291,6 +291,28 @@ def test_graphviz_draws_no_link(file: str, capsys: pytest.CaptureFixture[str]) -
     assert "xlink:href" not in svg.stdout
 
 
+@pytest.mark.parametrize("command", ["expand", "info", "tree", "mass", "render -o a.png", "format"])
+def test_errors_and_warnings_steer_nothing(
+    command: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Those of xacro, too, which bear names of files and texts of the model."""
+    pytest.importorskip("numpy")
+    monkeypatch.chdir(tmp_path)
+    texts = [quoteattr(one) for one in PAYLOADS.values() if not _NOT_XML.search(one)]
+    includes = "".join(f"<xacro:include filename={text}/>" for text in texts)
+    warned = "".join(f"<xacro:property name={text} value={text}/>" for text in texts)
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    Path(FILE).write_text(f"{head}{warned}{includes}</robot>")
+    assert main([*command.split(), f"./{FILE}"]) == (2 if command != "format" else 0)
+    err = capsys.readouterr().err
+    assert err
+    assert not _UNSAFE.search(err)
+    assert not _COMMAND.search(err)
+
+
 def test_a_bundle_keeps_names_in_their_places(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

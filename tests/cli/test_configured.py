@@ -146,6 +146,20 @@ def test_a_variant_is_asked_for(command: str, robot: Path, capsys) -> None:
     assert "unknown variant 'rigth'; there are left, right" in read(capsys).err
 
 
+def test_arguments_that_no_variant_has_are_reported_once(robot: Path, capsys) -> None:
+    robot.write_text(ARM.replace("<link", '<xacro:arg name="side" default="left"/><link', 1))
+    config = robot.with_name("urdfkit.toml")
+    configure(robot, TWO + 'arguments = {sied = "left"}\n')
+    for where in (robot, robot.parent):
+        main(["check", str(where)])
+        note = f"{config}: {robot} has no argument 'sied'; did you mean 'side'?"
+        assert capsys.readouterr().out.count(note) == 1
+        main(["check", str(where), "sied:=right"])
+        out = capsys.readouterr().out
+        assert note not in out
+        assert "No robot here has an argument 'sied'; did you mean 'side'?" in out
+
+
 @pytest.mark.parametrize("command", COMMANDS)
 def test_isolated_is_without_it(command: str, robot: Path, capsys) -> None:
     configure(robot, ONE)

@@ -151,7 +151,6 @@ def test_what_fails_on_infos_shows_them() -> None:
         (["prefix=left_"], "a xacro argument has the form prefix:=left_"),
         (["a", "--package", "p"], "expected NAME=DIR"),
         (["a", "--package", "=."], "expected NAME=DIR"),
-        (["a", "--package", "p=/no/such"], "no such directory '/no/such'"),
         (["a", "--format", "yaml"], "only "),
         (["a", "--format", "_paths"], "only "),
         (["a", "--format", "json:"], "a file name after the colon"),

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.xacros import xacro
 from urdfkit.cli import main
 
 FILE = MODELS / "good" / "gripper.urdf"
@@ -90,3 +91,19 @@ def test_a_dash_behind_o_is_standard_output(
     assert main([name, *files, *options, "-o", "-"]) == code
     assert capsys.readouterr().out == printed != ""
     assert not (tmp_path / "-").exists()
+
+
+@pytest.mark.parametrize("words", [["check", "-"], ["info", "-"], ["expand", "-"]])
+@pytest.mark.parametrize(("file", "is_relative"), [("a.xacro", True), ("/no/a.xacro", False)])
+def test_a_missing_relative_include(
+    words: list[str],
+    file: str,
+    is_relative: bool,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    text = xacro(f'<xacro:include filename="{file}"/>').encode()
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text)))
+    assert main(words) != 0
+    captured = capsys.readouterr()
+    assert ("--stdin-filename FILE" in captured.out + captured.err) is is_relative

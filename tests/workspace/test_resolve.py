@@ -1,12 +1,16 @@
 import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.workspaces import add_file, add_package, record_listings
-from urdfkit.errors import PackageNotFound
+from urdfkit import check, load
+from urdfkit.cli import main
+from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.lint.loading import expand
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import Resolver
 
@@ -298,6 +302,16 @@ class TestFence:
         explicit = Resolver({"arm": str(arm)}, environment={})
         explicit.package("arm", near)
         assert not explicit.allows(str(arm / "innocent.yaml"), near)
+
+    @pytest.mark.parametrize("call", [check, load, expand], ids=lambda call: call.__name__)
+    def test_a_package_that_is_not_there(self, arm: Path, call: Any, capsys: Any) -> None:
+        robot = add_file(arm / "r.urdf", b'<robot name="r"><link name="a"/></robot>')
+        with pytest.raises(UnreadableFile) as raised:
+            call(robot, packages={"hand": str(arm / "none")})
+        for command in ("check", "info", "expand"):
+            assert main([command, str(robot), "--package", f"hand={arm / 'none'}"]) == 2
+            assert str(raised.value) in capsys.readouterr().err
+        assert str(raised.value) == f"package 'hand': no such directory '{arm / 'none'}'"
 
     def test_links_of_an_installation_that_the_user_named(self, tmp_path: Path, arm: Path) -> None:
         """As colcon build --symlink-install makes them."""

@@ -97,6 +97,7 @@ def install(prefix: Path) -> dict[str, str]:
             source = CORPUS / repository["dir"] / directory
             target = prefix / "share" / name
             packages[name] = str(target)
+            target.mkdir(parents=True, exist_ok=True)  # of some nothing is installed
             rows = layout.get(str(source.relative_to(CORPUS)), {}).get("install_directory")
             if rows is None:
                 _copy(source, target)

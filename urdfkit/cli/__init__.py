@@ -155,18 +155,10 @@ def _no_memory() -> str:
 
 def fail(code: int, error: str, *more: str) -> int:
     """Print an error on standard error, and return the exit code."""
-    from urdfkit.text.source import shown_text
-    from urdfkit.text.terminal import printable
+    from urdfkit.cli import output
 
     try:
-        if sys.stderr is not None:
-            print(
-                f"error: {printable(shown_text(error))}",
-                *more,
-                sep="\n",
-                file=sys.stderr,
-                flush=True,
-            )
+        output.tell(f"error: {error}", *more)
     except OSError:
         pass  # nobody reads it
     return code

@@ -16,7 +16,7 @@ from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source, shown
+from urdfkit.text.source import STANDARD_INPUT, Source, shown
 from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
@@ -197,7 +197,7 @@ def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
 
 
 def _check(values: Mapping[str, Any], chosen: Options) -> Report:
-    name = values["stdin_filename"] or "<stdin>"
+    name = values["stdin_filename"] or STANDARD_INPUT
     files = options.files(values)
     progress = _progress(files)
     try:
@@ -266,14 +266,11 @@ def apply_fixes(
 
 def _print_fixes(fixes: Fixes) -> None:
     """Say on standard error what was fixed; the report says what is left."""
-    if sys.stderr is None:
-        return
-    for file in fixes.files:
-        print(f"fixed {shown(file.path)}", file=sys.stderr)
+    output.tell(*(f"fixed {shown(file.path)}" for file in fixes.files))
     reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
-        print(f"not fixed ({count}): {reason}", file=sys.stderr)
+        output.tell(f"not fixed ({count}): {reason}")
 
 
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:

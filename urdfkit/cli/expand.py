@@ -1,12 +1,9 @@
 """``urdfkit expand``: the ``xacro`` command without ROS."""
 
-from __future__ import annotations
-
 import os
-import sys
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -15,12 +12,9 @@ from urdfkit.cli.decorators import to_file, with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
-from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Problem
-    from urdfkit.xacro import Xacro
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.source import STANDARD_INPUT, Source
+from urdfkit.xacro import Xacro
 
 #: An option of the ``xacro`` command that changes nothing here.
 _IGNORED = partial(
@@ -93,7 +87,7 @@ def command(
 
 def _read(file: str, root_dir: str) -> Source:
     if file == "-":
-        return stdin.read("<stdin>")
+        return stdin.read(STANDARD_INPUT)
     if root_dir == os.curdir:
         return Source.read(file)
     source = Source.read(os.path.join(root_dir, file))
@@ -114,19 +108,19 @@ def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""
         kind = f"{message.kind}: " if message.kind else ""
-        print(f"{kind}{message.text}{where}", file=sys.stderr)
+        output.tell(f"{kind}{message.text}{where}")
     if error is None:
         return
-    print(f"error: {error}", file=sys.stderr)
+    output.tell(f"error: {error}")
     for problem in _errors(xacro):
-        print(f"{problem.span}: {problem.code} {problem.message}", file=sys.stderr)
+        output.tell(f"{problem.span}: {problem.code} {problem.message}")
         steps = problem.frame.steps() if problem.frame else ()
         for step in reversed(steps):
-            print(f"  in {step.kind} {step.name}, called at {step.span}", file=sys.stderr)
+            output.tell(f"  in {step.kind} {step.name}, called at {step.span}")
         for related in problem.related:
-            print(f"  {related.span}: {related.message}", file=sys.stderr)
+            output.tell(f"  {related.span}: {related.message}")
         if problem.help:
-            print(f"  help: {problem.help}", file=sys.stderr)
+            output.tell(f"  help: {problem.help}")
 
 
 def _errors(xacro: Xacro) -> Iterator[Problem]:

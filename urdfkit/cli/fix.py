@@ -1,6 +1,5 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
-import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -30,9 +29,8 @@ def _fix(**values: Any) -> int:
     fixes = apply_fixes(values, chosen, generate_meshes=values["generate_meshes"])
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
-        if not fixes.files and not values["quiet"] and sys.stderr is not None:
-            # What is printed is a patch.
-            print(_total(fixes, "would be fixed"), *_reasons(fixes), sep="\n", file=sys.stderr)
+        if not fixes.files and not values["quiet"]:
+            output.tell(_total(fixes, "would be fixed"), *_reasons(fixes))  # stdout is a patch
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)

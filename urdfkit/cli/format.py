@@ -1,7 +1,6 @@
 """``urdfkit format``: one layout for URDF and xacro files."""
 
 import os
-import sys
 
 import click
 
@@ -10,8 +9,7 @@ from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, with_examples, with_
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
-from urdfkit.text.source import shown
-from urdfkit.text.terminal import printable
+from urdfkit.text.source import STANDARD_INPUT, shown
 
 
 @with_examples("format", "urdfkit format urdf", "urdfkit format --check .")
@@ -67,7 +65,7 @@ def command(
 
 
 def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
-    source = stdin.read("<stdin>")
+    source = stdin.read(STANDARD_INPUT)
     rewrite = Rewrite(source.path, source.data, formatted(source, width))
     if diff:
         output.write_diff(rewrite.diff(), color)
@@ -87,6 +85,4 @@ def _print_result(result: Formatted, done: str, *, quiet: bool) -> None:
         + (f", {len(result.skipped)} skipped" if result.skipped else "")
         + (f", {len(result.failed)} failed" if result.failed else "")
     )
-    if sys.stderr is not None:
-        for line in map(printable, errors if quiet else lines):
-            print(line, file=sys.stderr)
+    output.tell(*(errors if quiet else lines))

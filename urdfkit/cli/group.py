@@ -10,6 +10,7 @@ from urdfkit import __version__
 from urdfkit.cli.completion import VARIABLE, register
 from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
+from urdfkit.core.suggest import did_you_mean
 
 #: The commands as help lists them. ``urdfkit.cli.<name>`` has each of them as ``command``, a
 #: click.Command that returns the exit code.
@@ -73,6 +74,11 @@ def run(words: Sequence[str]) -> int:
         raise KeyboardInterrupt from error
     except click.UsageError as error:
         message = " ".join(error.format_message().split()).removesuffix(".")
+        message = message.replace("a valid float range", "a number")
+        message = message.replace("a valid integer range", "an integer")
+        if isinstance(error, click.NoSuchOption):  # which click says in three sentences
+            name = error.option_name
+            message = f"no such option '{name}'{did_you_mean(name, error.possibilities or ())}"
         message = message[:1].lower() + message[1:]  # as all other errors begin
         # Where click leaves the context out, an option of the command is at fault.
         command = error.ctx.command_path if error.ctx else f"urdfkit {words[0]}"

@@ -38,7 +38,8 @@ VERSION = 1
 @click.option(
     "--material",
     type=click.Choice([*DENSITIES]),
-    help="Material, from whose density the mass is computed.",
+    metavar="NAME",
+    help=f"Material, from whose density the mass is computed: {', '.join(DENSITIES)}.",
 )
 @click.option("--link", "links", multiple=True, metavar="NAME", help="Only this link.")
 @click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")

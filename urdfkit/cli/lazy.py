@@ -76,7 +76,7 @@ class LazyGroup(click.Group):
             suggested = _ELSEWHERE.get(word) if ctx.parent is None else None
             hint = f"; did you mean '{suggested}'?" if suggested else did_you_mean(word, self.names)
             if os.path.exists(word):
-                hint = f"; to check that file: {ctx.command_path} check {word}"
+                hint = f"; to check that file: urdfkit check {word}"
             raise click.UsageError(f"unknown command '{word}'{hint}", ctx)
         return super().resolve_command(ctx, args)
 

@@ -1,6 +1,5 @@
 """``urdfkit migrate``: what a model needs to run in another Gazebo."""
 
-import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,7 +11,7 @@ from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.terminal import printable
+from urdfkit.text.terminal import printable, wrap
 
 
 @with_examples("migrate", "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch")
@@ -36,14 +35,9 @@ def command(asked: dict[str, Any], target: str, color: str) -> int:
     if not any(migration):
         robot = read(source, arguments=how.arguments, packages=how.packages, trust=how.trust)
         if not robot.is_readable or not robot.model.links:
-            print(
-                printable(
-                    f"note: {file}: has no links; macros change with the robot that calls them"
-                ),
-                file=sys.stderr,
-            )
+            output.note(f"{file}: has no links; macros change with the robot that calls them")
     for file, reason in migration.unread.items():
-        print(printable(f"error: {file}: {reason}; see 'urdfkit check {file}'"), file=sys.stderr)
+        output.tell(f"error: {file}: {reason}; see 'urdfkit check {file}'")
     output.write_diff("".join(render(migration, target)), color)
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 
@@ -55,8 +49,13 @@ def render(migration: Migration, target: str) -> Iterator[str]:
     yield migration.diff()
     for diagnostic in migration.renamed:
         if diagnostic.fix and diagnostic.code == "GAZ012":
-            yield f"# {diagnostic.span}: {diagnostic.fix.title}\n"
+            yield _comment(f"# {diagnostic.span}: {diagnostic.fix.title}")
     for diagnostic in migration.left:
-        yield f"# {diagnostic.span}: {diagnostic.message}\n"
+        yield _comment(f"# {diagnostic.span}: {diagnostic.message}")
         if diagnostic.help:
-            yield f"#   {diagnostic.help}\n"
+            yield _comment(f"#   {diagnostic.help}")
+
+
+def _comment(text: str) -> str:
+    """Lines no wider than the terminal, all of which ``patch`` ignores."""
+    return "\n#   ".join(wrap(printable(text), output.width() - 4).split("\n")) + "\n"

@@ -1,7 +1,5 @@
 """``urdfkit new``: a ROS 2 package to start a robot from."""
 
-from __future__ import annotations
-
 import os
 import shlex
 

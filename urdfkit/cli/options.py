@@ -8,7 +8,6 @@ both give the same values. Other commands use click alone.
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -232,8 +231,6 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
         name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not disk.is_directory(directory):
-            raise UsageError(f"--package {word}: no such directory '{directory}'")
         found[name] = directory
     return found
 
@@ -271,11 +268,9 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 def warn(text: str) -> None:
     """Say on standard error what is odd; the cache of results holds standard output only."""
     disk.depends_on_more()
-    from urdfkit.text.source import shown_text
-    from urdfkit.text.terminal import printable
+    from urdfkit.cli import output
 
-    if sys.stderr is not None:
-        print(f"warning: {printable(shown_text(text))}", file=sys.stderr)
+    output.tell(f"warning: {text}")
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:

@@ -25,7 +25,7 @@ def has_color(when: str) -> bool:
         return False
     if os.environ.get("FORCE_COLOR"):
         return True
-    return _is_terminal() and os.environ.get("TERM") != "dumb"
+    return is_terminal() and os.environ.get("TERM") != "dumb"
 
 
 def width() -> int:
@@ -33,7 +33,7 @@ def width() -> int:
     given = os.environ.get("COLUMNS", "")
     if given.isdecimal() and int(given) > 0:
         return int(given)
-    if not _is_terminal():
+    if not is_terminal():
         return 80
     try:
         return os.get_terminal_size(sys.stdout.fileno()).columns or 80
@@ -41,7 +41,8 @@ def width() -> int:
         return 80
 
 
-def _is_terminal() -> bool:
+def is_terminal() -> bool:
+    """True if people read standard output, and no program or file takes it."""
     return sys.stdout is not None and sys.stdout.isatty()
 
 
@@ -58,7 +59,7 @@ def write(text: str) -> bytes:
     """
     if sys.stdout is None:
         raise UnwritableFile("standard output is closed; send it to /dev/null instead")
-    data = _for_terminal(text, sys.stdout.encoding) if _is_terminal() else encode(text)
+    data = _for_terminal(text, sys.stdout.encoding) if is_terminal() else encode(text)
     try:
         binary = getattr(sys.stdout, "buffer", None)
         if binary is None:  # an in-process caller has put something of its own there
@@ -79,7 +80,7 @@ def write_diff(text: str, when: str) -> None:
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
     """
-    if has_color(when) and (_is_terminal() or when == "always"):
+    if has_color(when) and (is_terminal() or when == "always"):
         text = "\n".join(map(_colored, text.split("\n")))
     write(text)
 
@@ -176,8 +177,15 @@ def page(lines: Iterable[str]) -> None:
 
 def note(text: str) -> None:
     """Say on standard error what is not part of the result."""
-    if sys.stderr is not None:
-        print(f"note: {printable(shown_text(text))}", file=sys.stderr)
+    tell(f"note: {text}")
+
+
+def tell(*texts: str) -> None:
+    """Write lines to standard error; only a terminal gets them wrapped, and `grep` whole."""
+    for text in map(printable, map(shown_text, texts)):
+        if sys.stderr is not None:
+            is_shown = sys.stderr.isatty()
+            print(wrap(text, width(), indent=2) if is_shown else text, file=sys.stderr, flush=True)
 
 
 def json_or_page(form: str, document: Callable[[], object], lines: Iterable[str]) -> None:

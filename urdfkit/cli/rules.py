@@ -34,12 +34,19 @@ def command(words: tuple[str, ...], kind: str, rules: tuple[str, ...]) -> int:
 
 
 def _text(rules: Sequence[Rule]) -> str:
+    """A line for each rule; a terminal that is too narrow gets the title below it."""
     longest = max(len(rule.name) for rule in rules)
-    return "".join(
-        f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
-        f"{rule.name:<{longest}}  {'(preview) ' * rule.preview}{_summary(rule)}\n"
-        for rule in rules
-    )
+    titles = ["(preview) " * rule.preview + _summary(rule) for rule in rules]
+    is_narrow = output.is_terminal() and 24 + longest + max(map(len, titles)) > output.width()
+    text = ""
+    for rule, title in zip(rules, titles, strict=True):
+        text += f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
+        if is_narrow:
+            below = output.indented(title, " " * 8, " " * 8)
+            text += "\n".join((rule.name, *below, ""))
+        else:
+            text += f"{rule.name:<{longest}}  {title}\n"
+    return text
 
 
 def _summary(rule: Rule) -> str:

@@ -3,7 +3,7 @@
 import sys
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.text.source import MAX_BYTES, Source
+from urdfkit.text.source import MAX_BYTES, STANDARD_INPUT, Source
 
 
 def opened(word: str) -> str | Source:
@@ -12,7 +12,7 @@ def opened(word: str) -> str | Source:
     Raises:
         UnreadableFile: standard input is closed, or too large.
     """
-    return read("<stdin>") if word == "-" else word
+    return read(STANDARD_INPUT) if word == "-" else word
 
 
 def read(name: str) -> Source:

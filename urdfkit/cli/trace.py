@@ -1,9 +1,7 @@
 """``urdfkit trace``: where a value comes from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -13,9 +11,7 @@ from urdfkit.cli.robot import first_of, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.origin import Origin
+from urdfkit.xacro.origin import Origin
 
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20

@@ -5,13 +5,10 @@ a value is likely that is declared for the same name, or that names a directory 
 the argument leads to: ``config/$(arg ur_type)/limits.yaml``. Such values are tried, not believed.
 """
 
-from __future__ import annotations
-
 import glob
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -24,9 +21,7 @@ from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.xacro import Xacro
+from urdfkit.xacro import Xacro
 
 #: Values of one argument that a message names.
 _FEW = 10

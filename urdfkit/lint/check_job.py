@@ -17,6 +17,7 @@ from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
+from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
@@ -154,7 +155,11 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
     lacking = context.reading.missing_argument_codes if job.found else ()
     codes = [code for code in chosen if code not in lacking]
     result = _skipped_as_one(run_rules(context, codes, options), context)
-    return result._replace(unknown_arguments=unknown_arguments(context, options.arguments))
+    unknown = {"": unknown_arguments(context, options.arguments)}
+    if names := options.config.argument_names(job.path) - set(options.arguments):
+        entry = f"{shown(options.config.path)}: {shown(job.path)} has no"
+        unknown[entry] = unknown_arguments(context, sorted(names))
+    return result._replace(unknown_arguments=unknown)
 
 
 def _skipped_as_one(result: FileResult, context: Context) -> FileResult:

@@ -1,7 +1,5 @@
 """The configuration of a project: ``[tool.urdfkit]`` in pyproject.toml, or ``urdfkit.toml``."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 
@@ -64,6 +62,12 @@ class Config(Record):
     @property
     def directory(self) -> str:
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
+
+    def argument_names(self, path: str) -> frozenset[str]:
+        """The names of the arguments that ``[[robot]]`` gives to a description and its variants."""
+        real = disk.real(path) if self.robots else ""
+        own = (robot.arguments for robot in self.robots if disk.real(robot.file) == real)
+        return frozenset().union(*own)
 
     def entries(
         self, path: str, given: Mapping[str, str] | None = None, variant: str = ""

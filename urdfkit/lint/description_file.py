@@ -96,7 +96,7 @@ class DescriptionFile:
     def reading(self) -> Reading:
         if is_launch(self.source.path):
             return Reading(None, tuple(self.launch.problems), None)
-        if not is_xacro(self.source):
+        if not is_xacro(self.source) and not self._is_passed_to_xacro:
             document, problems = read_xml(self.source, self._frame)
             return Reading(document, tuple(problems), None)
         from urdfkit.xacro import expand
@@ -110,6 +110,15 @@ class DescriptionFile:
 
             found = tuple(with_values(found, xacro, self.resolver))
         return Reading(xacro.document, found, xacro)
+
+    @property
+    def _is_passed_to_xacro(self) -> bool:
+        """True for a plain URDF with expressions, which a launch file expands."""
+        if b"${" not in self.source.data and b"$(" not in self.source.data:
+            return False
+        from urdfkit.ros.launch.robot_arguments import is_passed_to_xacro
+
+        return is_passed_to_xacro(self.source, self.resolver)
 
     @property
     def is_readable(self) -> bool:

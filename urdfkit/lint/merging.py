@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
@@ -71,7 +71,7 @@ class _Merger:
         self._errors: list[tuple[Diagnostic, ...]] = []
         self._proposals: list[tuple[Edit, ...]] = []
         self._launched: list[Launched] = []
-        self._unknown: dict[str, str] | None = None
+        self._unknown: dict[str, Mapping[str, str]] = {}  # as of one result
         self._silenced: list[Superseded] = []
 
     def add(self, job: Job, result: FileResult) -> None:
@@ -86,10 +86,9 @@ class _Merger:
             self._targets.append((job.path, targets))
         self._suppressed += result.suppressed
         self._launched += job.launched
-        unknown = result.unknown_arguments
-        if self._unknown is None:
-            self._unknown = dict(unknown)
-        self._unknown = {name: one for name, one in self._unknown.items() if name in unknown}
+        for entry, new in result.unknown_arguments.items():
+            names = self._unknown.setdefault(entry, new)
+            self._unknown[entry] = {name: names[name] for name in names if name in new}
         if result.superseded.findings:
             self._silenced.append(result.superseded)
         if not self._spills:
@@ -113,7 +112,10 @@ class _Merger:
             errors=tuple(self._errors),
             proposals=tuple(self._proposals),
             launched=tuple(self._launched),
-            unknown_arguments=tuple((self._unknown or {}).items()),
+            unknown_arguments=tuple(self._unknown.pop("", {}).items()),
+            unknown_in_config=tuple(
+                (entry, *one) for entry, names in self._unknown.items() for one in names.items()
+            ),
             superseded=tuple(self._silenced),
         )
 

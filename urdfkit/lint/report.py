@@ -93,6 +93,8 @@ class Report(Record):
         launched: the robots that have their arguments from launch files, or from elsewhere.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
+        unknown_in_config: the same of arguments in the configuration, each after the words
+            that say which robot has none.
         fixable: what ``urdfkit fix`` would do; None if it was not computed.
         superseded: what is not reported because its cause is, of each description that has some.
     """
@@ -109,6 +111,7 @@ class Report(Record):
     proposals: tuple[tuple[Edit, ...], ...] = ()
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
+    unknown_in_config: tuple[tuple[str, str, str], ...] = ()
     fixable: Fixable | None = None
     superseded: tuple[Superseded, ...] = ()
 

@@ -43,8 +43,9 @@ class FileResult(Record):
     ran: frozenset[str]  # codes of the rules that ran
     targets: Targets | None  # the programs that severities depend on; None if none does
     suppressed: int  # how many findings the model's comments or the configuration suppress
-    #: Those given that the description never mentions, with the one meant.
-    unknown_arguments: Mapping[str, str] = {}
+    #: Those given that the description never mentions, with the one meant; those of the
+    #: configuration by the words that say which robot has none, those given to all by none.
+    unknown_arguments: Mapping[str, Mapping[str, str]] = {}
     #: Findings that follow from others, which are reported in their place.
     superseded: Superseded = Superseded((), ())
 

@@ -1,7 +1,5 @@
 """Triangles, as a mesh file gives them."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

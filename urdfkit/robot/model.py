@@ -5,8 +5,6 @@ grammar rules read the same elements), so one bad number never hides the rest.
 Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Generic, TypeVar
@@ -241,6 +239,11 @@ class RobotModel:
 
             raise UnknownLink(f"no link '{name}'{did_you_mean(name, self.links_by_name)}")
         return self.links_by_name[name]
+
+    def place(self, name: str = "") -> Span:
+        """Where the first link or else joint of a name stands; the robot, if there is none."""
+        part = self.links_by_name.get(name) or self.joints_by_name.get(name)
+        return (part.at if part else self.root).span
 
     def collision(self, link: str, number: int) -> Element:
         """The element of a collision of a link, by its number from 0."""

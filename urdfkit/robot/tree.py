@@ -59,11 +59,11 @@ class KinematicTree:
     @property
     def unsound(self) -> str:
         """What is said where a computation needs one tree."""
-        path = shown(self.model.root.span.source.path)
+        place = self.model.place()
         what = "links and joints do not form one tree"
         if not self.model.links:
             what = "it has no link; perhaps other files include it for its macros"
-        return f"{path}: {what}; see 'urdfkit check {path}'"
+        return f"{place}: {what}; see 'urdfkit check {shown(place.source.path)}'"
 
     @cached_property
     def roots(self) -> tuple[Link, ...]:

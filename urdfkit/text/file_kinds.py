@@ -1,16 +1,11 @@
 """What a file is: xacro, a launch file, an SRDF, or a part of a robot."""
 
-from __future__ import annotations
-
 import os
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.text.comments import without_comments
+from urdfkit.text.document import Element
 from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    from urdfkit.text.document import Element
 
 # Compiled when needed, which is seldom.
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"

@@ -15,6 +15,8 @@ from urdfkit.errors import UnreadableFile
 
 #: Text files over this size are rejected: no robot needs it, and a hostile one would.
 MAX_BYTES = 64 * 1024 * 1024
+#: The path of what comes in through standard input, unless the user names its file.
+STANDARD_INPUT = "<stdin>"
 
 # Patterns of the ordinary check are compiled when they are needed: each takes 0.1 ms of 40.
 _DECLARED = rb"""^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([A-Za-z0-9._-]+)["']"""

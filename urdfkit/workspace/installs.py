@@ -4,8 +4,6 @@
 own name; some move directories, and then the file exists only after a build.
 """
 
-from __future__ import annotations
-
 import os
 import posixpath
 import re

@@ -1,7 +1,5 @@
 """The package.xml around a file: what the package is called, built with, and depends on."""
 
-from __future__ import annotations
-
 import os
 import re
 

@@ -36,6 +36,9 @@ class Resolver:
         environment: that of the process unless given.
         texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
             the buffers of an editor.
+
+    Raises:
+        UnreadableFile: the directory of a package is missing.
     """
 
     def __init__(
@@ -44,6 +47,9 @@ class Resolver:
         environment: Mapping[str, str] | None = None,
         texts: Mapping[str, bytes] | None = None,
     ) -> None:
+        for name, directory in (packages or {}).items():
+            if not disk.is_directory(directory):
+                raise UnreadableFile(f"package '{name}': no such directory '{directory}'")
         environment = disk.Environment() if environment is None else environment
         self.directories = Directories()
         self.packages = Packages(packages or {}, environment, self.directories)

@@ -1,7 +1,5 @@
 """Files that belong to a robot by their location, such as the SRDF of its MoveIt package."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """A description as it was in a git revision, with the packages around it as they were."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 
@@ -52,8 +50,8 @@ def _packages(path: str, given: Mapping[str, str], top: str, directory: str) -> 
     """The packages that the file may need: of the repository as they were, else as they are."""
     around = Resolver().packages.known(path)
     outside = {name: at for name, at in around.items() if not is_within(os.path.realpath(at), top)}
-    real = {name: os.path.realpath(at) for name, at in given.items()}
-    return outside | {name: _moved(at, top, directory) for name, at in real.items()}
+    old = {name: _moved(os.path.realpath(at), top, directory) for name, at in given.items()}
+    return outside | {name: at for name, at in old.items() if os.path.isdir(at)}
 
 
 def _moved(path: str, top: str, directory: str) -> str:

@@ -1,7 +1,5 @@
 """What all attempts at expanding one file found: problems and messages."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

@@ -1,7 +1,5 @@
 """What xacro's errors mean and what to do about them."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator
@@ -12,7 +10,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
-from urdfkit.text.source import Span, shown, why_unreadable
+from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
@@ -20,6 +18,11 @@ from urdfkit.xacro.errors import UNBUILT, BrokenYaml
 
 #: Directories that a help lists.
 _FEW = 10
+
+_FROM_STANDARD_INPUT = (
+    "relative paths in standard input start at the current directory: run there, or let check "
+    "know the file by --stdin-filename FILE"
+)
 
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _UNKNOWN_MACRO = re.compile(r"unknown macro name: (?:xacro:)?(\S+)")
@@ -49,7 +52,9 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         cause: the innermost one.
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
-        return _missing_file(os.fspath(cause.filename))
+        missing = _missing_file(os.fspath(cause.filename))
+        is_relative = STANDARD_INPUT in defined.sources and not os.path.isabs(cause.filename)
+        return missing._replace(help=_FROM_STANDARD_INPUT) if is_relative else missing
     if isinstance(cause, OSError) and cause.filename:
         path = os.fspath(cause.filename)
         reason, _, help = why_unreadable(path, cause).partition("; ")

@@ -138,6 +138,16 @@ def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
     assert place(found) == ("c.yaml", 2, "joint_state_broadcaster/JointStateBroadcaster")
 
 
+@pytest.mark.parametrize("quantity", ["Effort", "Position"])
+def test_groups_of_ros_1_that_command_forces(tmp_path: Path, quantity: str) -> None:
+    text = f"""\
+arm:
+  type: effort_controllers/JointGroup{quantity}Controller
+  joints: [left_joint]
+"""
+    assert reported(tmp_path, "RCT034", text) == []
+
+
 @pytest.mark.parametrize(
     "kind",
     [

@@ -36,6 +36,7 @@ def changed(old: str, new: str) -> bytes:
         # Gazebo and RViz show these: the meshes of velodyne_description, and of a KUKA.
         changed('id="scene"', 'id="scene" name="<STL_BINARY>"'),
         SOUND + b"\0\0\0",
+        b"\xef\xbb\xbf\r\n \t" + SOUND,
         changed("<library_visual", '<sampler><input source="#gone"/></sampler><library_visual'),
     ],
 )

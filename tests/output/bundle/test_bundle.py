@@ -279,7 +279,9 @@ def test_no_such_program(robot: Path, tmp_path: Path) -> None:
 def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> None:
     mesh = robot.parents[1] / "meshes" / "collision" / "body.stl"
     mesh.write_bytes(b"")
-    with pytest.raises(UrdfkitError, match=r"body\.stl: "):
+    with pytest.raises(
+        UrdfkitError, match=r"\.urdf.*:\d+:\d+: .*body\.stl: .*; see 'urdfkit check"
+    ):
         bundle(robot, tmp_path / "made" / "out")
     assert list((tmp_path / "made").iterdir()) == []
 

@@ -14,6 +14,7 @@ import pytest
 
 from urdfkit.core.installation import install_command
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
+from urdfkit.lint.options import Options
 from urdfkit.output.comparison import KINDS, Comparison, compare, surfaces
 from urdfkit.output.comparison import html as as_html
 from urdfkit.output.comparison import json as as_json
@@ -222,6 +223,13 @@ def test_a_repository_whose_name_is_no_text(
     repository.rename(renamed)
     monkeypatch.chdir(renamed)
     assert compare("HEAD~1:urdf/arm.urdf", "HEAD:urdf/arm.urdf").kinds == {"limits", "findings"}
+
+
+def test_a_package_that_a_revision_did_not_have(repository: Path) -> None:
+    (repository / "hand").mkdir()
+    options = Options(packages={"hand": str(repository / "hand")})
+    found = compare("HEAD~1:urdf/arm.urdf", "urdf/arm.urdf", options=options)
+    assert found.kinds == {"limits", "findings"}
 
 
 def test_findings_of_a_revision_name_its_file(repository: Path) -> None:

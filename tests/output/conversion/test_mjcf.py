@@ -1,6 +1,7 @@
 """What MuJoCo loads is the robot: masses, frames and dynamics equal those of Pinocchio."""
 
 import json
+import re
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -21,10 +22,13 @@ pytest.importorskip("trimesh")
 
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.mjcf_proof import LENGTH, PART, prove
-from urdfkit.output.conversion.result import REPORT
+from urdfkit.output.conversion.result import REPORT, proven
 
 #: Each tree is converted, loaded and compared in 100 poses, which takes 0.1 s.
 FEWER = settings(max_examples=settings().max_examples // 3)
+
+#: Of what a conversion is refused for.
+PLACE_AND_REMEDY = r"\w+\.urdf:\d+:\d+: .+; [^;]+"
 
 BOX = '<geometry><box size="0.2 0.4 0.6"/></geometry>'
 INERTIAL = (
@@ -101,7 +105,11 @@ def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
     assert not prove(model, robot).holds
     model = mujoco.MjModel.from_xml_path(str(file))
     model.body("tip").pos += 1e-8
-    assert not prove(model, robot).holds
+    found = prove(model, robot)
+    assert not found.holds
+    with pytest.raises(UrdfkitError, match=PLACE_AND_REMEDY) as raised:
+        proven(found, robot)
+    assert str(raised.value).startswith("arm.urdf:3:1: MuJoCo and Pinocchio do not agree")
 
 
 def test_dynamics_that_differ_do_not_hold(tmp_path: Path) -> None:
@@ -270,8 +278,11 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
     ("robot", "reason"),
     [
         (arm(LIMIT, tip=""), "arm.urdf:3:1: MuJoCo rejects the robot: mass and inertia"),
-        (arm(LIMIT.replace('"2"', '"-3"')), "lower is over upper"),
-        (arm(LIMIT, kind="hinge"), "joint 'turn' has the type 'hinge'"),
+        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is over the upper one"),
+        (arm(LIMIT.replace('"2"', '"inf"')), "joint 'turn': upper of <limit> is 'inf'; write a"),
+        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis 0 0 0 has no direction"),
+        (arm(LIMIT, tip=INERTIAL.replace('"2"', '"2 kg"')), "value of <mass> is '2 kg'"),
+        (arm(LIMIT, kind="hinge"), "joint 'turn': its type is 'hinge'"),
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
         (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
@@ -285,6 +296,7 @@ def test_what_cannot_be_converted_leaves_nothing(
     with pytest.raises(UrdfkitError) as raised:
         convert(read(robot), tmp_path / "o")
     assert reason in str(raised.value)
+    assert re.match(PLACE_AND_REMEDY, str(raised.value))
     assert list(tmp_path.iterdir()) == []
 
 

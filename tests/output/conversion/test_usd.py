@@ -1,6 +1,7 @@
 """USD: what the stage holds is the robot, and warnings stand at the lines of the robot."""
 
 import json
+import re
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
-from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, arm
+from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, PLACE_AND_REMEDY, arm
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UrdfkitError
@@ -25,7 +26,7 @@ from pxr import Usd, UsdGeom
 
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.result import REPORT
-from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.output.conversion.usd_proof import Stage, UsdProof, prove
 
 
 def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:
@@ -122,6 +123,19 @@ def test_warnings_stand_at_the_line(tmp_path: Path) -> None:
     assert parts["link/tip/collision/geometry/capsule"] == "lost: Invalid geometry type"
 
 
+def test_a_small_rotation_is_kept(tmp_path: Path) -> None:
+    """USD makes no rotation of 3e-4 rad in single precision."""
+    text = arm(LIMIT).data.replace(b'xyz="0 0 0.5"', b'xyz="0 0 0.5" rpy="3e-4 0 0"')
+    proof = convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof
+    assert isinstance(proof, UsdProof)
+    assert proof.frames < 1e-8
+
+
+def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:
+    text = arm(LIMIT).data.replace(b"<robot", b'<robot xmlns="http://www.ros.org/wiki/urdf"')
+    assert convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof.holds
+
+
 @pytest.mark.parametrize(("x", "result"), [(5e-5, "approximated: axis, off by"), (5e-3, "kept")])
 def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path: Path) -> None:
     _, parts = loaded(arm(f'<axis xyz="{x} 0 1"/>{LIMIT}'), tmp_path / "o")
@@ -132,8 +146,11 @@ def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path
     ("robot", "reason"),
     [
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
-        (arm('<origin xyz="1 2"/>'), "arm.urdf:4:"),
-        (arm(LIMIT, kind="hinge"), "arm.urdf:4:1: urdf-usd-converter rejects the robot: Invalid"),
+        (
+            Source("r.urdf", arm().data.replace(b"0 0 0.5", b"0 0.5")),
+            "xyz of <origin> is '0 0.5'; write 3 finite",
+        ),
+        (arm(LIMIT + '<mimic joint="m"/>'), "arm.urdf:4:152: urdf-usd-converter rejects the robot"),
         (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),
     ],
 )
@@ -143,6 +160,7 @@ def test_what_cannot_be_converted_leaves_nothing(
     with pytest.raises(UrdfkitError) as raised:
         convert(read(robot), tmp_path / "o", to="usd")
     assert reason in str(raised.value)
+    assert re.match(PLACE_AND_REMEDY, str(raised.value))
     assert list(tmp_path.iterdir()) == []
 
 

@@ -1,11 +1,6 @@
 """Wheels and drives: the Gazebo plugins and controllers that turn joints."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
+from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:

@@ -15,8 +15,6 @@ Sources:
     Gazebo, friction: https://classic.gazebosim.org/tutorials?tut=friction
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.context import Context

@@ -27,8 +27,6 @@ Sources:
     measured: of 671 public robots six have an opposite pair, of 1300 none has one of four
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.spatial import Vector, dot, rotate

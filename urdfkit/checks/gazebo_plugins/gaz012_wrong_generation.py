@@ -23,6 +23,7 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.ros.launch.robot_arguments import is_not_started
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
@@ -45,6 +46,13 @@ _NONE = "no successor is known"
     migrates=True,
 )
 def check(context: Context) -> Findings:
+    found = list(_wrong_generations(context))
+    # Of a copy that was expanded long ago nothing follows while nobody starts it.
+    if found and (context.given_targets or not is_not_started(context.source, context.resolver)):
+        yield from found
+
+
+def _wrong_generations(context: Context) -> Findings:
     targets = [name for name in context.targets.names if name in GENERATIONS]
     is_reported = False
     severity = Severity.WARNING if _is_left_over(context) else None

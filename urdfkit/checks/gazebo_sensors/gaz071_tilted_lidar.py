@@ -15,8 +15,6 @@ Sources:
     nav2, AMCL: https://github.com/ros-navigation/navigation2/blob/main/nav2_amcl/src/amcl_node.cpp
 """
 
-from __future__ import annotations
-
 from math import degrees, pi, sin
 
 from urdfkit.core.spatial import Transform

@@ -3,8 +3,6 @@
 Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (humble to rolling).
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.suggest import did_you_mean, nearest

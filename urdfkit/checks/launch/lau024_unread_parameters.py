@@ -27,8 +27,6 @@ Sources:
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.checks.launch.costmap_parameters import COSTMAPS, misplaced, plugins

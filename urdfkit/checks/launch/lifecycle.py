@@ -1,7 +1,5 @@
 """Nodes of Nav2 and the lifecycle managers that activate them."""
 
-from __future__ import annotations
-
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.launch.argument_checks import is_included

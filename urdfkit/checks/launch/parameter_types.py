@@ -4,8 +4,6 @@ Sources: rcl_yaml_param_parser (no lists in lists); the declarations of Nav2 and
 rst-tu-dortmund/teb_local_planner#202 ("expected [double] got [integer]").
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

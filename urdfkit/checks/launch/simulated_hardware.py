@@ -1,7 +1,5 @@
 """The hardware of ros2_control that a simulated robot is started with."""
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawning import spawner_of

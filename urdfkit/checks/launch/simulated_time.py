@@ -1,7 +1,5 @@
 """Nodes that wait for the time of the simulation, or do not follow it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.errors import UnreadableFile

@@ -1,7 +1,5 @@
 """Programs of which the simulation, or another one, already does the work."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers

@@ -26,8 +26,6 @@ Sources:
     measured: of 517 public COLLADA files, 23 have another unit and 213 another axis
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from urdfkit.core.words import more_like_this

@@ -4,7 +4,8 @@ RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it f
 `model://arm_description/meshes/...` and searches its own resource path: "Unable to find file with
 URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
 gz-sim need the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`,
-most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
+most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read. A URDF that no launch
+file names, as an expanded copy, is in no Gazebo.
 
 Sources:
     Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md
@@ -20,6 +21,7 @@ from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import element_xml, visual_xml
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
+from urdfkit.ros.launch.robot_arguments import is_not_started
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 
@@ -55,6 +57,8 @@ def check(context: Context) -> Findings:
         return
     seen = survey(packages.workspace(context.source.path), context.resolver.directories)
     if seen.is_mentioned or seen.starter is None:
+        return
+    if not context.given_targets and is_not_started(context.source, context.resolver):
         return
     try:
         starter = context.resolver.read(seen.starter)

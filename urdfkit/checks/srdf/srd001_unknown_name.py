@@ -40,12 +40,15 @@ Sources:
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
+from itertools import islice
+
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.trajectory_controllers import unfit_controllers
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.document import Attribute
@@ -61,6 +64,8 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 #: Similarity from which another name is suggested: "amr" is like "arm".
 _LIKE = 0.66
+#: Robots of launch files that are looked at.
+_MAX_STARTED = 32
 
 
 @rule(
@@ -73,15 +78,18 @@ def check(context: Context) -> Findings:
     srdf = context.srdf
     if srdf is None:
         return
+    elsewhere = _of_other_arguments(context, srdf) if srdf.unknown else set()
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
+        if kind != "group" and attribute.value in elsewhere:
+            continue
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
             yield _unknown(context, kind, attribute, known)
     links = srdf.known("link")
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):
             name = pair.attributes.get(key)
-            if name is not None and name.value not in links:
+            if name is not None and name.value not in links | elsewhere:
                 yield _unknown(context, "link", name, links)._replace(
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
@@ -89,6 +97,18 @@ def check(context: Context) -> Findings:
     yield from _not_in_group(context, srdf)
     yield from unknown_names(context, srdf)
     yield from unfit_controllers(context, srdf)
+
+
+def _of_other_arguments(context: Context, srdf: Srdf) -> set[str]:
+    """The links and joints that launch files of the workspace start a robot of this name with."""
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    described = (one for launch in launches for one in launch.descriptions)
+    found: set[str] = set()
+    for one in islice(described, _MAX_STARTED):
+        robot = context.other_robot(one.path, one.arguments)
+        if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
+            found |= {*robot.model.links_by_name, *robot.model.joints_by_name}
+    return found
 
 
 def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> Finding:
@@ -99,7 +119,12 @@ def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> F
     fix = corrected_definition(context, defined, name.value) if kind != "group" else None
     fix = fix or fix_value(name, suggested)
     message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
-    return Finding(name, message, fix=fix, group_key=name.value if fix else kind)
+    given = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
+    related = Related(
+        context.document.root.span, f"compared with this robot{given and ', '}{given}"
+    )
+    key = name.value if fix else kind
+    return Finding(name, message, fix=fix, group_key=key, related=(related,))
 
 
 def _siblings(name: Attribute) -> set[str]:

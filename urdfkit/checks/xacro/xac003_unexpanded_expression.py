@@ -3,7 +3,8 @@
 URDF parsers do not replace `${...}` and `$(...)`: numbers cannot be read, and names keep the text.
 That is an error. They ignore `<xacro:...>` without a message, so that what the macro would create
 is missing from the robot. That is a warning. The file is a xacro without the namespace declaration,
-a part of a xacro that another file includes, or was saved before it was expanded.
+a part of a xacro that another file includes, or was saved before it was expanded. One that a launch
+file of the workspace passes to xacro is read as a xacro.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

@@ -10,8 +10,6 @@ Sources:
     ros-industrial/universal_robot#432: https://github.com/ros-industrial/universal_robot/issues/432
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import (

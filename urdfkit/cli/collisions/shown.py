@@ -1,17 +1,13 @@
 """A collision matrix as people and programs read it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from urdfkit.core.words import counted, few
 from urdfkit.physics.collision.matrix import NEAR, ClosestApproach, Matrix, PairResult, PairVerdict
+from urdfkit.physics.collision.srdf_matrix import MatrixComparison
 from urdfkit.text.markdown import escape, table
 from urdfkit.text.terminal import columns, printable, wrap
-
-if TYPE_CHECKING:
-    from urdfkit.physics.collision.srdf_matrix import MatrixComparison
 
 VERSION = 1
 

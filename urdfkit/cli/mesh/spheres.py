@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     "spheres",
     "urdfkit mesh spheres robot.urdf.xacro -o robot.yml",
     "urdfkit mesh spheres robot.urdf.xacro --format xrdf -o robot.xrdf",
-    "urdfkit mesh spheres robot.urdf.xacro --format urdf -o spheres.urdf --most 60",
+    "urdfkit mesh spheres robot.urdf --format urdf -o spheres.urdf --most 60",
 )
 @one_robot
 @to_file("out", "Write the spheres to this file.")

@@ -22,6 +22,7 @@ _UNIT = re.compile(rb"""<unit\s[^<>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?
 _UP_AXIS = re.compile(rb"<up_axis>\s*([XYZ]_UP)\s*<")
 _NOT_FINITE = re.compile(rb"[^\s<>]{0,20}?(?:nan|in[fd])[^\s<>]*", re.IGNORECASE)
 _VALUE = re.compile(rb"""=\s*(?:"[^"<]*<[^"]*"|'[^'<]*<[^']*')""")
+_LATE_DECLARATION = re.compile(rb"\A(?:\xef\xbb\xbf)?\s+<\?xml\b[^>]*\?>")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
 #: Errors of expat that only the end of the file explains: no element, unclosed token, partial
@@ -59,10 +60,12 @@ def validate(data: bytes) -> tuple[Defect | None, str]:
 def forgive(data: bytes) -> bytes:
     """XML as the readers of Gazebo (tinyxml2) and assimp (pugixml) take it, where expat does not.
 
-    They end at a zero byte, and let "<" stand in the value of an attribute.
+    They end at a zero byte, and let "<" stand in the value of an attribute and white space before
+    the XML declaration, which says nothing that is not known.
     """
     if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.partition(b"\0")[0]
+    data = _LATE_DECLARATION.sub(lambda found: b"\n" * found.group().count(b"\n"), data)
     return _VALUE.sub(lambda found: found.group().replace(b"<", b"&lt;"), data)
 
 

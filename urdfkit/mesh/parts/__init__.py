@@ -4,19 +4,14 @@
 drawn by eye. A part has x forwards, z upwards, and its origin in the middle; a wheel turns about z.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from urdfkit.core.spatial import Vector, vector
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.geometry import Mesh
-
+from urdfkit.mesh.geometry import Mesh
 
 #: The words in the name of a file or link that mean a kind of part, in the order in which they are
 #: asked for: a mecanum wheel is a wheel, a depth camera a camera.

@@ -1,7 +1,5 @@
 """A robot that another machine and another program can load: one URDF with all of its files."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os
@@ -13,7 +11,7 @@ from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.words import few
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.meshes import BundledFile, FreeNames, bundled
@@ -26,6 +24,7 @@ from urdfkit.output.bundle.robot import (
     texture_references,
 )
 from urdfkit.robot.model import Placed
+from urdfkit.text.source import shown
 
 #: The file that says what is in a bundle; a directory with it is one.
 MANIFEST = "bundle.json"
@@ -73,7 +72,9 @@ class Bundle:
         """
         for file in self._files():
             if "\\" in file.path:  # it would lead elsewhere where it is extracted on Windows
-                raise UrdfkitError(f"{file.path}: a name with a backslash cannot be bundled")
+                raise UrdfkitError(
+                    f"{file.path}: a name with a backslash cannot be bundled; rename it"
+                )
             digest = hashlib.sha256(file.data).hexdigest()
             source = self._shown(file.source)
             self.contents.append(
@@ -182,9 +183,15 @@ def mesh_files(
         UrdfkitError: it is broken, or cannot be written in a format that is read.
     """
     found, stem = robot.files.facts(path), stems.take_stem(path)
-    if found.defect:
-        raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
-    yield from bundled(path, found, consumer, stem, is_visual=path in visuals)
+    try:
+        if found.defect:
+            raise UrdfkitError(f"{shown(path)}: {found.defect.reason}")
+        yield from bundled(path, found, consumer, stem, is_visual=path in visuals)
+    except MissingLibrary:
+        raise
+    except UrdfkitError as error:
+        see = f"see 'urdfkit check {shown(robot.source.path)}'"
+        raise UrdfkitError(f"{reference.span}: {error}; {see}") from error
 
 
 def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str]:
@@ -210,4 +217,4 @@ def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str
     ]
     if not reasons:
         return paths
-    raise UrdfkitError(f"{'; '.join(reasons)}; see 'urdfkit check {robot.source.path}'")
+    raise UrdfkitError(f"{'; '.join(reasons)}; see 'urdfkit check {shown(robot.source.path)}'")

@@ -57,7 +57,9 @@ def convert(
         raise UrdfkitError(f"no format '{to}'{did_you_mean(to, FORMATS)}")
     options = ConversionOptions(base, fixed, collision, exclude)
     if options != ConversionOptions() and not FORMATS[to].has_options:
-        raise UrdfkitError(f"base, fixed, collision and exclude are not of the format '{to}'")
+        raise UrdfkitError(
+            f"base, fixed, collision and exclude are not of the format '{to}': leave them out"
+        )
     try:
         module = import_module(f"{__name__}.{to}")
     except ModuleNotFoundError as error:

@@ -15,11 +15,19 @@ from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.mjcf_sensors import add_sensors
 from urdfkit.output.conversion.mjcf_srdf import exclude_disabled
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import lowest_links
+from urdfkit.text.source import shown
 
 #: What an error of MuJoCo's compiler is about.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
+#: What to do about errors of MuJoCo's compiler, by a part of their text.
+_REMEDIES = {
+    "mass and inertia of moving bodies": "give it an <inertial> with a mass and moments over 0",
+    "inertia must satisfy": "see 'urdfkit explain INE003'",
+    "repeated name": "rename one of them",
+}
 
 
 def floats(robot: Context, base: str) -> bool:
@@ -29,12 +37,14 @@ def floats(robot: Context, base: str) -> bool:
     its base move. An arm may hang below its base, too, but by one joint.
 
     Raises:
-        UrdfkitError: links and joints do not form one tree, or the world is to float.
+        UrdfkitError: a part of the robot has no meaning, or the world is to float.
     """
-    if not robot.tree.is_sound:
-        raise UrdfkitError(robot.tree.unsound)
+    require_meaning(robot)
     if base == "free" and robot.tree.roots[0].name == "world":
-        raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
+        raise UrdfkitError(
+            f"{robot.model.place('world')}: a root link called 'world' cannot float; rename it, "
+            "or take another --base"
+        )
     if base != "auto":
         return base == "free"
     root = rigid_bodies(robot.tree)[0]
@@ -102,7 +112,6 @@ def _explained(text: str, robot: Context) -> UrdfkitError:
     named = _ELEMENT.search(what)
     name = named.group(1) if named else ""
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what
-    part = robot.model.links_by_name.get(name) or robot.model.joints_by_name.get(name)
-    where = f"{part.at.span}: " if part else ""
-    see = f"see 'urdfkit check {robot.source.path} --target mujoco'"
-    return UrdfkitError(f"{where}MuJoCo rejects the robot: {what}; {see}")
+    remedy = next((remedy for part, remedy in _REMEDIES.items() if part in what), "")
+    remedy = remedy or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
+    return UrdfkitError(f"{robot.model.place(name)}: MuJoCo rejects the robot: {what}; {remedy}")

@@ -1,7 +1,5 @@
 """The geoms of a robot in MJCF: shapes, meshes with materials and textures, simpler collisions."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -100,7 +98,7 @@ class Geoms:
             if size is None:
                 what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
                 if not is_visual:
-                    raise UrdfkitError(f"{shape.at.span}: {what}")
+                    raise UrdfkitError(f"{shape.at.span}: {what}; give it one, or remove it")
                 self._losses.lose(geometry.at, what)
                 continue
             place = frame @ geometry.origin

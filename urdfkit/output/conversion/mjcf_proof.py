@@ -1,7 +1,5 @@
 """Compares the robot that MuJoCo reads from a file with the robot that Pinocchio computes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 
@@ -42,6 +40,10 @@ class MjcfProof(Record):
     engine: str = "Pinocchio"  # that MuJoCo is compared with
 
     @property
+    def part(self) -> str:
+        return self.link
+
+    @property
     def holds(self) -> bool:
         return self.frames <= LENGTH and max(self.mass, self.mass_matrix, self.gravity) <= PART
 
@@ -70,7 +72,10 @@ def prove(model: Any, robot: Context) -> MjcfProof:
     """
     moving = sum(joint.kind != "fixed" for joint in robot.model.joints)
     if moving > MAX_OWN:
-        raise UrdfkitError(f"{moving} joints move; MJCF is proved for up to {MAX_OWN}")
+        raise UrdfkitError(
+            f"{robot.model.place()}: {moving} joints move; MJCF is proved for up to {MAX_OWN}; "
+            "split the robot, or fix some of them"
+        )
     is_large = moving > MAX_JOINTS
     dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
     data = mujoco.MjData(model)

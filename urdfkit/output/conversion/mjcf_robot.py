@@ -7,7 +7,6 @@ import mujoco
 import numpy as np
 
 from urdfkit.core.spatial import Rotation, Transform, vector
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
@@ -132,11 +131,9 @@ class MjcfRobot:
             ):
                 body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
             keep(at.child("axis"), "axes")
-        elif joint.kind == "fixed":
+        else:
             for tag in ("axis", "limit", "dynamics"):
                 self.losses.lose(at.child(tag), "a fixed joint does not move")
-        else:
-            raise UrdfkitError(f"{at.span}: joint '{joint.name}' has the type '{joint.kind}'")
 
     def _limits(self, made: Any, joint: Joint) -> None:
         limit = joint.limit
@@ -149,8 +146,6 @@ class MjcfRobot:
             reason = "a continuous joint has no range"
             self.losses.lose(attributes.get("lower"), reason)
             self.losses.lose(attributes.get("upper"), reason)
-        elif lower > upper:
-            raise UrdfkitError(f"{limit.at.span}: joint '{joint.name}': lower is over upper")
         else:
             made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:

@@ -4,8 +4,6 @@ Composite rigid bodies (R. Featherstone, "Rigid Body Dynamics Algorithms", 2008,
 all spatial vectors at the origin of the root: angular parts first.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

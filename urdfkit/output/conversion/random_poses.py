@@ -1,7 +1,5 @@
 """Random poses at which a converted robot is compared with the original."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from random import Random
 

@@ -1,7 +1,5 @@
 """The result of a conversion: the files, and what happened to each part of the robot."""
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterator
@@ -11,6 +9,7 @@ from urdfkit import __version__
 from urdfkit.core import atomic
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import Entry, Result
 from urdfkit.text.source import shown
 
@@ -21,6 +20,11 @@ VERSION = 1
 
 class Proof(Protocol):
     """How far what was written is from the robot."""
+
+    @property
+    def part(self) -> str:
+        """The name of the link or joint that differs most; empty if it is not known."""
+        ...
 
     @property
     def holds(self) -> bool:
@@ -40,14 +44,17 @@ class Proof(Protocol):
     def _asdict(self) -> dict[str, Any]: ...
 
 
-def proven(proof: Proof) -> Proof:
+def proven(proof: Proof, robot: Context) -> Proof:
     """A proof that holds.
 
     Raises:
-        UrdfkitError: it does not.
+        UrdfkitError: it does not: at the link or joint that differs most.
     """
     if not proof.holds:
-        raise UrdfkitError(proof.disagreed)
+        raise UrdfkitError(
+            f"{robot.model.place(proof.part)}: {proof.disagreed}; nothing is written: it is a bug "
+            "in the conversion, not in the robot: please report it with the file"
+        )
     return proof
 
 

@@ -4,8 +4,6 @@ Equal to what sdformat 14 to 16 write, but for the names of mesh files. What Gaz
 what sdformat and urdfdom read in a way of their own, is an error at its line.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from xml.etree.ElementTree import Element as Tag
@@ -53,7 +51,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         model = SdfModel(conversion, names)
         write_files(_files(robot, model), directory)
         sdf = Sdf(Source.read(os.path.join(directory, MODEL)))
-        proof = proven(prove(sdf, robot, conversion))
+        proof = proven(prove(sdf, robot, conversion), robot)
         losses = LossTable()
         record_losses(losses, conversion, model, bundle)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, REASONS))

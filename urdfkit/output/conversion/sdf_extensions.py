@@ -5,8 +5,6 @@ lights at their new places. Source: ``ParseSDFExtension``, ``InsertSDFExtension*
 ``ReduceSDFExtension*`` in parser_urdf.cc of sdformat 14 to 16.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from copy import deepcopy
 from math import inf, isinf
@@ -218,7 +216,8 @@ def _setting(child: Element) -> str:
     )
     if not read or is_large:
         raise UrdfkitError(
-            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends"
+            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends; "
+            "write one"
         )
     return number_text(number)
 
@@ -257,7 +256,7 @@ def _move(tag: Tag, at: Element, frame: Transform) -> None:
         if read is None or len(read) < 6:
             raise UrdfkitError(
                 f"{at.span}: the <pose> of <{tag.tag}> has no six numbers: "
-                "Gazebo cannot move it with its link"
+                "Gazebo cannot move it with its link; write x y z roll pitch yaw"
             )
         values = read
         tag.remove(pose)

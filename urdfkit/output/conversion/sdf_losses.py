@@ -1,7 +1,5 @@
 """What becomes of each part of a robot in an SDF."""
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import Rotation, Transform, from_rpy
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.robot import mesh_references

@@ -5,8 +5,6 @@ that are merged into it, which stay as frames. Source: parser_urdf.cc of sdforma
 writes the same SDF; names and survivors come from `urdfkit.ros.gazebo.conversion`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement

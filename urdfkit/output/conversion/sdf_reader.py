@@ -4,8 +4,6 @@ Nothing here knows how the file was made: frames come from ``relative_to`` and `
 bodies from what is attached to a link.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.spatial import Transform, from_rpy, rotation_about, times, unit

@@ -1,7 +1,5 @@
 """The robots of which no SDF is written: Gazebo has none, or reads them in a way of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError
@@ -34,7 +32,8 @@ def require(robot: Context, conversion: SdfConversion) -> None:
     for diagnostic in diagnostics:
         if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
             raise UrdfkitError(
-                f"{diagnostic.span}: {diagnostic.message}: Gazebo loses this part of the robot"
+                f"{diagnostic.span}: {diagnostic.message}: Gazebo loses this part of the robot; "
+                f"see: urdfkit explain {diagnostic.code}"
             )
     for span, message in _defects(conversion):
         raise UrdfkitError(f"{span}: {message}")
@@ -43,20 +42,21 @@ def require(robot: Context, conversion: SdfConversion) -> None:
 def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
     model = conversion.model
     if not model.name:
-        yield model.root.span, "gz rejects the robot: it has no name"
+        yield model.root.span, "gz rejects the robot: it has no name; give <robot> one"
     deep = _too_deep(model.root)
     if deep is not None:
-        message = f"Gazebo reads at most {_MAX_DEPTH} elements within one another"
+        message = f"Gazebo reads at most {_MAX_DEPTH} elements within one another; remove some"
         yield deep.span, message
     for link in model.links:
         yield from _of_link(link)
     for simulated in conversion.links:
         joint = simulated.body.joint
         if joint is not None and joint.kind not in JOINT_TYPES:
-            yield joint.at.span, f"gz rejects the robot: SDF is written without {joint.kind} joints"
+            message = f"gz rejects the robot: SDF is written without {joint.kind} joints"
+            yield joint.at.span, f"{message}; take another type"
         leader = joint.mimic.joint if joint and joint.mimic else None
         if leader is not None and joint is not None and leader.value == joint.name:
-            yield leader.span, "gz rejects the robot: the joint follows itself"
+            yield leader.span, "gz rejects the robot: the joint follows itself; name another one"
 
 
 def _too_deep(root: Element) -> Element | None:
@@ -73,13 +73,16 @@ def _too_deep(root: Element) -> Element | None:
 def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
     inertial = link.inertial
     if inertial is not None and (inertial.mass is None or inertial.tensor is None):
-        yield inertial.at.span, f"link '{link.name}': <inertial> needs <mass> and <inertia>"
+        yield (
+            inertial.at.span,
+            f"link '{link.name}': <inertial> needs <mass> and <inertia>; add them",
+        )
     for body in (*link.collisions, *link.visuals):
         shape = body.shape
         what = f"<{body.at.tag}> of link '{link.name}'"
         if shape is None:
-            yield body.at.span, f"{what} has no shape"
+            yield body.at.span, f"{what} has no shape; add one, or remove it"
         elif shape.kind not in _SHAPES:
-            yield shape.at.span, f"{what}: Gazebo reads no <{shape.kind}> of a URDF"
+            yield shape.at.span, f"{what}: Gazebo reads no <{shape.kind}> of a URDF; take a mesh"
         elif getattr(shape, _SHAPES[shape.kind]) is None:
-            yield shape.at.span, f"{what}: <{shape.kind}> needs {_SHAPES[shape.kind]}"
+            yield shape.at.span, f"{what}: <{shape.kind}> needs {_SHAPES[shape.kind]}; add it"

@@ -1,7 +1,5 @@
 """Numbers as sdformat writes them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from math import asin, atan2, copysign, pi
 

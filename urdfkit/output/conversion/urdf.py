@@ -1,7 +1,5 @@
 """URDF on disk: the robot without xacro, in a directory with all files that it names."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core.record import Record
@@ -24,6 +22,10 @@ class UrdfProof(Record):
     missing: int  # files that it names and that are not there
 
     @property
+    def part(self) -> str:
+        return ""
+
+    @property
     def holds(self) -> bool:
         return not self.different and not self.missing
 
@@ -43,7 +45,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     bundle = Bundle(robot, CONSUMERS["any"])
     with staged(bundle.files(), out, force=force, mark=REPORT) as directory:
-        proof = proven(prove(read(os.path.join(directory, bundle.urdf)), robot))
+        proof = proven(prove(read(os.path.join(directory, bundle.urdf)), robot), robot)
         entries = tuple(_losses(robot, bundle).entries(robot.document.root, "", {}))
         counts = {
             "link": len(robot.model.links),

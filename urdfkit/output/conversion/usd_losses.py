@@ -1,7 +1,5 @@
 """What the converter to USD makes of each part of a robot, as the stage shows it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from pxr import UsdPhysics

@@ -36,9 +36,10 @@ def hints(report: Report, page: TextPage) -> str:
     """Where to read more, what can be fixed, and what the severities depend on."""
     lines = [f"Explain a code: urdfkit explain {code}" for code in _worst(report)]
     lines += (page.wrap(hint, indent=2) for hint in _fixable(report))
-    for name, suggested in report.unknown_arguments:
+    unknown = [("No robot here has an", *one) for one in report.unknown_arguments]
+    for which, name, suggested in (*unknown, *report.unknown_in_config):
         hint = f"; did you mean '{suggested}'?" if suggested else ""
-        lines.append(printable(f"No robot here has an argument '{name}'{hint}"))
+        lines.append(printable(f"{which} argument '{name}'{hint}"))
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
         targets = ", ".join("{} ({})".format(*why.split(": ", 1)) for why in evidence)

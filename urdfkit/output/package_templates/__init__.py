@@ -4,8 +4,6 @@ A template is a file of the package with ``@name@`` for its name, and ``.in`` be
 files of ``common`` are in every package, those of the other directories in packages of that kind.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator

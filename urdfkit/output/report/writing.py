@@ -1,22 +1,17 @@
 """report(): the report of a robot in the format of a file's suffix."""
 
-from __future__ import annotations
-
 import os
-from typing import TYPE_CHECKING
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.output.report.document import LONG, ReportDocument, ReportInput, describe
+from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.output.report.scene import PageScene
 
 #: Forms of a report, by the suffix of a file.
 SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json", ".csv": "csv"}

@@ -1,19 +1,15 @@
 """Spheres in the files of motion planners, with the pairs of links that need no check."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.etree import ElementTree
 
 import yaml
 
+from urdfkit.lint.context import Context
 from urdfkit.output.exchange import element_tree
+from urdfkit.output.spheres import LinkSpheres, RobotSpheres
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.output.spheres import LinkSpheres, RobotSpheres
 
 #: Configurations in which links are compared.
 _SAMPLES = 10_000

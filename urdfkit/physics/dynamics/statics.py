@@ -4,19 +4,14 @@ The poses looked at: all joints at zero, and all at their limits; poses drawn wi
 for every joint climbs from the worst of these. The root is held.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
+from urdfkit.physics.dynamics.robot import Dynamics
 from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import effort
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.physics.dynamics.robot import Dynamics
 
 #: Poses that are drawn, and the seed.
 SAMPLES, SEED = 200, 0

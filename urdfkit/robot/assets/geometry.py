@@ -1,15 +1,9 @@
 """Any visual or collision as triangles."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
+from urdfkit.mesh.geometry import Mesh
+from urdfkit.robot import Robot
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.geometry import Mesh
-    from urdfkit.robot import Robot
 
 
 def body_mesh(robot: Robot, body: Body) -> Mesh | None:

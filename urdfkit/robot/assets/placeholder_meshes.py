@@ -9,23 +9,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.errors import UrdfkitError
+from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.io.sniff import sniff_file
+from urdfkit.mesh.parts import RealPart
 from urdfkit.mesh.writers import SUFFIXES, require_replaceable, write
+from urdfkit.robot import Robot
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.placeholder_shapes import placeholder_shape
 from urdfkit.robot.assets.target_bounds import BUILDABLE, is_buildable
 from urdfkit.workspace.resolve import OUTSIDE
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.geometry import Mesh
-    from urdfkit.mesh.parts import RealPart
-    from urdfkit.robot import Robot
 
 #: A broken file is salvaged if this part of its triangles is left.
 _ENOUGH = 0.5

@@ -1,9 +1,6 @@
 """The shape of a placeholder mesh: a real part, a copy of other shapes, or a block."""
 
-from __future__ import annotations
-
 import os
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import (
     IDENTITY,
@@ -15,6 +12,9 @@ from urdfkit.core.spatial import (
     transposed,
     vector,
 )
+from urdfkit.mesh.geometry import Mesh, MeshPart
+from urdfkit.mesh.parts import RealPart
+from urdfkit.robot import Robot
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.target_bounds import (
@@ -24,11 +24,6 @@ from urdfkit.robot.assets.target_bounds import (
     turning_axis,
 )
 from urdfkit.robot.model import Body, Link
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.geometry import Mesh, MeshPart
-    from urdfkit.mesh.parts import RealPart
-    from urdfkit.robot import Robot
 
 #: A part is stretched to its bounds if no edge needs this many times the factor of another one.
 _DISTORTION = 2.0

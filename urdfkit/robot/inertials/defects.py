@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Iterable
 from enum import Enum
 from math import dist
 from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import ORIGIN
+from urdfkit.core.spatial import ORIGIN, Vector
 from urdfkit.robot.inertia import principal_moments, scaled
 from urdfkit.robot.inertials.link_comparison import (
     LARGEST_PART,
@@ -14,15 +15,10 @@ from urdfkit.robot.inertials.link_comparison import (
     LinkInertia,
     by_tensor,
 )
-from urdfkit.robot.shapes import MeshSolid
+from urdfkit.robot.rigid_bodies import RigidBody
+from urdfkit.robot.shapes import BoundingBox, MeshSolid, Primitive
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable
-
-    from urdfkit.core.spatial import Vector
-    from urdfkit.robot.rigid_bodies import RigidBody
-    from urdfkit.robot.shapes import BoundingBox, Primitive
-
     Matters = Callable[[RigidBody, float], bool]
 
 #: Times the largest possible moment from which on it is reported: a link may be somewhat larger

@@ -1,12 +1,10 @@
 """The masses and inertia tensors of a robot, and their defects."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
@@ -15,9 +13,6 @@ from urdfkit.robot.symmetry import numbered_pairs, pairs
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.text.document import Element, Tag
-
-if TYPE_CHECKING:
-    from urdfkit.robot.inertials.defects import InertiaDefect
 
 #: Masses this close together may well share a tensor that a macro holds.
 SAME_MASS = 1.05

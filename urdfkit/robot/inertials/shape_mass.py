@@ -6,20 +6,17 @@ enclose a solid counts with its convex hull, and that is said.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
-from urdfkit.mesh.measures import OVERLAP
+from urdfkit.mesh.measures import OVERLAP, Measures, Uniform
 from urdfkit.robot.inertia import MassProperties, combined, scaled
 from urdfkit.robot.model import Body, Link, Shape, Tensor
 from urdfkit.robot.shapes import solid
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from urdfkit.mesh.measures import Measures, Uniform
-
     Measure = Callable[[Shape], Measures | str]
 
 #: What the volume of a link can be taken from.

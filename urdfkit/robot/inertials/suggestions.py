@@ -1,7 +1,5 @@
 """Declared inertia of links, compared with that of their shapes; edits that replace it."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable
 from math import dist
 

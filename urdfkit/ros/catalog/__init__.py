@@ -4,8 +4,6 @@ Each file says in ``about``, or in its schema, what its fields mean, and in ``so
 facts were read. A file is loaded once, when a model first needs it.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Mapping
 from functools import cache

@@ -1,7 +1,5 @@
 """What gz-sim has instead of a plugin of Gazebo Classic, as XML with the values of the plugin."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 

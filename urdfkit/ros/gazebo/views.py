@@ -1,17 +1,12 @@
 """What the lidars and cameras of a model look at: their frames, beams and fields of view."""
 
-from __future__ import annotations
-
 from math import atan2, hypot, pi, tan
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Transform, Vector, from_rpy, length, times
 from urdfkit.robot.ray_casting import Scan
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import numbers
-
-if TYPE_CHECKING:
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.ros.gazebo.sensors import Sensor
+from urdfkit.ros.gazebo.sensors import Sensor
 
 #: Beams of a scan, and rays along an edge of an image, that are looked at.
 MAX_BEAMS, EDGE = 360, 5

@@ -1,22 +1,17 @@
 """A robot as a program has it after it has read the URDF."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, scaled
+from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
+from urdfkit.robot.tree import KinematicTree
+from urdfkit.ros.importers.facts import ImporterFacts
 from urdfkit.ros.importers.orders import ordered
 from urdfkit.ros.mujoco import compiler_of
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint, Link
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.ros.importers.facts import ImporterFacts
 
 #: The mass properties of the collision shapes of a link at 1 kg/m³, in the frame of the link; None
 #: if they are not known. The other argument is the fact ``mesh_volume``.

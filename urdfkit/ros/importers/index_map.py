@@ -1,14 +1,8 @@
 """Which joint of one program is which of another one."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-
-if TYPE_CHECKING:
-    from urdfkit.ros.importers.imported import Imported, ImportedJoint
+from urdfkit.ros.importers.imported import Imported, ImportedJoint
 
 
 class NoIndexMap(UrdfkitError):

@@ -4,17 +4,13 @@ XML of ROS 1 and ROS 2, and YAML and Python of ROS 2 are read, as far as constan
 a launch file is run.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from urdfkit.ros.launch.collect import Collector
-    from urdfkit.ros.launch.contents import Launch
-    from urdfkit.text.document import CallFrame
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.ros.launch.collect import Collector
+from urdfkit.ros.launch.contents import Launch
+from urdfkit.text.document import CallFrame
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 
 def read_launch(

@@ -1,7 +1,5 @@
 """The calls of a Python program that an if statement decides."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterator
 

@@ -115,7 +115,10 @@ class Collector:
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
         arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
         if len(files) == 1:
-            self.description(files[0], arguments, span, frame, is_yaml=is_yaml)
+            is_expanded = os.path.basename(words[0]) in _XACRO
+            self.description(
+                files[0], arguments, span, frame, is_yaml=is_yaml, is_expanded=is_expanded
+            )
 
     def description(
         self,
@@ -125,6 +128,7 @@ class Collector:
         frame: CallFrame,
         *,
         is_yaml: bool = False,
+        is_expanded: bool = True,
     ) -> None:
         """A file that is the robot description, expanded with arguments; None is not known."""
         if not disk.exists(path):
@@ -132,7 +136,7 @@ class Collector:
         if self.file(path, span, "robot description"):
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
-            found = LaunchedDescription(path, known, frame, is_whole, is_yaml)
+            found = LaunchedDescription(path, known, frame, is_whole, is_yaml, is_expanded)
             self.descriptions.append(found)
 
     def unexpanded(self, path: str, span: Span, frame: CallFrame | None) -> None:

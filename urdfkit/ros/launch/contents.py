@@ -1,7 +1,5 @@
 """What is found in a launch file."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record
@@ -27,6 +25,7 @@ class LaunchedDescription(Record):
     is_whole: bool = True  # False if it is given arguments that are known at run time only
     #: True if launch reads it as YAML, as it does with parameters without a type.
     is_yaml: bool = False
+    is_expanded: bool = True  # False if its text is taken as it is, without xacro
 
 
 class FileUse(Record):

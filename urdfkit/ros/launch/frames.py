@@ -1,19 +1,14 @@
 """The frames that files of a launch file name: parameters of nodes, and RViz's configuration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.rviz import displays, manager_of
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
-
-if TYPE_CHECKING:
-    from urdfkit.ros.launch.contents import Launch
-    from urdfkit.text.source import Source, Span
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 #: Parameters that name a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
 #: the controllers of wheels.

@@ -3,8 +3,6 @@
 Source: ``moveit_configs_builder.py`` of moveit/moveit2, moveit_configs_utils.
 """
 
-from __future__ import annotations
-
 import ast
 import os
 

@@ -315,7 +315,7 @@ class _PythonReader:
         """A plain URDF, whose text becomes a parameter."""
         file = argument(call, 0, "file")
         if (self.values.text(file) or "").endswith(".urdf"):
-            self._describe(call, file)
+            self._describe(call, file, is_expanded=False)
 
     def _unexpanded(self, value: ast.expr | None) -> None:
         """A xacro file whose text becomes the robot description as it is."""
@@ -333,7 +333,12 @@ class _PythonReader:
                 self.collector.unexpanded(found, self.values.span(text), None)
 
     def _describe(
-        self, call: ast.Call, file: ast.expr | None, given: ast.expr | None = None
+        self,
+        call: ast.Call,
+        file: ast.expr | None,
+        given: ast.expr | None = None,
+        *,
+        is_expanded: bool = True,
     ) -> None:
         text = self.values.text(file)
         path = text and self._path(text)
@@ -347,7 +352,8 @@ class _PythonReader:
         elif given is not None:
             arguments[""] = None
         span = self.values.span(call)
-        self.collector.description(path, arguments, span, self._frame(call))
+        frame = self._frame(call)
+        self.collector.description(path, arguments, span, frame, is_expanded=is_expanded)
 
     def _frame(self, call: ast.Call) -> CallFrame:
         start = self.values.span(call).start

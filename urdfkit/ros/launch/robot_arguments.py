@@ -1,8 +1,8 @@
 """The arguments that the launch files of a package give to one of its robots."""
 
-from __future__ import annotations
-
 import ast
+import os
+import re
 from collections.abc import Collection, Iterator
 from functools import lru_cache
 from itertools import islice
@@ -19,6 +19,7 @@ from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
+from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
 
 #: Launch files of a package that are read, and directories that are searched for them.
@@ -96,6 +97,31 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
 def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
     """What the launch files start that are in the workspace of a file."""
     return _launches(resolver.packages.workspace(path), resolver)
+
+
+def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
+    """True for a file that a launch file of its workspace expands by xacro."""
+    real, launches = disk.real(source.path), launches_of_workspace(source.path, resolver)
+    described = (one for launch in launches for one in launch.descriptions)
+    return any(one.is_expanded and disk.real(one.path) == real for one in described)
+
+
+def is_not_started(source: Source, resolver: Resolver) -> bool:
+    """True for a URDF that nothing starts: no launch file of its workspace names the file.
+
+    It must be generated, or they start another robot of its package: else they may have its name
+    at run time only.
+    """
+    directory, name = resolver.packages.workspace(source.path), os.path.basename(source.path)
+    if not name.endswith(".urdf"):
+        return False
+    named = re.compile(rb"\b%b(?!\.xacro)" % re.escape(name.encode()))
+    if any(named.search(launch.data) for launch in _launch_files(directory, name, resolver)):
+        return False
+    package = resolver.packages.enclosing(source.path)
+    launches = launches_of_workspace(source.path, resolver) if package else ()
+    paths = {one.path for launch in launches for one in launch.descriptions}
+    return is_generated(source) or any(resolver.packages.enclosing(p) == package for p in paths)
 
 
 @lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other

@@ -1,7 +1,5 @@
 """Which arguments a launch file takes."""
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

@@ -1,7 +1,5 @@
 """The programs that put models into Gazebo, and their command lines: ``catalog/launch.json``."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.record import Record

@@ -1,7 +1,5 @@
 """One launch file in XML, and what the texts in it become."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from urdfkit.ros.launch.collect import Collector, path_from

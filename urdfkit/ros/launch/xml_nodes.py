@@ -87,7 +87,7 @@ def read_param(file: XmlLaunchFile, element: Element) -> None:
             path = file.text(attribute)
             if path is not None:
                 path = path_from(file.source, path)
-                file.collector.description(path, {}, attribute.span, frame)
+                file.collector.description(path, {}, attribute.span, frame, is_expanded=False)
                 file.collector.unexpanded(path, attribute.span, file.frame)
         elif _DESCRIPTION.search(name):
             _described(file, attribute, frame)

@@ -4,20 +4,15 @@ Source: ``moveit_configs_utils`` and ``moveit_simple_controller_manager`` of mov
 files of the setup assistant of MoveIt 1.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
-
-if TYPE_CHECKING:
-    from urdfkit.ros.moveit.srdf import Srdf
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 _OMPL = "ompl_planning.yaml"
 #: Files with a section for each group, and the keys by which one is known.

@@ -1,20 +1,15 @@
 """Whether an SRDF is made for another variant of a robot: with more parts, or without a prefix."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.ros import RosDescription
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.file_head import read_head
-
-if TYPE_CHECKING:
-    from urdfkit.ros import RosDescription
-    from urdfkit.ros.moveit.srdf import Srdf
 
 #: The part of the names in an SRDF that must be unknown to a robot for it to be of another one,
 #: and the part of these that the other one must know.

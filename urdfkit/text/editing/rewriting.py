@@ -1,7 +1,5 @@
 """New texts for files: shown as a diff, or written."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable
 

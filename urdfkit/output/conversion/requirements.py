@@ -1,0 +1,65 @@
+"""The robots that no simulator can be given: a part of them has no meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.robot.kinematics import SLIDING, TURNING
+from urdfkit.robot.model import Joint
+from urdfkit.robot.values import number, vector
+from urdfkit.text.document import Element
+from urdfkit.text.schema import JOINT_TYPES
+from urdfkit.text.source import Span
+
+_VECTORS = {"origin": ("xyz", "rpy"), "axis": ("xyz",), "mesh": ("scale",)}
+_NUMBERS = {
+    "mass": ("value",),
+    "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"),
+    "limit": ("lower", "upper"),
+    "mimic": ("multiplier", "offset"),
+}
+
+
+def require_meaning(robot: Context) -> None:
+    """Raise an error at the first place that no number or motion can be taken from.
+
+    Raises:
+        UrdfkitError: links and joints do not form one tree; a joint has no meaning; what should be
+            a number is none.
+    """
+    if not robot.tree.is_sound:
+        raise UrdfkitError(robot.tree.unsound)
+    for joint in robot.model.joints:
+        for span, what in (*_unreadable(joint.at), *_meaningless(joint)):
+            raise UrdfkitError(f"{span}: joint '{joint.name}': {what}")
+    for link in robot.model.links:
+        for span, what in _unreadable(link.at):
+            raise UrdfkitError(f"{span}: link '{link.name}': {what}")
+
+
+def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:
+    for element in part.walk():
+        for names, read, count in (
+            (_VECTORS, vector, "3 finite numbers"),
+            (_NUMBERS, number, "a finite number"),
+        ):
+            for name in names.get(element.tag, ()):
+                attribute = element.attributes.get(name)
+                if attribute is not None and read(attribute.value) is None:
+                    what = f"{name} of <{element.tag}> is '{attribute.value}'"
+                    yield attribute.span, f"{what}; write {count}"
+
+
+def _meaningless(joint: Joint) -> Iterator[tuple[Span, str]]:
+    if joint.kind not in JOINT_TYPES:
+        kinds = ", ".join(JOINT_TYPES)
+        yield joint.at.span, f"its type is '{joint.kind}', not one of URDF's; take one of {kinds}"
+    moves = joint.kind in (*TURNING, *SLIDING, "planar")
+    if moves and joint.axis is not None and not any(joint.axis.value):
+        yield joint.axis.span, "its axis 0 0 0 has no direction; write one"
+    if moves and joint.kind != "continuous" and joint.limit is not None:
+        lower, upper = (one.value if one else 0.0 for one in (joint.limit.lower, joint.limit.upper))
+        if lower > upper:
+            yield joint.limit.at.span, "its lower limit is over the upper one; swap them"
