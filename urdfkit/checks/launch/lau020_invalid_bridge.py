@@ -21,13 +21,15 @@ Sources:
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
 
+import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import opened_worlds
 from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
+from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
     FROM_GAZEBO,
@@ -38,6 +40,7 @@ from urdfkit.ros.launch.bridges import (
     bridged_topics,
     gazebo_messages,
 )
+from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.document import CallFrame
 
 NAME = "robot.launch.py"
@@ -159,19 +162,26 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
 
 
 def _is_known(context: Context) -> bool:
-    """True if all that publishes or reads such messages in Gazebo is in the robot."""
-    robots = list(context.described_robots)
-    opened = list(opened_worlds(context))
-    worlds = [one.world for one in opened if one.world is not None]
-    own = [one for world in worlds for one in world.at.walk()]
+    """True if all that publishes or reads such messages in Gazebo is in the one robot."""
+    robots, started = list(context.described_robots), list(worlds(context.launch))
     return (
-        len(robots) == len(opened) == 1
+        len(robots) == len(started) == 1
         and all(description.is_whole for description, _ in robots)
         and all(are_all_known(robot.model) for _, robot in robots)
-        and not any(one.tag in ("sensor", "include", "population") for one in own)
-        and [one for one in own if one.tag == "plugin"]
-        == [one for world in worlds for one in world.plugins]
+        and (started[0].is_shipped or _is_bare(started[0].name, context))
     )
+
+
+def _is_bare(path: str, context: Context) -> bool:
+    """True for a world in whose models there is no sensor and no system."""
+    try:
+        world, _ = read_world(path, context.resolver) if os.path.isabs(path) else (None, ())
+    except UnreadableFile:
+        return False
+    every = list(world.at.walk()) if world else []
+    plugins = [one for one in every if one.tag == "plugin"]
+    is_foreign = any(one.tag in ("sensor", "include", "population") for one in every)
+    return world is not None and not is_foreign and len(plugins) == len(world.plugins)
 
 
 def _nearest(topic: str, waiting: list[GazeboTopic]) -> GazeboTopic:
