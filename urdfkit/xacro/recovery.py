@@ -1,5 +1,7 @@
 """Expanding on to the next error: a tag that fails is taken out, and the expansion starts again."""
 
+from __future__ import annotations
+
 import os
 from typing import Any
 from xml.parsers.expat import ExpatError

@@ -1,5 +1,7 @@
 """What is found in a launch file."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record

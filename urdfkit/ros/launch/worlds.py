@@ -1,5 +1,7 @@
 """The worlds that a launch file starts Gazebo with: ``catalog/worlds.json``."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterator
