@@ -1,13 +1,13 @@
 """What both kinds of launch file share: packages, files, and the xacro command line."""
 
 import os
-import shlex
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
     MAX_INCLUDED,
@@ -97,10 +97,7 @@ class Collector:
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
         """A shell command whose output is the robot description, or the YAML of one."""
-        try:
-            words = shlex.split(text)
-        except ValueError:
-            return  # an unfinished quote: the shell will say so
+        words = command_words(text)
         while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
             words = words[1:]
         if len(words) > 1 and words[0] == words[1] == "xacro":
