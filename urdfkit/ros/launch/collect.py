@@ -16,6 +16,7 @@ from urdfkit.ros.launch.contents import (
     IncludedFile,
     Launch,
     LaunchedDescription,
+    LaunchedFile,
     PackageUse,
     StartedProgram,
 )
@@ -33,10 +34,8 @@ UNKNOWN = "/package-not-found"
 _FORMER = "xacro.py"
 _XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
-#: Reads a launch file with the values of its arguments, included at a place.
-Reader: TypeAlias = (
-    "Callable[[Collector, Source, Mapping[str, str | None], CallFrame | None], None]"
-)
+#: Reads a launch file of any kind.
+Reader: TypeAlias = "Callable[[Collector, LaunchedFile], None]"
 
 
 class Collector:
@@ -173,7 +172,7 @@ class Collector:
         except UnreadableFile:
             return
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
-        self._reader(inner, included, arguments, frame)
+        self._reader(inner, LaunchedFile(included, arguments, frame))
         self.included = inner.included
         self.unread += inner.unread
         self.has_scopes = self.has_scopes or inner.has_scopes
