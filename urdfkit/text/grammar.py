@@ -4,6 +4,8 @@ Each deviation belongs to one rule, so nothing is reported twice: a misspelt ele
 is not missing as well, and a shape that URDF does not have is not an unknown element as well.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Collection
 from math import inf, isfinite

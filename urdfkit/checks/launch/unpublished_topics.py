@@ -7,6 +7,8 @@ Sources: ``ros_filter.cpp`` of robot_localization, ``obstacle_layer.cpp`` of nav
 publishers of ros2_controllers (all of humble to rolling).
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterator
 

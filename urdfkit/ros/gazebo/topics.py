@@ -1,5 +1,7 @@
 """The topics in Gazebo on which the sensors and systems of a robot publish, or which they read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from fnmatch import fnmatchcase
 

@@ -1,5 +1,7 @@
 """The frames that files of a launch file name: parameters of nodes, and RViz's configuration."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

@@ -4,6 +4,8 @@ Source: ``moveit_configs_utils`` and ``moveit_simple_controller_manager`` of mov
 files of the setup assistant of MoveIt 1.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator
 
