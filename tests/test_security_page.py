@@ -1,17 +1,25 @@
 """What docs/security.md says in numbers and names is what the code does."""
 
+import json
 import re
+from pathlib import Path
 
 import click
 import pytest
 
+from docs.playground.browser import MOST_FILES, MOST_UNPACKED
 from tests.conftest import ROOT
+from urdfkit.cli import main
 from urdfkit.cli.group import COMMANDS, group
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.scan import models
 from urdfkit.text import located_yaml, source, xml_reader
 from urdfkit.xacro import bounds, dom_builder, yaml_files
 from urdfkit.xacro.substitution import ENVIRONMENT
 
+_info = group.get_command(click.Context(group), "info")
+assert _info is not None
+LIMITS = {option.name: option for option in _info.params}
 PAGE = (ROOT / "docs" / "security.md").read_text(encoding="utf-8")
 FLAT = " ".join(PAGE.split())
 
@@ -54,6 +62,11 @@ def _has_limits(command: click.Command | None) -> bool:
         f"Archives of `scan`: {models._LARGE / 1e9:.0f} GB when extracted",
         f"or {models._MOST_TIMES} times their size",
         f"headers of a tar {models._LARGEST_HEADER // 2**20} MiB",
+        f"playground: {MOST_UNPACKED // 10**6} MB and {MOST_FILES:,} files when extracted",
+        f"takes at most {Limits().seconds:g} s of processor time",
+        f"adds at most {Limits().megabytes} MB to the process",
+        f"| {LIMITS['timeout'].default} s | `--timeout SECONDS` | `not done after 300 s:",
+        f"| {LIMITS['memory'].default} GiB | `--memory GIB` | `not enough memory` |",
     ],
 )
 def test_the_bounds_are_those_of_the_code(sentence: str) -> None:
@@ -67,3 +80,33 @@ def test_the_powers_of_ten_are_those_of_the_code() -> None:
     assert xml_reader.MAX_ELEMENTS == 10**6
     assert "10^5 values with every alias" in FLAT
     assert yaml_files.MAX_VALUES == 10**5
+
+
+def test_how_often_ci_fuzzes_is_what_it_does() -> None:
+    assert "CI runs 2,000 of each (`tests/test_fuzz.py`)" in FLAT
+    text = (ROOT / "tests" / "test_fuzz.py").read_text(encoding="utf-8")
+    assert 'count = 2000 if pytestconfig.getoption("thorough")' in text
+    assert '"$bin/pytest" --thorough' in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+def test_a_set_holds_about_300_other_keys() -> None:
+    assert "or about 300 other keys" in FLAT
+    bounds.check_comparisons(range(300))
+    with pytest.raises(bounds.TooLarge):
+        bounds.check_comparisons(range(330))
+
+
+def test_a_file_of_2_gb_is_one_error_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    large = tmp_path / "large.urdf"
+    with large.open("wb") as file:
+        file.truncate(2 * 10**9)  # takes no room on the disk
+    assert main(["check", str(large)]) == 2
+    assert capsys.readouterr().err.endswith("large.urdf: larger than 64 MiB\n")
+
+
+def test_an_untrusted_workspace_does_not_choose_the_program() -> None:
+    manifest = json.loads((ROOT / "editors" / "vscode" / "package.json").read_text("utf-8"))
+    untrusted = manifest["capabilities"]["untrustedWorkspaces"]
+    assert untrusted["restrictedConfigurations"] == ["urdfkit.path"]

@@ -85,7 +85,7 @@ def test_a_slip_in_the_configuration_stops_the_check(project: Project) -> None:
     project.write("urdfkit.toml", "selct = []")
     code, out, err = project.check(".")
     assert (code, out) == (2, "")
-    assert "urdfkit.toml: unknown setting 'selct'; did you mean 'select'?" in err
+    assert "urdfkit.toml:1: unknown setting 'selct'; did you mean 'select'?" in err
     assert project.check(".", "--isolated", "--select", "TRE003")[0] == 1
     assert project.check(".", "--config", "none.toml")[2] == ("error: none.toml: file not found\n")
 

@@ -1,5 +1,6 @@
 """The configuration: what it says, and what it does not let pass."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -197,8 +198,8 @@ def test_an_unknown_rule_that_is_left_out_is_a_warning(tmp_path):
     config = load(path)
     assert config.ignore == {"JNT020"}
     first, second = config.warnings
-    assert first.startswith(f"{path}: 'ignore': no rule 'XYZ'")
-    assert second.startswith(f"{path}: per-file-ignores[1]: 'codes': no rule 'NEW001'")
+    assert first.startswith(f"{path}:1: 'ignore': no rule 'XYZ'")
+    assert second.startswith(f"{path}:4: per-file-ignores[1]: 'codes': no rule 'NEW001'")
 
 
 @pytest.mark.parametrize(
@@ -284,3 +285,30 @@ def test_limits_of_an_expansion_are_raised_by_the_user_alone(tmp_path):
     assert load(path).limits == (60, 512)
     with pytest.raises(ConfigError, match="'xacro-seconds' above 5 must be confirmed"):
         load(path, trusted=False)
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ('# c\n\nignore = [\n  "X",\n  1,\n]', ":3: 'ignore'"),
+        ('# targets = ["a"]\ntargets = ["gazebo"]', ":2: 'targets': unknown target 'gazebo'"),
+        ('ignore = ["MSH"]\nselct = []', ":2: unknown setting 'selct'"),
+        ('[severity]\nTRE002 = "info"\n"TRE001" = "bad"', ":3: 'severity.TRE001'"),
+        ("[rules.MSH019]\nmost = 1", ":2: rules.MSH019: unknown option"),
+        ('[[robot]]\nfile = "r.urdf"\n[[robot]]\nfil = "r.urdf"', ":4: robot[2]: unknown setting"),
+        ("[[robot]]\nfile = 'r.urdf'\n[[robot]]\narguments.a = 1", ":3: robot[2]: it needs 'file'"),
+        ("robot = [{file = 'r.urdf', arguments = {a = []}}]", ":1: robot[1]: 'arguments.a' must"),
+        ("'ignore' = 1", ":1: 'ignore'"),
+    ],
+)
+def test_an_error_names_its_line(tmp_path: Path, text: str, line: str) -> None:
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    with pytest.raises(ConfigError, match=re.escape(f"urdfkit.toml{line}")):
+        load(write(tmp_path, text))
+    shared = tmp_path / "pyproject.toml"
+    inside = re.sub(r"^(\[+)", r"\1tool.urdfkit.", text, flags=re.MULTILINE)
+    other = "[tool.ruff]\nignore = []\n[tool.urdfkit]\n"
+    shared.write_text(other + inside)
+    number = int(line.split(":")[1]) + 3
+    with pytest.raises(ConfigError, match=rf"pyproject.toml:{number}: "):
+        load(str(shared))

@@ -154,8 +154,8 @@ def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place
     code, text = place.check()
     assert code == 2
     assert text == (
-        "error: urdfkit.toml: 'rule-packages': no rule package is installed as 'evil'; importing a "
-        "module runs its code: pass --trust or --config FILE\n"
+        "error: urdfkit.toml:1: 'rule-packages': no rule package is installed as 'evil'; "
+        "importing a module runs its code: pass --trust or --config FILE\n"
     )
 
 

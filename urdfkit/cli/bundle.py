@@ -4,10 +4,8 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, choice, limited, with_examples
+from urdfkit.cli.decorators import OUT, choice, limited, option, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -26,7 +24,7 @@ from urdfkit.text.source import shown
 @one_robot
 @OUT
 @choice("--for", "consumer", of=CONSUMERS, help="Convert the meshes that this program cannot read.")
-@click.option("--force", is_flag=True, help="Replace OUT if it is a bundle.")
+@option("--force", "Replace OUT if it is a bundle.")
 @limited
 def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     """Write a robot with all of its files, for use elsewhere.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, choice, in_formats, limited, with_examples
+from urdfkit.cli.decorators import OUT, choice, in_formats, limited, option, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     of=EXCLUSIONS,
     help="Which links do not collide: those that the SRDF disables, or also computed ones.",
 )
-@click.option("--force", is_flag=True, help="Replace OUT if it is a conversion.")
+@option("--force", "Replace OUT if it is a conversion.")
 @in_formats("text", "json")
 @limited
 def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any) -> int:

@@ -31,6 +31,26 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
     return decorated
 
 
+def option(
+    usage: str, help: str, *, to: str | None = None, **more: Any
+) -> Callable[[Command], Command]:
+    """Give a command an option, written as in its help; one without a value is a switch.
+
+    >>> force = option("--force", "Replace OUT if it is a bundle.")
+    >>> output = option("-o, --output FILE", "Image to write.")
+
+    Args:
+        to: the parameter of the command that takes the value; by default that of the option's name.
+        more: what `click.option` takes, too.
+    """
+    words = usage.split()
+    flags = [word.rstrip(",") for word in words if word.startswith("-")]
+    metavar = " ".join(words[len(flags) :])
+    names = (*flags, to) if to else flags
+    more |= {"metavar": metavar} if metavar else {"is_flag": True}
+    return click.option(*names, help=help, **more)
+
+
 def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Command]:
     """Give a command an option that takes one of some words; the first is the default."""
     words = list(of)
@@ -61,69 +81,43 @@ def _no_stream(context: click.Context, option: click.Parameter, out: str) -> str
     return out
 
 
-OUT = click.option(
-    "-o",
-    "--output",
-    "out",
-    metavar="OUT",
-    required=True,
-    help="Directory or .zip to write.",
-    callback=_no_stream,
+OUT = option(
+    "-o, --output OUT", "Directory or .zip to write.", to="out", required=True, callback=_no_stream
 )
-TRUST = click.option(
-    "--trust", is_flag=True, help="Let the model run any expression and read any file."
-)
-PACKAGE = click.option(
-    "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
-)
-ISOLATED = click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
-CONFIG = click.option(
-    "--config", metavar="FILE", help="Configuration file. [default: the nearest one]"
-)
-VARIANT = click.option(
-    "--variant",
-    default="",
-    show_default=False,
-    metavar="NAME",
-    help="Variant in the configuration.",
-)
-TARGET = click.option(
-    "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
-)
-COLOR = click.option(
-    "--color",
+TRUST = option("--trust", "Let the model run any expression and read any file.")
+PACKAGE = option("--package NAME=DIR", "Directory of a ROS package.", multiple=True)
+ISOLATED = option("--isolated", "Ignore all configuration files.")
+CONFIG = option("--config FILE", "Configuration file. [default: the nearest one]")
+VARIANT = option("--variant NAME", "Variant in the configuration.", default="", show_default=False)
+TARGET = option("--target NAMES", "Target program. [default: detected]", multiple=True)
+COLOR = option(
+    "--color WHEN",
+    "Colours on standard output: auto, always or never.",
     type=click.Choice(["auto", "always", "never"]),
     default="auto",
-    metavar="WHEN",
-    help="Colours on standard output: auto, always or never.",
 )
-DIFF = click.option("--diff", is_flag=True, help="Show what --write would change.")
+DIFF = option("--diff", "Show what --write would change.")
 SEED = click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
-RULES = click.option(
-    "--rules",
-    multiple=True,
-    metavar="NAMES",
-    help="Rule packages to load: installed names, or modules.",
+RULES = option(
+    "--rules NAMES", "Rule packages to load: installed names, or modules.", multiple=True
 )
 
 #: Gives a command that computes the limits of its process; they hold from here on.
 limited = with_options(
-    click.option(
-        "--memory",
+    option(
+        "--memory GIB",
+        "Limit of memory.",
         type=click.FloatRange(0.1),
         default=8,
-        metavar="GIB",
         expose_value=False,
         callback=lambda context, option, size: limits.begin_memory(int(size * 2**30)),
-        help="Limit of memory.",
     ),
-    click.option(
-        "--timeout",
+    option(
+        "--timeout SECONDS",
+        "Limit of time, until the result is written.",
         type=click.FloatRange(0.01, 1_000_000),
         default=300,
-        metavar="SECONDS",
         expose_value=False,
         callback=lambda context, option, seconds: limits.begin_time(seconds),
-        help="Limit of time, until the result is written.",
     ),
 )

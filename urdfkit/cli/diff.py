@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, to_file, with_examples
+from urdfkit.cli.decorators import limited, option, to_file, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -28,17 +28,15 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
 @to_file("output_file", "Write to FILE; its suffix is the format.")
-@click.option(
-    "--fail-on",
-    metavar="KINDS",
+@option(
+    "--fail-on KINDS",
+    f"Differences that make the exit code 1: any, none, or some of {', '.join(KINDS)}.",
     default="any",
-    help=f"Differences that make the exit code 1: any, none, or some of {', '.join(KINDS)}.",
 )
-@click.option(
-    "--tolerance",
+@option(
+    "--tolerance NAME=VALUE",
+    f"Tolerances: {', '.join(_NUMBERS)}; in m and rad, or relative.",
     multiple=True,
-    metavar="NAME=VALUE",
-    help=f"Tolerances: {', '.join(_NUMBERS)}; in m and rad, or relative.",
 )
 @click.option(
     "--lang", type=click.Choice(LANGUAGES), help="Language of the HTML page. [default: en]"

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import to_file, with_examples
+from urdfkit.cli.decorators import option, to_file, with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
@@ -32,19 +32,12 @@ _IGNORED = partial(
 )
 @one_robot
 @to_file("target", "Write to FILE instead of standard output.")
-@click.option("--deps", is_flag=True, help="Print the files that it depends on, and nothing else.")
-@click.option(
-    "--map", "map_file", metavar="FILE", help="Write the source location of every element as JSON."
-)
-@click.option(
-    "--root-dir",
-    metavar="DIRECTORY",
-    default=os.curdir,
-    help="Directory that relative paths start from.",
-)
-@click.option("-q", "--quiet", is_flag=True, help="Do not print warnings.")
+@option("--deps", "Print the files that it depends on, and nothing else.")
+@option("--map FILE", "Write the source location of every element as JSON.", to="map_file")
+@option("--root-dir DIRECTORY", "Directory that relative paths start from.", default=os.curdir)
+@option("-q, --quiet", "Do not print warnings.")
 @_IGNORED("-v", count=True)
-@click.option("--verbosity", type=int, metavar="LEVEL", help="0 is the same as -q, as in xacro.")
+@option("--verbosity LEVEL", "0 is the same as -q, as in xacro.", type=int)
 @_IGNORED("-i", "--inorder", is_flag=True)
 def command(
     asked: dict[str, Any],

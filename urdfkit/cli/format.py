@@ -5,7 +5,7 @@ import os
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, with_examples, with_options
+from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, option, with_examples, with_options
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
@@ -14,20 +14,11 @@ from urdfkit.text.source import STANDARD_INPUT, shown
 
 @with_examples("format", "urdfkit format urdf", "urdfkit format --check .")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
-@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if a file would change.")
-@click.option("--diff", is_flag=True, help="As --check, and show the changes as a diff.")
-@click.option(
-    "--width",
-    type=click.IntRange(40, 400),
-    metavar="COLUMNS",
-    help=f"Line width. [default: {WIDTH}]",
-)
-@click.option("-q", "--quiet", is_flag=True, help="Print errors and nothing else.")
-@click.option(
-    "--force",
-    is_flag=True,
-    help="Also format files that are generated, read-only or ignored by git.",
-)
+@option("--check", "Write nothing; exit with 1 if a file would change.")
+@option("--diff", "As --check, and show the changes as a diff.")
+@option("--width COLUMNS", f"Line width. [default: {WIDTH}]", type=click.IntRange(40, 400))
+@option("-q, --quiet", "Print errors and nothing else.")
+@option("--force", "Also format files that are generated, read-only or ignored by git.")
 @with_options(COLOR, ISOLATED, CONFIG)
 def command(
     files: tuple[str, ...],

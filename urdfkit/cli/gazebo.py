@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, with_examples
+from urdfkit.cli.decorators import in_formats, option, with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
@@ -23,7 +21,7 @@ VERSION = 1
 @with_examples("gazebo", "urdfkit gazebo robot.urdf.xacro")
 @one_robot
 @in_formats("text", "json")
-@click.option("--old", is_flag=True, help="Convert as sdformat did before 9.10.1 and 12.7.2.")
+@option("--old", "Convert as sdformat did before 9.10.1 and 12.7.2.")
 def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """Show the robot after Gazebo's conversion from URDF to SDF.
 

@@ -4,10 +4,8 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import Any
 
-import click
-
 from urdfkit.cli import gazebo, output
-from urdfkit.cli.decorators import in_formats, with_examples
+from urdfkit.cli.decorators import in_formats, option, with_examples
 from urdfkit.cli.options import UsageError, words
 from urdfkit.cli.robot import check_options, one_robot, only_file, robot
 from urdfkit.core.words import counted
@@ -33,8 +31,8 @@ STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
     "urdfkit importers robot.urdf.xacro --map isaac:mujoco",
 )
 @one_robot
-@click.option("--for", "names", multiple=True, metavar="NAMES", help="Programs. [default: all]")
-@click.option("--map", "pair", metavar="FROM:TO", help="Indices of FROM in the order of TO.")
+@option("--for NAMES", "Programs. [default: all]", to="names", multiple=True)
+@option("--map FROM:TO", "Indices of FROM in the order of TO.", to="pair")
 @in_formats("text", "json", "csv")
 def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, form: str) -> int:
     """Show what simulators make of a robot.

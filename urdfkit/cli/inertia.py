@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, choice, in_formats, limited, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, choice, in_formats, limited, option, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
@@ -26,24 +26,16 @@ VERSION = 1
     "urdfkit inertia robot.urdf.xacro --link arm --material steel",
 )
 @choice("--from", "source", of=SOURCES, help="Geometry to use.")
-@click.option(
-    "--mass", type=float, metavar="KG", help="Mass of each link, instead of the declared one."
-)
-@click.option(
-    "--density",
-    type=float,
-    metavar="KG/M^3",
-    help="Density, from which the mass is computed instead.",
-)
-@click.option(
-    "--material",
+@option("--mass KG", "Mass of each link, instead of the declared one.", type=float)
+@option("--density KG/M^3", "Density, from which the mass is computed instead.", type=float)
+@option(
+    "--material NAME",
+    f"Material, from whose density the mass is computed: {', '.join(DENSITIES)}.",
     type=click.Choice([*DENSITIES]),
-    metavar="NAME",
-    help=f"Material, from whose density the mass is computed: {', '.join(DENSITIES)}.",
 )
-@click.option("--link", "links", multiple=True, metavar="NAME", help="Only this link.")
-@click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")
-@click.option("--write", is_flag=True, help="Write the suggested values into the source files.")
+@option("--link NAME", "Only this link.", to="links", multiple=True)
+@option("--lump", "Treat links connected by fixed joints as one body.")
+@option("--write", "Write the suggested values into the source files.")
 @DIFF
 @COLOR
 @in_formats("text", "json")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import option, with_examples
 from urdfkit.core import atomic
 from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
@@ -26,7 +26,7 @@ _FILE = "urdfkit.toml"
 
 @with_examples("init", "urdfkit init --print")
 @click.argument("directory", default=os.curdir)
-@click.option("--print", "only_print", is_flag=True, help="Print the configuration; write nothing.")
+@option("--print", "Print the configuration; write nothing.", to="only_print")
 def command(directory: str, only_print: bool) -> int:
     """Write a first urdfkit.toml for the robots in DIRECTORY.
 

@@ -4,10 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import degrees
 from typing import Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, option, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
@@ -27,11 +25,9 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 )
 @one_robot
 @posed
-@click.option(
-    "--transform", "ends", nargs=2, metavar="A B", help="Pose of link B in the frame of link A."
-)
-@click.option("--jacobian", metavar="LINK", help="Jacobian of the origin of a link.")
-@click.option("--mass-matrix", is_flag=True, help="The joint-space mass matrix.")
+@option("--transform A B", "Pose of link B in the frame of link A.", to="ends", nargs=2)
+@option("--jacobian LINK", "Jacobian of the origin of a link.")
+@option("--mass-matrix", "The joint-space mass matrix.")
 @in_formats("text", "json")
 @limited
 def command(

@@ -1,18 +1,12 @@
 """``urdfkit lsp``: the language server for editors."""
 
-import click
-
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import option, with_examples
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 
 
 @with_examples("lsp", "urdfkit lsp --stdio")
-@click.option(
-    "--stdio",
-    is_flag=True,
-    help="Communicate over standard input and output, which is the default.",
-)
+@option("--stdio", "Communicate over standard input and output, which is the default.")
 def command(stdio: bool) -> int:
     """Start the language server for editors.
 

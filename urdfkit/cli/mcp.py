@@ -4,14 +4,14 @@ import os
 
 import click
 
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import option, with_examples
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableFile
 
 
 @with_examples("mcp", "urdfkit mcp", "urdfkit mcp ~/robot_ws/src --write")
 @click.argument("directory", default=os.curdir)
-@click.option("--write", is_flag=True, help="Let the tool 'fix' write files.")
+@option("--write", "Let the tool 'fix' write files.")
 def command(directory: str, write: bool) -> int:
     """Offer check, explain, trace, expand, fix and render to agents.
 

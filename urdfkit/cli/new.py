@@ -6,7 +6,7 @@ import shlex
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import option, with_examples
 from urdfkit.output.package_templates import KINDS, create
 
 
@@ -15,9 +15,7 @@ from urdfkit.output.package_templates import KINDS, create
 )
 @click.argument("name")
 @click.option("--kind", type=click.Choice(KINDS), required=True, help="What the robot is.")
-@click.option(
-    "-o", "--output", "out", metavar="DIR", default=os.curdir, help="Directory to write NAME in."
-)
+@option("-o, --output DIR", "Directory to write NAME in.", to="out", default=os.curdir)
 def command(name: str, kind: str, out: str) -> int:
     """Write a ROS 2 package with a sound robot to start from.
 

@@ -3,25 +3,18 @@
 from collections.abc import Mapping
 from typing import Any
 
-import click
-
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_options
+from urdfkit.cli.decorators import option, with_options
 from urdfkit.lint.context import Context
 from urdfkit.physics.poses import outside_limits, pose
 
 #: Gives a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``.
 posed = with_options(
-    click.option(
-        "--pose",
-        metavar="FILE",
-        help="Pose file, or an SRDF group state such as ready or arm.srdf:ready.",
-    ),
-    click.option(
-        "--joint",
+    option("--pose FILE", "Pose file, or an SRDF group state such as ready or arm.srdf:ready."),
+    option(
+        "--joint NAME=VALUE",
+        "Joint position in rad or m, or in degrees such as 90deg.",
         multiple=True,
-        metavar="NAME=VALUE",
-        help="Joint position in rad or m, or in degrees such as 90deg.",
     ),
 )
 

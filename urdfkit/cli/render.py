@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, option, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, one_robot
@@ -37,34 +37,24 @@ _NAMED = 5
     "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
 )
 @one_robot
-@click.option("-o", "--output", metavar="FILE", help="Image to write: .png, .webp, .jpg ...")
-@click.option(
-    "--view", "views", multiple=True, metavar="NAMES", help=f"{', '.join(VIEWS)}, or all."
-)
-@click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
-@click.option(
-    "--findings", is_flag=True, help="Colour links with errors red, with warnings orange."
-)
+@option("-o, --output FILE", "Image to write: .png, .webp, .jpg ...")
+@option("--view NAMES", f"{', '.join(VIEWS)}, or all.", to="views", multiple=True)
+@option("--layers NAMES", "visual, collision, frames ...", multiple=True)
+@option("--findings", "Colour links with errors red, with warnings orange.")
 @posed
-@click.option("--turntable", metavar="FILE", help="Turntable animation as .gif, .webp or .apng.")
-@click.option(
-    "--sweep", metavar="JOINT", help="Animation of a joint over its range, as .gif, .webp or .apng."
-)
-@click.option(
-    "--diff", is_flag=True, help="Draw two files, or REVISION:FILE, and their difference."
-)
-@click.option(
-    "--thumbnail", is_flag=True, help=f"Image of {THUMBNAIL} pixels with a transparent background."
-)
+@option("--turntable FILE", "Turntable animation as .gif, .webp or .apng.")
+@option("--sweep JOINT", "Animation of a joint over its range, as .gif, .webp or .apng.")
+@option("--diff", "Draw two files, or REVISION:FILE, and their difference.")
+@option("--thumbnail", f"Image of {THUMBNAIL} pixels with a transparent background.")
 @click.option(
     "--azimuth", type=float, help="Camera azimuth in degrees, from the front to the left."
 )
 @click.option("--elevation", type=float, help="Camera elevation in degrees above the horizon.")
 @click.option("--distance", type=float, help="Camera distance in m. [default: fit the robot]")
-@click.option("--orthographic", is_flag=True, help="Orthographic projection.")
-@click.option("--size", metavar="WIDTHxHEIGHT", help=f"Size in pixels. [default: {SIZE}]")
-@click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
-@click.option("--no-ground", is_flag=True, help="Do not draw the ground.")
+@option("--orthographic", "Orthographic projection.")
+@option("--size WIDTHxHEIGHT", f"Size in pixels. [default: {SIZE}]")
+@option("--background COLOUR", "A name, #rrggbb, or 'transparent'.")
+@option("--no-ground", "Do not draw the ground.")
 @click.option(
     "--quality",
     type=click.Choice(["draft", "default", "high"]),

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import choice, limited, to_file, with_examples
+from urdfkit.cli.decorators import choice, limited, option, to_file, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -26,7 +26,7 @@ from urdfkit.text.source import shown
 @with_robot_and_targets()
 @to_file("output_file", "Write .html, .md, .json or .csv to FILE.")
 @choice("--lang", of=LANGUAGES, help="Language of the page.")
-@click.option("--quick", is_flag=True, help="Skip images, statics and collisions.")
+@option("--quick", "Skip images, statics and collisions.")
 @choice("--table", of=COLUMNS, help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 @limited

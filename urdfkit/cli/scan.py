@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import choice, examples
+from urdfkit.cli.decorators import choice, examples, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
@@ -48,36 +48,16 @@ class _Scan(click.Command):
     ),
 )
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
-@click.option(
-    "-o", "--output", "directory", required=True, metavar="DIR", help="Directory of the results."
-)
+@option("-o, --output DIR", "Directory of the results.", to="directory", required=True)
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@click.option(
-    "--timeout",
-    type=click.FloatRange(0.01),
-    default=60,
-    metavar="SECONDS",
-    help="Limit of time for a model.",
-)
-@click.option(
-    "--memory",
-    type=click.FloatRange(0.1),
-    default=4,
-    metavar="GIB",
-    help="Limit of memory for a model.",
-)
+@option("--timeout SECONDS", "Limit of time for a model.", type=click.FloatRange(0.01), default=60)
+@option("--memory GIB", "Limit of memory for a model.", type=click.FloatRange(0.1), default=4)
 @choice("--engine", of=["local", "dask"], help="Who runs the processes.")
-@click.option(
-    "--address",
-    default="",
-    metavar="URL",
-    show_default=False,
-    help="Address of the Dask scheduler.",
-)
-@click.option("--select", multiple=True, metavar="CODES", help="Run only these rules.")
-@click.option("--ignore", multiple=True, metavar="CODES", help="Do not run these rules.")
-@click.option("--target", multiple=True, metavar="NAMES", help="Target program.")
-@click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
+@option("--address URL", "Address of the Dask scheduler.", default="", show_default=False)
+@option("--select CODES", "Run only these rules.", multiple=True)
+@option("--ignore CODES", "Do not run these rules.", multiple=True)
+@option("--target NAMES", "Target program.", multiple=True)
+@option("--package NAME=DIR", "Directory of a ROS package.", multiple=True)
 def command(
     sources: tuple[str, ...],
     directory: str,

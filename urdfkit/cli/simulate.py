@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import choice, in_formats, limited, with_examples
+from urdfkit.cli.decorators import choice, in_formats, limited, option, with_examples
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.conversion.options import BASES
@@ -30,8 +28,8 @@ SIZE, MOVING = (1280, 720), (640, 400)
 )
 @one_robot
 @choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
-@click.option("--gif", metavar="FILE", help="Animation of its release: .gif, .webp or .apng.")
-@click.option("--png", metavar="FILE", help="Image of the end of its release: .png, .webp ...")
+@option("--gif FILE", "Animation of its release: .gif, .webp or .apng.")
+@option("--png FILE", "Image of the end of its release: .png, .webp ...")
 @in_formats("text", "json", "junit")
 @limited
 def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, form: str) -> int:

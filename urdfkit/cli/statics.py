@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import SEED, in_formats, limited, with_examples
+from urdfkit.cli.decorators import SEED, in_formats, limited, option, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -38,22 +38,13 @@ MAX_SAMPLES = 1_000_000
 )
 @one_robot
 @posed
-@click.option(
-    "--payload", multiple=True, metavar="KG@LINK", help="Payload mass at the origin of a link."
-)
+@option("--payload KG@LINK", "Payload mass at the origin of a link.", multiple=True)
 @click.option(
     "--samples", type=click.IntRange(0, MAX_SAMPLES), default=200, help="Sampled configurations."
 )
 @SEED
-@click.option(
-    "--contact",
-    multiple=True,
-    metavar="LINK",
-    help="Contact link with the ground. [default: the lowest]",
-)
-@click.option(
-    "--visuals", is_flag=True, help="Use the visual where a contact link has no collision."
-)
+@option("--contact LINK", "Contact link with the ground. [default: the lowest]", multiple=True)
+@option("--visuals", "Use the visual where a contact link has no collision.")
 @in_formats("text", "json")
 @limited
 def command(

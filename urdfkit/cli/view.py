@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options
-from urdfkit.cli.decorators import choice, with_examples
+from urdfkit.cli.decorators import choice, option, with_examples
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
@@ -22,7 +22,7 @@ from urdfkit.viewer.server import serve
     show_default=False,
     help="[default: a free one]",
 )
-@click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")
+@option("--no-open", "Print the URL; do not open a browser.")
 @choice("--lang", of=LANGUAGES, help="Language of the page.")
 def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     """Show a robot in the browser; reload it when files change.

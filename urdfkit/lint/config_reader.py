@@ -242,7 +242,7 @@ class _SettingsReader(SettingsTable):
         try:
             return parse(self.texts("targets")).names
         except UnknownTarget as error:
-            raise self.error(str(error)) from error
+            raise self.error(f"'targets': {error}") from error
 
     def packages(self) -> dict[str, str]:
         table = self.take("packages", dict, {})

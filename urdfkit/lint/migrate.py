@@ -1,5 +1,7 @@
 """From one Gazebo to another: what can be renamed, and what a person must decide."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Mapping
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
 from math import inf
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.config import ConfigError
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -43,9 +45,11 @@ class SettingsTable:
         self._known: list[str] = []
 
     def error(self, message: str) -> ConfigError:
-        """An error that names the file and the table."""
+        """An error that names the file, the line of the setting that it quotes first, the table."""
+        quoted = re.search(r"'(.+?)'", message)
+        line = _line(self.path, self.where, quoted[1] if quoted else "")
         where = f"{self.where}: " if self.where else ""
-        return ConfigError(f"{self.path}: {where}{message}")
+        return ConfigError(f"{self.path}{f':{line}' if line else ''}: {where}{message}")
 
     def take(self, key: str, kind: type, default: Any) -> Any:
         """A setting of a type.
@@ -107,3 +111,26 @@ class SettingsTable:
         """
         for key in self._left:
             raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")
+
+
+def _line(path: str, table: str, key: str) -> int:
+    """The line of a setting, or of the table that lacks it; 0 if neither is found."""
+    array = re.search(r"(.+)\[(\d+)\]", table)
+    index = int(array[2]) if array else 0
+    wanted = ".".join(filter(None, (re.sub(r"\[\d+\]", "", table), key))) + "."
+    root = "tool.urdfkit." if os.path.basename(path) == "pyproject.toml" else ""
+    section = nearest = ""
+    seen = found = 0
+    for number, line in enumerate(disk.read(path).decode(errors="replace").splitlines(), 1):
+        text = re.match(r"\s*(\[*)\s*([\w.\"'-]+)\s*[\]=]", line)
+        if not text:
+            continue
+        name = re.sub("[\"']", "", text[2]) + "."
+        if text[1]:
+            section = name
+            seen += bool(array and text[1] == "[[" and name == f"{root}{array[1]}.")
+        else:
+            name = section + name
+        if f"{root}{wanted}".startswith(name) and len(name) > len(nearest) and seen in (0, index):
+            found, nearest = number, name
+    return found if len(nearest) > len(root) else 0

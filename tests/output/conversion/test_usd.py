@@ -132,7 +132,10 @@ def test_a_small_rotation_is_kept(tmp_path: Path) -> None:
 
 
 def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:
-    text = arm(LIMIT).data.replace(b"<robot", b'<robot xmlns="http://www.ros.org/wiki/urdf"')
+    schema = (
+        b'<robot xmlns="http://a.b/urdf" xmlns:xsi="http://c.d/xsi" xsi:schemaLocation="urdf.xsd"'
+    )
+    text = arm(LIMIT).data.replace(b"<robot", schema)
     assert convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof.holds
 
 

@@ -130,6 +130,8 @@ def _real(measure: Measure, controller: Controller, context: Context) -> list[fl
     if measure.kind == "radius":
         return _radius(sides[0])
     if measure.kind == "wheelbase":
+        if max(map(len, sides)) > 2:  # not of one axle: see RCT034
+            return []
         x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
         return [length((x, y, 0.0))]
     if measure.kind == "track":

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import SEED, in_formats, limited, with_examples
+from urdfkit.cli.decorators import SEED, in_formats, limited, option, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -34,10 +34,8 @@ if TYPE_CHECKING:
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
 @SEED
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@click.option(
-    "--srdf", metavar="FILE", help="Write the matrix to FILE, or update the matrix in it."
-)
-@click.option("--compare", metavar="FILE", help="Compare with the matrix of this SRDF.")
+@option("--srdf FILE", "Write the matrix to FILE, or update the matrix in it.")
+@option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
     "--units",
     type=click.Choice(["applied", "ignored"]),
@@ -96,7 +94,7 @@ def _srdf(path: str, context: Context) -> Srdf:
     from urdfkit.ros.moveit.srdf import is_srdf, read
 
     Source.read(path)  # says why if there is none
-    found = read(path, context.tree, context.resolver, trust=context.trust)
+    found = read(path, context)
     if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
     return found

@@ -3,10 +3,8 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import click
-
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, limited, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, limited, option, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -19,21 +17,10 @@ from urdfkit.text.source import shown
     "urdfkit mesh collision robot.urdf.xacro --diff",
     "urdfkit mesh collision robot.urdf.xacro --link arm --write",
 )
-@click.option(
-    "--error",
-    type=float,
-    metavar="METRES",
-    help="Largest distance that a shape may stick out of the mesh.",
-)
-@click.option(
-    "--link",
-    "links",
-    multiple=True,
-    metavar="NAME",
-    help="Only this link, whatever collision it has.",
-)
-@click.option("--most", type=int, default=8, metavar="N", help="Maximum number of convex pieces.")
-@click.option("--write", is_flag=True, help="Write the collisions and their mesh files.")
+@option("--error METRES", "Largest distance that a shape may stick out of the mesh.", type=float)
+@option("--link NAME", "Only this link, whatever collision it has.", to="links", multiple=True)
+@option("--most N", "Maximum number of convex pieces.", type=int, default=8)
+@option("--write", "Write the collisions and their mesh files.")
 @DIFF
 @COLOR
 @one_robot

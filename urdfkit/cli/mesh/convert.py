@@ -5,7 +5,7 @@ from math import inf
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, option, with_examples
 from urdfkit.cli.mesh.saving import save
 from urdfkit.cli.progress import working
 from urdfkit.mesh.io.load import load
@@ -19,12 +19,10 @@ from urdfkit.mesh.writers import require_replaceable
     "urdfkit mesh convert arm_mm.stl -o arm.stl --scale 0.001",
 )
 @click.argument("file", metavar="FILE")
-@click.option(
-    "-o", "--output", "out", metavar="OUT", required=True, help="Write the mesh to this file."
-)
-@click.option("--upright", "turn", is_flag=True, help="Rotate the up axis of the file to z.")
-@click.option("--scale", type=float, default=1.0, metavar="FACTOR", help="Multiply all lengths.")
-@click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
+@option("-o, --output OUT", "Write the mesh to this file.", to="out", required=True)
+@option("--upright", "Rotate the up axis of the file to z.", to="turn")
+@option("--scale FACTOR", "Multiply all lengths.", type=float, default=1.0)
+@option("--force", "Replace OUT even if it is a valid mesh.")
 @limited
 def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     """Convert a mesh to another format, or clean it in the same one.

@@ -5,7 +5,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import choice, limited, with_examples
+from urdfkit.cli.decorators import choice, limited, option, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.cli.progress import working
@@ -19,11 +19,11 @@ from urdfkit.mesh.transforms import in_metres
 
 @with_examples("decompose", "urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8")
 @click.argument("file", metavar="FILE")
-@click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
-@click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")
-@click.option("--most", type=int, default=16, metavar="N", help="Maximum number of pieces.")
+@option("-o, --output OUT", "Write the pieces to this file.", to="out")
+@option("--split", "One file for each piece: OUT_1, OUT_2, ...")
+@option("--most N", "Maximum number of pieces.", type=int, default=16)
 @choice("--engine", of=ENGINES, help="Decomposition algorithm.")
-@click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
+@option("--force", "Replace OUT even if it is a valid mesh.")
 @limited
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
     """Decompose a mesh into convex pieces for physics engines.

@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, option, with_examples
 from urdfkit.cli.progress import working
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
@@ -33,19 +33,16 @@ def _is_robot(files: list[str]) -> bool:
     "urdfkit mesh generate lidar.dae --part rplidar_a2",
 )
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
-@click.option("--model", metavar="FILE", help="Robot that references the mesh.")
-@click.option(
-    "--part",
-    "part_name",
+@option("--model FILE", "Robot that references the mesh.")
+@option(
+    "--part PART",
+    f"Part to generate: {', '.join(_PARTS)}.",
+    to="part_name",
     type=click.Choice([*_PARTS]),
-    metavar="PART",
-    help=f"Part to generate: {', '.join(_PARTS)}.",
 )
-@click.option(
-    "--size", type=(float, float, float), metavar="X Y Z", help="Size of the mesh in metres."
-)
-@click.option("--force", is_flag=True, help="Replace the file even if it is a valid mesh.")
-@click.option("--dry-run", is_flag=True, help="Print what would be generated; write nothing.")
+@option("--size X Y Z", "Size of the mesh in metres.", type=(float, float, float))
+@option("--force", "Replace the file even if it is a valid mesh.")
+@option("--dry-run", "Print what would be generated; write nothing.")
 @read_by_options
 @limited
 def command(

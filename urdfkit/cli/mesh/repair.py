@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, option, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.cli.progress import progress_bar
@@ -19,9 +19,9 @@ from urdfkit.mesh.transforms import in_metres
 @with_examples("repair", "urdfkit mesh repair arm.stl", "urdfkit mesh repair arm.stl --write")
 @click.argument("file", metavar="FILE")
 @writes
-@click.option("--keep-holes", is_flag=True, help="Do not fill holes.")
-@click.option("--one-sided", is_flag=True, help="Remove one side of double-sided sheets.")
-@click.option("--union", is_flag=True, help="Boolean union of bodies that overlap or are nested.")
+@option("--keep-holes", "Do not fill holes.")
+@option("--one-sided", "Remove one side of double-sided sheets.")
+@option("--union", "Boolean union of bodies that overlap or are nested.")
 @limited
 def command(
     file: str,

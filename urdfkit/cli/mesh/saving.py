@@ -2,19 +2,17 @@
 
 from collections.abc import Iterator
 
-import click
-
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_options
+from urdfkit.cli.decorators import option, with_options
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.writers import GLB_NOTE, losses, require_replaceable, write
 from urdfkit.text.source import shown
 
 #: Gives a command the options that say where the mesh goes.
 writes = with_options(
-    click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh."),
-    click.option("--write", "in_place", is_flag=True, help="Replace FILE itself."),
-    click.option("-o", "--output", "out", metavar="OUT", help="Write the mesh to this file."),
+    option("--force", "Replace OUT even if it is a valid mesh."),
+    option("--write", "Replace FILE itself.", to="in_place"),
+    option("-o, --output OUT", "Write the mesh to this file.", to="out"),
 )
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, option, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.cli.progress import progress_bar
@@ -20,8 +20,8 @@ from urdfkit.mesh.transforms import in_metres
     "urdfkit mesh simplify arm.dae --error 0.001 --write",
 )
 @click.argument("file", metavar="FILE")
-@click.option("--triangles", type=int, metavar="N", help="Maximum number of triangles.")
-@click.option("--error", type=float, metavar="METRES", help="Maximum deviation of the surface.")
+@option("--triangles N", "Maximum number of triangles.", type=int)
+@option("--error METRES", "Maximum deviation of the surface.", type=float)
 @writes
 @limited
 def command(

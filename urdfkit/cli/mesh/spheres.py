@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import choice, limited, to_file, with_examples
+from urdfkit.cli.decorators import choice, limited, option, to_file, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -35,24 +35,20 @@ if TYPE_CHECKING:
     of=[*FORMATS, "json"],
     help="Format of --output; json is the table with the spheres.",
 )
-@click.option(
-    "--most", type=click.IntRange(1), default=100, metavar="N", help="Maximum number of spheres."
-)
-@click.option(
-    "--margin",
+@option("--most N", "Maximum number of spheres.", type=click.IntRange(1), default=100)
+@option(
+    "--margin METRES",
+    "How far a sphere may stick out, about, if --most allows it.",
     type=click.FloatRange(0, 1, min_open=True),
     default=0.01,
-    metavar="METRES",
-    help="How far a sphere may stick out, about, if --most allows it.",
 )
-@click.option(
-    "--coverage",
+@option(
+    "--coverage SHARE",
+    "Part of the inside of each link that the spheres cover.",
     type=click.FloatRange(0, 1, min_open=True, max_open=True),
     default=0.99,
-    metavar="SHARE",
-    help="Part of the inside of each link that the spheres cover.",
 )
-@click.option("--visual", is_flag=True, help="Cover the visual geometry.")
+@option("--visual", "Cover the visual geometry.")
 @limited
 def command(asked: dict[str, Any], out: str | None, form: str, **options: Any) -> int:
     """Cover the links of a robot with spheres, for motion planners.

@@ -3,6 +3,8 @@
 https://github.com/newton-physics/urdf-usd-converter, which takes a bundle of the robot.
 """
 
+from __future__ import annotations
+
 import os
 import re
 from pathlib import PurePosixPath
@@ -28,6 +30,7 @@ from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.editing.edits import remove_attribute
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import read_xml
 
@@ -130,8 +133,9 @@ class _ConvertedElements:
         if name is None:
             raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it one")
         edits = [Edit(name.span, bundle.name)]
-        if namespace := document.root.attributes.get("xmlns"):  # which other readers ignore
-            edits.append(Edit(namespace.span, ""))
+        for one in document.root.attributes.values():
+            if one.name == "xmlns" or (":" in one.name and not one.name.startswith("xmlns:")):
+                edits += remove_attribute(one) or ()  # which other readers ignore
         with open(path, "wb") as file:
             file.write(apply_edits(source.data, edits))
         self._by_line: dict[tuple[str, int], Element] = {}

@@ -1,5 +1,7 @@
 """What a stage of USD holds, compared with the robot that it was made from."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from math import degrees, isfinite
 from typing import Any
@@ -16,8 +18,8 @@ from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 
 #: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
-#: precision for rotations and masses.
-LENGTH, PART = 1e-5, 1e-5
+#: precision for masses.
+LENGTH, PART = 1e-9, 1e-5
 #: Of an axis: the converter takes one that is as near to x, y or z for it.
 AXIS = 1e-3
 
