@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import yaml
 
+import urdfkit
 from docs import transcripts
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
@@ -160,3 +161,12 @@ def test_the_python_of_a_page_runs(page: str, monkeypatch: pytest.MonkeyPatch, c
     out = capsys.readouterr().out
     assert "mount_to_palm fixed written at models/good/gripper.urdf:" in out
     assert '<robot name="mobile_base">' in out
+
+
+def test_the_page_of_the_library_lists_all_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    page = (DOCS / "api.md").read_text(encoding="utf-8")
+    assert sorted(re.findall(r"^::: urdfkit\.(\w+)$", page, re.MULTILINE)) == urdfkit.__all__
+    pytest.importorskip("pinocchio")
+    monkeypatch.chdir(ROOT)
+    *_, properties = blocks("api.md", "python")
+    exec(compile(properties, "api.md", "exec"), {})

@@ -26,6 +26,8 @@ ROBOTS: dict[str, tuple[Path, tuple[str, ...]]] = {
     "crawler": (CARRIERS / "crawler", ("urdf/crawler.xacro", "launch/gazebo.launch")),
     "picker": (CARRIERS / "picker", ("urdf/picker.urdf",)),
     "porter": (CARRIERS / "porter", (".",)),
+    "car": (CARRIERS / "car", (".",)),
+    "drone": (CARRIERS / "drone", (".",)),
     "mobile_base": (MODELS / "good" / "mobile_base", ("urdf/mobile_base.urdf.xacro",)),
     "gripper": (MODELS / "good", ("gripper.urdf",)),
 }

@@ -8,9 +8,11 @@ pytest.importorskip("numpy")
 from tests.conftest import MODELS
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
-from urdfkit.render import build, marked
+from urdfkit.render import build, labels, marked
+from urdfkit.render.camera import place_camera
 from urdfkit.render.findings import COLOURS, QUIET, by_link
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
@@ -47,3 +49,25 @@ def test_a_sound_robot_is_quiet() -> None:
     scene = marked(build(robot), robot, check(robot.source).diagnostics)
     assert {item.material.rgba for item in scene.items} == {QUIET}
     assert scene.labels == ()
+
+
+def test_a_label_stands_where_its_link_is_seen() -> None:
+    """From the left, the wheels of the right side cannot be seen, nor a speck in the box."""
+    robot = read(MODEL)
+    scene = marked(build(robot), robot, check(robot.source, select=["INE006"]).diagnostics)
+    camera = place_camera(scene.points(), "left", size=(640, 360), orthographic=True)
+    seen = labels._links_of_pixels(scene, camera)
+    assert {"wheel_1", "wheel_2", "base_link"} <= set(seen)
+    assert not {"wheel_3", "wheel_4", "base_footprint"} & set(seen)
+    x, y, text = labels._where_seen(0, 0, "INE006", seen["wheel_1"])
+    assert [x, y] in seen["wheel_1"].tolist()
+    assert text == "INE006"
+    assert labels._where_seen(1, 2, "INE006", None) == (1, 2, "INE006 (hidden)")
+
+
+def test_what_shows_nothing_is_not_called_hidden() -> None:
+    source = Source("r.urdf", b'<robot name="r"><link name="a"/><link name="b"/></robot>')
+    robot = read(source)
+    report = check(source, select=["TRE002"])
+    (label,) = marked(build(robot), robot, report.diagnostics).labels
+    assert not label.of_link

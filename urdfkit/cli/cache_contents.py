@@ -1,5 +1,7 @@
 """What lies in the cache."""
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.cache_directory import cache_directory

@@ -1,5 +1,7 @@
 """Entries of the cache of results as files."""
 
+from __future__ import annotations
+
 import os
 import zlib
 

@@ -3,6 +3,8 @@
 One process works for one user: what he allows holds for all that it expands.
 """
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 
 

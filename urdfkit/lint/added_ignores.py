@@ -1,5 +1,7 @@
 """Comments for the findings that a project has and accepts, so that a check reports new ones."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from urdfkit.core.record import Record

@@ -5,6 +5,8 @@ a value is likely that is declared for the same name, or that names a directory 
 the argument leads to: ``config/$(arg ur_type)/limits.yaml``. Such values are tried, not believed.
 """
 
+from __future__ import annotations
+
 import glob
 import os
 import re

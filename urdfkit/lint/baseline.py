@@ -5,6 +5,8 @@ or the numbers in its message, so that edits elsewhere do not bring it back. Whe
 more, it may have been moved: what it had is tolerated in another one.
 """
 
+from __future__ import annotations
+
 import hashlib
 import json
 import os

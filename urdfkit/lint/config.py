@@ -1,5 +1,7 @@
 """The configuration of a project: ``[tool.urdfkit]`` in pyproject.toml, or ``urdfkit.toml``."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Mapping
 

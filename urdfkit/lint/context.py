@@ -245,9 +245,7 @@ class Context(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(
-            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
-        )
+        return find(self)
 
     @cached_property
     def other_variant(self) -> str:

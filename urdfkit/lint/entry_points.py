@@ -1,5 +1,7 @@
 """Which descriptions of an include graph are robots, and which are libraries and parts."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping

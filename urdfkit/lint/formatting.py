@@ -1,5 +1,7 @@
 """format_files(): descriptions formatted, file by file."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator
 

@@ -5,6 +5,8 @@ everything in it. Before the root element it holds for the whole file. A finding
 suppressed for all calls by a comment in the macro, and for one call by a comment at the call.
 """
 
+from __future__ import annotations
+
 import re
 from bisect import bisect_left
 from collections.abc import Iterable

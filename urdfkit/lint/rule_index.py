@@ -4,6 +4,8 @@ The names of the files in ``urdfkit/checks`` are the index: nothing else has to 
 rule, and a rule is imported only when it may have something to report.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache

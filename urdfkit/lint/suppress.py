@@ -1,5 +1,7 @@
 """Suppression: which findings ignore comments leave out."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """What an editor offers to do about a finding: its fix, and a comment that accepts it."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

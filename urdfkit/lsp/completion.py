@@ -1,5 +1,7 @@
 """What may be written at the cursor: tags, attributes, names, packages and their files, plugins."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterable, Iterator

@@ -1,5 +1,7 @@
 """The values of expressions, for an editor to show behind them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

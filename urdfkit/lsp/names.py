@@ -4,6 +4,8 @@ What stands in the text counts, so that a robot that does not expand yet has nam
 that an expression makes is known by the values that the expanded document has for it.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property

@@ -4,6 +4,8 @@ Only places count of which it is plain what they name, and files of which it is 
 are: where another robot of the package has the same name, nothing is known.
 """
 
+from __future__ import annotations
+
 import ast
 import os
 import re

@@ -3,6 +3,8 @@
 Nothing here speaks the protocol; one thread uses it.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache

@@ -1,5 +1,7 @@
 """What a mesh file holds, for people and programs."""
 
+from __future__ import annotations
+
 from typing import Any
 
 from urdfkit.core.record import Record

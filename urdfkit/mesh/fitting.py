@@ -5,6 +5,8 @@ they stick out: the greatest distance from a point of theirs to the surface of t
 missing all the same is measured, too.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 import numpy as np

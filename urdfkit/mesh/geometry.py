@@ -1,5 +1,7 @@
 """Triangles, as a mesh file gives them."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,5 +1,7 @@
 """What is right and wrong with the triangles of a mesh, as numbers."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from urdfkit.core.record import Record

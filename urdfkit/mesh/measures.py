@@ -3,6 +3,8 @@
 Lengths in the unit of the file. Nothing here needs numpy: measures come from the cache.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 from urdfkit.core.record import Record, frozen

@@ -5,6 +5,8 @@ and then by quadric error metrics, which say best what can be missed. Neither pr
 several ways are tried, what came out is measured, and the best is taken.
 """
 
+from __future__ import annotations
+
 from math import inf
 
 from urdfkit.core.progress import Progress

@@ -8,6 +8,8 @@ greedy heuristic for the set-covering problem", 1979). Then the centres are move
 other, to where they cover more of the points that the others leave out with a smaller margin.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from operator import itemgetter
 

@@ -1,5 +1,7 @@
 """How well spheres stand for a solid, by samples of their own and exact triangles."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The mass properties of a robot: declared and computed from the shapes, per link and in total."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record

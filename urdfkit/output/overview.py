@@ -4,6 +4,8 @@ Nothing here needs a heavy library, except where meshes come in: what they would
 where they cannot be read, and that is said.
 """
 
+from __future__ import annotations
+
 from collections import Counter
 from collections.abc import Iterable, Mapping
 

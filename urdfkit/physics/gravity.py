@@ -5,6 +5,8 @@ it is linear: the best position of one joint, the others held, is a closed form.
 for all joints above and below, one after another, at a cost that grows with their number.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from math import pi

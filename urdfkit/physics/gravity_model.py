@@ -5,6 +5,8 @@ its origin, both in the frame of its child, a joint that turns about ``a`` holds
 and a slide ``g m a . u``. Lengths in m, angles in rad, masses in kg; the root is held.
 """
 
+from __future__ import annotations
+
 from collections.abc import Collection, Mapping
 from math import cos, sin
 

@@ -92,7 +92,7 @@ def _named(description: RosDescription, name: str) -> dict[str, float]:
 def _srdf(description: RosDescription, path: str) -> Srdf:
     from urdfkit.ros.moveit.srdf import read
 
-    srdf = read(path, description.tree, description.resolver, trust=description.trust)
+    srdf = read(path, description)
     if srdf is None:
         raise PoseError(f"{path}: not an SRDF file")
     return srdf

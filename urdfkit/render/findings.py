@@ -30,8 +30,9 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
         item if item.material.overlay else _painted(item, found.get(item.link, ()))
         for item in scene.items
     )
+    drawn = {item.link for item in scene.items if not item.material.overlay}
     labels = tuple(
-        Label(_text(reported), link, middle(scene, link))
+        Label(_text(reported), link, middle(scene, link), of_link=link in drawn)
         for link, reported in found.items()
         if link in scene.frames
     )

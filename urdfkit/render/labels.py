@@ -8,16 +8,20 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image, ImageDraw
 
-from urdfkit.render.arrays import turned
+from urdfkit.render.arrays import Floats, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
 from urdfkit.render.materials import Colour
+from urdfkit.render.raster import Grid, nearest, projected, rooks, split
 from urdfkit.render.scene import Scene, placed
+from urdfkit.render.soup import cut, soup
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
 #: Places of a label around its point, the nearest first: directions and distances in letters.
 _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
+#: Pixels from one that is looked at to the next.
+_EACH = 4
 
 
 class LabelBox(NamedTuple):
@@ -76,9 +80,13 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     boxes: list[LabelBox] = []
     layer = Image.new("RGBA", image.size, (0, 0, 0, 0))
     draw = ImageDraw.Draw(layer)
+    links = _links_of_pixels(scene, camera) if any(one.of_link for one in scene.labels) else {}
     for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
         x, y = anchors[number]
-        font, text = writing(printable(scene.labels[number].text), size)
+        name = printable(scene.labels[number].text)
+        if scene.labels[number].of_link:
+            x, y, name = _where_seen(x, y, name, links.get(scene.labels[number].link))
+        font, text = writing(name, size)
         wide, high = draw.textlength(text, font=font) + 0.6 * size, 1.35 * size
         box = _free(x, y, wide, high, size, image.size, boxes)
         if box is None:
@@ -108,6 +116,31 @@ def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
         if 0 <= x < camera.size[0] and 0 <= y < camera.size[1]:
             found[number] = (x, y)
     return found
+
+
+def _links_of_pixels(scene: Scene, camera: Camera) -> dict[str, Floats]:
+    """The pixels (n, 2) where each link is the nearest; one of four by four is looked at."""
+    width, height = (max(1, edge // _EACH) for edge in camera.size)
+    small = camera._replace(size=(width, height))
+    items = tuple(item for item in scene.items if not item.material.overlay)
+    triangles = cut(soup(scene._replace(items=items), small), small)
+    screen, chosen = projected(*small.project(triangles.points), triangles.faces, width)
+    grid = Grid(width, 0, height, rooks(1))
+    numbers = split(nearest(screen, np.arange(len(chosen)), grid))[0]
+    rows, columns = np.nonzero(numbers >= 0)
+    owners = triangles.item[chosen][numbers[rows, columns]]
+    pixels = (np.stack((columns, rows), axis=1) + 0.5) * _EACH
+    names = np.array([item.link for item in items])[owners] if items else owners
+    return {str(name): pixels[names == name] for name in np.unique(names)}
+
+
+def _where_seen(x: float, y: float, text: str, pixels: Floats | None) -> tuple[float, float, str]:
+    """The place and the text of a label: where its link is seen, or that it is not."""
+    if pixels is None:
+        return x, y, f"{text} (hidden)"
+    middle = pixels.mean(axis=0)
+    x, y = pixels[np.argmin(((pixels - middle) ** 2).sum(axis=1))].tolist()
+    return x, y, text
 
 
 def _free(

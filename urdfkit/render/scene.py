@@ -68,6 +68,7 @@ class Label(NamedTuple):
     text: str  # the word
     link: str  # in whose frame the point is
     point: Vector  # what it belongs to, in m
+    of_link: bool = False  # it belongs to all of the link, wherever that is seen
 
 
 class Scene(NamedTuple):

@@ -1,5 +1,7 @@
 """The box around a robot at a configuration, around its visuals and collisions."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """A robot as one rigid body: its mass, centre and tensor at a configuration."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record

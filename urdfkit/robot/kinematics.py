@@ -3,6 +3,8 @@
 Positions are in rad or m, by the name of the joint.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from math import atan2, cos, isfinite, pi, sin
 

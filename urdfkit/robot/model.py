@@ -5,6 +5,8 @@ grammar rules read the same elements), so one bad number never hides the rest.
 Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Generic, TypeVar

@@ -4,6 +4,8 @@ Lengths in m, directions of length 1. Primitives are met in closed form; for mes
 `urdfkit.mesh.ray_casting`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator, Sequence
 from math import cos, inf, sin, sqrt
 

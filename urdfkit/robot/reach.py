@@ -3,6 +3,8 @@
 For an arm this is the radius of its workspace as data sheets have it. Lengths in m.
 """
 
+from __future__ import annotations
+
 from math import hypot, isfinite
 from random import Random
 

@@ -3,6 +3,8 @@
 Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is the whole.
 """
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated

@@ -3,6 +3,8 @@
 The ground is a plane across z of the root, through the lowest point of the robot. Lengths in m.
 """
 
+from __future__ import annotations
+
 from collections.abc import Collection, Iterable, Mapping
 from itertools import product
 from math import atan2, cos, hypot, pi, sin

@@ -19,6 +19,18 @@ def commands(controller: Controller) -> list[str]:
     return [value.text for value in named if value.text]
 
 
+def claims(controller: Controller) -> list[tuple[list[str], list[Value]]]:
+    """The command interfaces that it needs, with the joints of which it needs them."""
+    if not controller.type.endswith("SteeringController"):
+        return [(commands(controller), commanded_joints(controller))]
+    drives_front = any(one.text.lower() == "false" for one in controller.values(["front_steering"]))
+    steered, driven = ("rear", "front") if drives_front else ("front", "rear")
+    return [
+        (["position"], controller.values(["steering_joints_names", f"{steered}_wheels_names"])),
+        (["velocity"], controller.values(["traction_joints_names", f"{driven}_wheels_names"])),
+    ]
+
+
 def commanded_joints(controller: Controller) -> list[Value]:
     """The joints that it commands; ``command_joints`` takes precedence over ``joints``."""
     kind = controller.kind

@@ -6,6 +6,8 @@ the controllers are in any namespace, and are known by their ``type``.
 Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_control.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from operator import itemgetter

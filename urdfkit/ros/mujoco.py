@@ -1,5 +1,7 @@
 """What a URDF tells MuJoCo in its ``<mujoco>`` element, and where MuJoCo looks for its meshes."""
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.record import Record

@@ -4,6 +4,8 @@ Reading is tolerant, as in ``model``: what is missing is None or empty here and 
 Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling).
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record

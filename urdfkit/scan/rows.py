@@ -1,5 +1,7 @@
 """What a scan keeps of a model: one row of facts, and one for each finding."""
 
+from __future__ import annotations
+
 import hashlib
 import os
 import time

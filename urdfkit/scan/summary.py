@@ -1,5 +1,7 @@
 """What the results of a scan say together: rates per rule, duplicates, outliers, failures."""
 
+from __future__ import annotations
+
 from collections import Counter
 from collections.abc import Iterable
 from math import log10

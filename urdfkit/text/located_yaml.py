@@ -4,6 +4,8 @@ It is read from the parser's events, without recursion and without aliases: file
 have a few levels, and what is deeper is no such file.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any, TypeAlias
 

@@ -1,5 +1,7 @@
 """Matches end tags to start tags in a text where some are missing, wrong or one too many."""
 
+from __future__ import annotations
+
 import re
 
 from urdfkit.core.record import Record

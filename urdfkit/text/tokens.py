@@ -4,6 +4,8 @@ The text need not be well-formed: a tag ends where the next one begins, a value 
 the latest. What the formatter reads is well-formed; what an editor holds is being written.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterator
 from enum import Enum

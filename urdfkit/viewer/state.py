@@ -1,5 +1,7 @@
 """What the viewer shows at a moment, and the files that it was made from."""
 
+from __future__ import annotations
+
 import base64
 import os
 from collections.abc import Iterable

@@ -4,6 +4,8 @@
 own name; some move directories, and then the file exists only after a build.
 """
 
+from __future__ import annotations
+
 import os
 import posixpath
 import re

@@ -1,5 +1,7 @@
 """The package.xml around a file: what the package is called, built with, and depends on."""
 
+from __future__ import annotations
+
 import os
 import re
 

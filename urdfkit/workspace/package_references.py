@@ -4,6 +4,8 @@ The text names more than the expansion: what a macro that is not called here ref
 those who call it.
 """
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterable, Iterator

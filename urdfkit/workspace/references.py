@@ -1,5 +1,7 @@
 """References of a robot to files, as they are written and what they lead to."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterator

@@ -18,6 +18,8 @@ nothing. Going up from the package of a file, the root is
 Home and the directories that hold the things of many (``/tmp``, ``/opt``) are never in it.
 """
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterator, Mapping

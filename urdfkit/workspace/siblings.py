@@ -1,5 +1,7 @@
 """Files that belong to a robot by their location, such as the SRDF of its MoveIt package."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterable, Iterator

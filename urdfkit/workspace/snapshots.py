@@ -1,5 +1,7 @@
 """A description as it was in a git revision, with the packages around it as they were."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Mapping
 

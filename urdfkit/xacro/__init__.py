@@ -15,7 +15,7 @@ from urdfkit.text.xml_declaration import encoding_problems
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import dom
 from urdfkit.xacro.definitions import Definition
-from urdfkit.xacro.expansion import ExpansionRun
+from urdfkit.xacro.expansion import ExpansionRequest, ExpansionRun
 from urdfkit.xacro.expansion_log import Message
 from urdfkit.xacro.origin import Origin
 from urdfkit.xacro.recovery import attempt
@@ -47,7 +47,7 @@ class Xacro:
         if log.first_error is not None:
             from urdfkit.xacro.fragment import as_part
 
-            problems = as_part(run.source, resolver.packages, problems, run.document)
+            problems = as_part(run.request.source, resolver.packages, problems, run.document)
         self._included = frozenset(run.included)
         if log.first_error is not None and not self.is_complete:
             # What was not included may use the first value of a property.
@@ -136,8 +136,9 @@ def expand(
     collecting = gc.isenabled()
     gc.disable()  # the trees are large and live until the end
     try:
-        options = {"trust": trust, "root_dir": root_dir, "traced": traced, "frame": frame}
-        return Xacro(attempt(source, resolver, dict(arguments or {}), **options), resolver)
+        given = dict(arguments or {})
+        request = ExpansionRequest(source, resolver, given, trust, root_dir, traced, frame)
+        return Xacro(attempt(request), resolver)
     finally:
         if collecting:
             gc.enable()

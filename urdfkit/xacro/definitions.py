@@ -1,5 +1,7 @@
 """What the files of one expansion define: macros, properties and arguments."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from typing import Any
 

@@ -110,12 +110,12 @@ class XacroEngine:
             self._evaluation.begin(run)
             run.xacro = xacro
             xacro.all_includes = run.dependencies
-            xacro.root_dir = run.root_dir
+            xacro.root_dir = run.request.root_dir
             xacro.verbosity = 1
             xacro.substitution_args_context.clear()
-            xacro._global_symbols = self._global_symbols(trust=run.trust)
+            xacro._global_symbols = self._global_symbols(trust=run.request.trust)
             xacro._empty_text_node = minidom.Document().createTextNode("\n\n")
-            return xacro.process_file(run.source.path, mappings=dict(run.defined.given))
+            return xacro.process_file(run.request.source.path, mappings=dict(run.defined.given))
 
     def _global_symbols(self, *, trust: bool) -> dict[str, Any]:
         symbols: dict[str, Any] = self.xacro.create_global_symbols()

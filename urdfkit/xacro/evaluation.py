@@ -112,7 +112,7 @@ class Evaluation:
 
     def safe_eval(self, expression: str, symbols: Any, local: Any = None) -> Any:
         """The value of an expression; sandboxed, unless the user trusts the model."""
-        if self.run.trust:
+        if self.run.request.trust:
             return self._stock_eval(expression, symbols, local)
         return evaluate(expression.strip(), symbols, self.run.sandbox)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk
+from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge
@@ -34,48 +34,43 @@ MAX_MACRO_DEPTH = 150
 MAX_CALLS = 50_000
 
 
+class ExpansionRequest(Record):
+    """A file to expand, and how; as of ``expand``."""
+
+    source: Source
+    resolver: Resolver
+    arguments: dict[str, str]
+    trust: bool
+    root_dir: str
+    traced: bool
+    frame: CallFrame | None
+
+
 class ExpansionRun:
     """The state of one expansion.
 
     Args:
-        resolver: finds packages, and knows which files may be read.
-        arguments: values of ``xacro:arg`` by name.
-        trust: True to let expressions and files be.
-        root_dir: relative paths of the command line start there.
-        traced: True to note where values come from.
-        frame: what led to the file, such as a launch file.
         without: tags that failed in an earlier run and were reported, as (path, offset).
         deadline: time at which it must have ended.
     """
 
     def __init__(
         self,
-        source: Source,
-        resolver: Resolver,
-        arguments: Mapping[str, str],
-        *,
-        trust: bool,
-        root_dir: str,
-        traced: bool,
-        frame: CallFrame | None,
+        request: ExpansionRequest,
         without: frozenset[tuple[str, int]],
         log: ExpansionLog,
         reader: FileReader,
         deadline: float,
     ) -> None:
-        self.source = source
-        self.resolver = resolver
-        self.trust = trust
-        self.root_dir = root_dir
-        self.frame = frame
+        self.request = request
         self.without = without
         self.budget = Budget(deadline)
         self.sandbox = Sandbox(self.budget)
         self.log = log
         self.reader = reader
         #: Macros, properties and arguments of the files.
-        self.defined = Definitions(source, reader.sources, arguments)
-        self.tracer = _tracer(self.defined) if traced else None
+        self.defined = Definitions(request.source, reader.sources, request.arguments)
+        self.tracer = _tracer(self.defined) if request.traced else None
         self.xacro: Any = None  # the private module of the engine that expands
         #: Places of the include tags that were carried out, as (path, offset).
         self.included: set[tuple[str, int]] = set()
@@ -94,7 +89,7 @@ class ExpansionRun:
         """A file as DOM; the counterpart of ``xacro.parse``."""
         include = self.including[-1] if self.including else None
         if include is None:
-            frame, source = self.frame, self.source
+            frame, source = self.request.frame, self.request.source
         else:
             self.included.add((include.tag_at.source.path, include.tag_at.start))
             frame = CallFrame("include", filename, include.tag_at, None, include.frame)
@@ -183,9 +178,9 @@ class ExpansionRun:
             self._find_package,
             lambda name: self.argument(name, symbols),
             os.path.dirname(xacro.filestack[-1] or ""),
-            self.root_dir,
+            self.request.root_dir,
             disk.Environment(),
-            None if self.trust else self.sandbox,
+            None if self.request.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
             self._ros_version,
         )
@@ -201,15 +196,15 @@ class ExpansionRun:
 
     def _ros_version(self) -> str:
         """``ROS_VERSION``, which every shell of ROS sets: that of the package, else 2."""
-        manifest = manifest_of(self.resolver, self.source.path)
+        manifest = manifest_of(self.request.resolver, self.request.source.path)
         return str((manifest.ros if manifest else None) or 2)
 
     def _find_package(self, name: str) -> str:
-        near = self.xacro.filestack[-1] or self.source.path
-        return self.resolver.package(name, self._from_root(near))
+        near = self.xacro.filestack[-1] or self.request.source.path
+        return self.request.resolver.package(name, self._from_root(near))
 
     def _from_root(self, path: str) -> str:
-        return os.path.join(self.root_dir, path)
+        return os.path.join(self.request.root_dir, path)
 
     def argument(self, name: str, symbols: Any) -> str:
         """The value of an argument.

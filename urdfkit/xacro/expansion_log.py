@@ -1,5 +1,7 @@
 """What all attempts at expanding one file found: problems and messages."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable
 

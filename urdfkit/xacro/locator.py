@@ -1,5 +1,7 @@
 """Where in a file an expression stands that xacro is evaluating."""
 
+from __future__ import annotations
+
 import re
 from typing import Any
 

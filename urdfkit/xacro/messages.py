@@ -1,5 +1,7 @@
 """What xacro's errors mean and what to do about them."""
 
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Iterator

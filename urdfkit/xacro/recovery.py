@@ -1,19 +1,19 @@
 """Expanding on to the next error: a tag that fails is taken out, and the expansion starts again."""
 
+from __future__ import annotations
+
 import os
-from typing import Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
-from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro.budget import deadline
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import root_cause
-from urdfkit.xacro.expansion import ExpansionRun
+from urdfkit.xacro.expansion import ExpansionRequest, ExpansionRun
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog
 from urdfkit.xacro.file_reader import FileReader
 from urdfkit.xacro.watchdog import watched
@@ -31,32 +31,21 @@ class _Failure(Record):
     node: Node | None
 
 
-def attempt(
-    source: Source, resolver: Resolver, arguments: dict[str, str], **options: Any
-) -> ExpansionRun:
+def attempt(request: ExpansionRequest) -> ExpansionRun:
     """Expand a file as far as it goes.
 
     Returns:
         The last run; its log has the problems of all.
     """
     log = ExpansionLog()
-    near = os.path.join(options["root_dir"], source.path)
-    reader = FileReader(source, resolver, near=near, trust=options["trust"])
+    near = os.path.join(request.root_dir, request.source.path)
+    reader = FileReader(request.source, request.resolver, near=near, trust=request.trust)
     without: set[tuple[str, int]] = set()
     lost: set[str] = set()
     until = deadline()
     while True:
         log.begin(lost)
-        run = ExpansionRun(
-            source,
-            resolver,
-            arguments,
-            without=frozenset(without),
-            log=log,
-            reader=reader,
-            deadline=until,
-            **options,
-        )
+        run = ExpansionRun(request, frozenset(without), log, reader, until)
         error = _once(run)
         if error is None:
             return run
@@ -103,7 +92,7 @@ def _failure(run: ExpansionRun, error: BaseException) -> _Failure:
         return _Failure([wanting], node)
     code, message, help = diagnosis.classify(run.defined, error)
     if node is None:
-        return _Failure([Problem(code, Span(run.source, 0, 0), message, help)], None)
+        return _Failure([Problem(code, Span(run.request.source, 0, 0), message, help)], None)
     taken_out = node.parentNode is None and node.tagName != "xacro:property"
     if code == "XAC013" or taken_out:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)

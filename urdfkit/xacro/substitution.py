@@ -4,6 +4,8 @@ They mean what they mean in stock xacro, which needs a ROS installation for them
 are found by the Resolver, and environment variables pass an allow-list.
 """
 
+from __future__ import annotations
+
 import builtins
 import os
 from collections.abc import Callable, Mapping

@@ -1,5 +1,7 @@
 """Which names the expressions of xacro files mention, whether or not they were evaluated."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable, Iterator
 

@@ -173,3 +173,64 @@ REAR = wheeled("rear_left_wheel", TO_LEFT) + wheeled("rear_right_wheel", TO_RIGH
 )
 def test_no_opposite_pair(text: str) -> None:
     assert messages("RCT025", text) == []
+
+
+# --- steering controllers and the car of gz sim
+
+CAR = WHEELS + "".join(
+    f'<link name="{side}_hub"/><joint name="{side}_steering" type="revolute">'
+    f'<origin xyz="0.5 {y} 0"/><parent link="base"/><child link="{side}_hub"/><axis xyz="0 0 1"/>'
+    '<limit lower="-0.5" upper="0.5" effort="1" velocity="1"/></joint>'
+    for side, y in (("left", 0.1), ("right", -0.1))
+)
+STEERED = """\
+controller_manager:
+  ros__parameters:
+    car:
+      type: ackermann_steering_controller/AckermannSteeringController
+car:
+  ros__parameters:
+    traction_joints_names: [right_joint, left_joint]
+    steering_joints_names: [right_steering, left_steering]
+    wheelbase: 0.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("[right_joint", "[right_joint", ""),
+        ("traction_joints", "rear_wheels", ""),
+        ("[right_joint, left_joint]", "[left_joint, right_joint]", "0.3 m to the right of"),
+        ("[right_steering, left", "[left_steering, right", "0.2 m to the right of"),
+        ("[right_steering, left_steering]", "[left_steering]", ""),
+        ("[right_steering, left", "[nothing, left", ""),
+        ("ackermann_steering_controller/Ackermann", "my_controllers/My", ""),
+    ],
+)
+def test_the_right_joint_comes_first(tmp_path: Path, old: str, new: str, said: str) -> None:
+    found = reported(tmp_path, "RCT025", STEERED.replace(old, new), CAR)
+    assert [said in one.message for one in found] == [True] * bool(said)
+    assert all(one.help.endswith("the list begins with the right joint") for one in found)
+
+
+def test_steering_axes_that_point_down(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "RCT025", STEERED, CAR.replace('"0 0 1"', '"0 0 -1"'))
+    assert "point down, so the robot steers the wrong way" in found.message
+    backwards = CAR.replace('"0 1 0"', '"0 -1 0"')  # left is right there
+    (found,) = reported(tmp_path, "RCT025", STEERED, backwards)
+    assert "the inner wheel gets the speed" in found.message
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "count"),
+    [("left", "right", 0), ("right", "left", 1)],
+)
+def test_the_car_of_gz_sim(first: str, second: str, count: int) -> None:
+    tags = (
+        "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+        f"<left_steering_joint>{first}_steering</left_steering_joint>"
+        f"<right_steering_joint>{second}_steering</right_steering_joint>"
+    )
+    found = reported_of("RCT025", CAR + plugin("gz-sim-ackermann-steering-system", tags))
+    assert len(found) == count

@@ -2,6 +2,8 @@ import pytest
 
 from tests.gazebos import BASE, block, child
 from tests.reported import messages, places, reported
+from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.diagnostic import Severity
 
 
 def test_the_lost_tags_are_named() -> None:
@@ -26,6 +28,22 @@ def test_what_nothing_is_like_has_no_hint() -> None:
     (found,) = reported("GAZ001", BASE + block("<mu1>1</mu1>", "turret"))
     assert found.fix is None
     assert "did you mean" not in found.help
+
+
+@pytest.mark.parametrize(
+    ("reference", "severity"),
+    [("camera_frame", Severity.WARNING), ("camera_optical_frame", Severity.ERROR)],
+)
+def test_a_link_that_an_argument_switches_off(reference: str, severity: Severity) -> None:
+    text = xacro_xml(
+        '<xacro:arg name="prefix" default=""/>',
+        '<xacro:arg name="vision" default="false"/>',
+        '<link name="base"/>',
+        '<xacro:if value="$(arg vision)"><link name="$(arg prefix)camera_frame"/></xacro:if>',
+        f'<gazebo reference="{reference}"><sensor name="c" type="camera"/></gazebo>',
+    )
+    (found,) = reported("GAZ001", text.encode(), "robot.xacro")
+    assert found.severity is severity
 
 
 def test_a_frame_is_not_the_link_that_it_is_on() -> None:

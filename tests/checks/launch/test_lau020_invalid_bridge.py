@@ -113,3 +113,63 @@ def test_quotes_are_part_of_a_topic(tmp_path: Path) -> None:
     (found,) = of_words(tmp_path, word, files={"r.urdf": quoted})
     assert "the quotes are part of it" in found.message
     assert found.help == "remove the quotes in the robot's <topic>"
+
+
+WORLD = """<sdf version="1.9"><world name="hall">{}</world></sdf>"""
+STARTED = (
+    "ExecuteProcess(cmd=['gz', 'sim', '-r', '{0}/w.sdf'])\n"
+    "Node(package='robot_state_publisher', executable='robot_state_publisher', "
+    "parameters=[{{'robot_description': open('{0}/r.urdf').read()}}])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("word", "robot", "world", "count"),
+    [
+        ("/x@sensor_msgs/msg/Imu[gz.msgs.IMU", ROBOT, "", 1),
+        ("/x@sensor_msgs/msg/Imu[gz.msgs.IMU", ROBOT, "<include><uri>model://x</uri></include>", 0),
+        ("/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist", ROBOT, "", 1),
+        (
+            "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist",
+            ROBOT.replace("</robot>", '<gazebo><plugin filename="own" name="o"/></gazebo></robot>'),
+            "",
+            0,
+        ),
+        (
+            "/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
+            ROBOT,
+            "",
+            0,
+        ),
+    ],
+)
+def test_a_topic_that_nothing_has(
+    tmp_path: Path, word: str, robot: str, world: str, count: int
+) -> None:
+    (tmp_path / "r.urdf").write_text(robot)
+    (tmp_path / "w.sdf").write_text(WORLD.format(world))
+    text = STARTED.format(tmp_path) + NODE.format(f"arguments=[{word!r}]")
+    found = reported(tmp_path, "LAU020", "a.launch.py", text)
+    assert [one.severity for one in found] == [Severity.WARNING] * count
+    assert all("the robot has no sensor and no system with" in one.message for one in found)
+
+
+def test_a_system_on_its_default_topic(tmp_path: Path) -> None:
+    tags = "<gazebo><plugin filename='gz-sim-odometry-publisher-system' name='odom'/></gazebo>"
+    robot = ROBOT.replace("</robot>", f"{tags}</robot>")
+    (found,) = of_words(
+        tmp_path, "/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry", files={"r.urdf": robot}
+    )
+    assert found.help == "write <odom_topic>/odom</odom_topic> into the plugin"
+
+
+def test_one_topic_serves_images_and_their_calibration(tmp_path: Path) -> None:
+    camera = ROBOT.replace("gpu_lidar", "camera").replace("<topic>scan</topic>", "")
+    words = (
+        "/eye/image@sensor_msgs/msg/Image[gz.msgs.Image",
+        "/eye/camera_info@sensor_msgs/msg/CameraInfo[gz.msgs.CameraInfo",
+    )
+    (found,) = of_words(tmp_path, *words, files={"r.urdf": camera})
+    assert found.help == "write <topic>/eye/image</topic> into the sensor"
+    (found,) = of_words(tmp_path, words[1], files={"r.urdf": camera})
+    assert found.help == "write <topic>/eye/image</topic> into the sensor"

@@ -40,6 +40,16 @@ def test_a_file_without_package(robot: str) -> None:
     ]
 
 
+@pytest.mark.parametrize("written", ["package://arm.stl", "package:///parts/arm.stl"])
+def test_a_file_beside_the_robot_that_pybullet_finds(robot: str, written: str) -> None:
+    right = written.removeprefix("package://").lstrip("/")
+    add_file(Path(robot).parent / right)
+    (found,) = reported(CODE, mesh_link(written), robot)
+    assert found.severity is Severity.WARNING
+    assert found.help == f"write {right}, or package://PACKAGE/..."
+    assert f'filename="{right}"' in fixed(CODE, mesh_link(written), robot)
+
+
 @pytest.mark.parametrize("start", ["package:/", "package:", "package//"])
 def test_a_scheme_without_a_slash_or_the_colon(robot: str, start: str) -> None:
     text = mesh_link(f"{start}arm/meshes/forearm.stl")

@@ -164,12 +164,7 @@ def test_who_checks_what_seldom_collides_is_right(
 def test_the_fanuc_matrix_is_the_one_that_it_comes_with(corpus: Path) -> None:
     directory = corpus / "moveit_resources"
     fanuc = read(directory / "fanuc_description" / "urdf" / "fanuc.urdf")
-    srdf = read_srdf(
-        str(directory / "fanuc_moveit_config" / "config" / "fanuc.srdf"),
-        fanuc.tree,
-        fanuc.resolver,
-        trust=False,
-    )
+    srdf = read_srdf(str(directory / "fanuc_moveit_config" / "config" / "fanuc.srdf"), fanuc)
     assert srdf is not None
     found = collisions(fanuc)
     assert {one.verdict for one in found.pairs} == {
@@ -194,7 +189,7 @@ def test_the_panda_matrix_differs_in_what_can_be_shown(corpus: Path) -> None:
     directory = corpus / "moveit_resources"
     panda = read(directory / "panda_description" / "urdf" / "panda.urdf")
     path = str(directory / "panda_moveit_config" / "config" / "panda.srdf")
-    srdf = read_srdf(path, panda.tree, panda.resolver, trust=False)
+    srdf = read_srdf(path, panda)
     assert srdf is not None
     found = collisions(panda, begin=pose(panda, name=f"{path}:ready"))
     mine = {frozenset((one.first, one.second)): one for one in found.pairs}

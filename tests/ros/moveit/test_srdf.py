@@ -65,7 +65,7 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
     for letter, name in zip("abc", names, strict=False):
         (tmp_path / f"{letter}.srdf").write_text(f'<robot name="{name}"/>')
     resolver = Resolver(environment={})
-    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
+    found = find(Context(Source.read(robot), resolver))
     assert (found and Path(found.path).name) == chosen
 
 
@@ -75,7 +75,7 @@ def test_of_several_of_one_name_the_one_called_like_the_file_is_meant(tmp_path: 
     for name in ("panda", "panda_arm"):
         (tmp_path / f"{name}.srdf").write_text('<robot name="r"/>')
     resolver = Resolver(environment={})
-    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
+    found = find(Context(Source.read(robot), resolver))
     assert found
     assert Path(found.path).name == "panda.srdf"
 
@@ -174,5 +174,5 @@ def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
     known = "".join(f'<passive_joint name="{name}"/>' for name in ("shoulder", "wrist", "knuckle"))
     (tmp_path / place / "r.srdf").write_text(f'<robot name="r">{known}{srdf}</robot>')
     resolver = Resolver(environment={})
-    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
+    found = find(Context(Source.read(robot), resolver))
     assert (found is not None) is is_found

@@ -12,6 +12,8 @@ The controller manager does not load the controller, or the controller runs with
   type". Only what all versions of a class since Humble agree on is reported.
 - A value that must be positive is not, or a covariance has another length: 6 numbers for the
   diagonal of a drive, 9 for an IMU.
+- The list of an axle has not the number of joints of the steering controller: two for Ackermann,
+  one for a bicycle.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
   without `position`: it is not configured. With `effort` or `velocity` as its only command
   interface a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
@@ -78,6 +80,8 @@ _LENGTHS = {
     "static_position_covariance": 9,
     "twist_covariance_diagonal": 6,
 }
+#: The joints of an axle of a steering controller, by the first word of its package.
+_OF_AXLE = {"ackermann": 2, "bicycle": 1}
 #: Similarity from which an unknown word is a typo: of a parameter, and of a class.
 _PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
 
@@ -118,6 +122,7 @@ def _problems(
     if known is not None:
         wrong += _invalid_values(known, controller.section)
     wrong += invalid_interfaces(controller)
+    wrong += _wrong_axles(controller)
     yield from ((None, problem) for problem in wrong)
     likely = (*_misspelt(controller), *without_gains(controller, own))
     yield from ((Severity.WARNING, problem) for problem in likely)
@@ -203,6 +208,17 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
         elif isinstance(node, list) and len(node) != _LENGTHS.get(name, len(node)):
             message = f"{name} has {len(node)} numbers, must have {_LENGTHS[name]}"
             yield span, message, f"write {_LENGTHS[name]} numbers"
+
+
+def _wrong_axles(controller: Controller) -> Iterator[_Problem]:
+    """The lists of a steering controller with too many or too few joints."""
+    count = _OF_AXLE.get(controller.type.partition("_steering_controller/")[0])
+    known = controller_types().get(controller.type)
+    for name in known.joints if count and known else ():
+        joints = controller.values([name])
+        if len(joints) not in (0, count):
+            message = f"{name} has {len(joints)} joints, must have {count}"
+            yield controller.section.places[name], message, "name the joints of one axle only"
 
 
 def _correction(node: Node, expected: str) -> str:

@@ -7,6 +7,9 @@ of the wheels says which way the robot rolls then, and so which side is left.
 - If the axes of a left and a right wheel are opposite, it spins instead of driving straight.
 - If the axes are vertical, the wheels lie flat: an rpy in the `<origin>` of a joint turns its
   `<axis>`, too.
+- The steering controllers of ros2_controllers take the right joint of a list first, then the left
+  one. With joints swapped the inner wheel gets the speed or the angle of the outer one, and skids;
+  with the axes of the steering joints down the robot steers the wrong way.
 - If one of four wheels has a reversed `<axis>`, the robot skids, turns or stands still, while its
   odometry shows nothing of it. Robots whose left wheels all turn against the right ones are not
   reported.
@@ -16,22 +19,36 @@ of the wheels says which way the robot rolls then, and so which side is left.
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
     gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    ackermann_steering_controller.hpp, order of the joints: https://github.com/ros-controls/ros2_controllers/blob/master/ackermann_steering_controller/include/ackermann_steering_controller/ackermann_steering_controller.hpp
+    ros-controls/gz_ros2_control#438: https://github.com/ros-controls/gz_ros2_control/issues/438
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
     AutonomyLab/create_robot#77: https://github.com/AutonomyLab/create_robot/issues/77
     vislab-tecnico-lisboa/vizzy#68: https://github.com/vislab-tecnico-lisboa/vizzy/issues/68
     measured: of 671 public robots six have an opposite pair, of 1300 none has one of four
 """
 
+from collections.abc import Iterator
+
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
-from urdfkit.ros.gazebo.drives import drive_of, pairs, wheel_of, wheels, wrong_direction
+from urdfkit.ros.controllers import Controller
+from urdfkit.ros.gazebo.drives import (
+    Wheel,
+    drive_of,
+    pairs,
+    wheel_of,
+    wheels,
+    wrong_direction,
+    wrong_steering,
+)
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
+from urdfkit.text.located_yaml import Value
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -44,6 +61,13 @@ FILES = {
 
 _LEFT = ("left_wheel_names", "left_wheel")
 _RIGHT = ("right_wheel_names", "right_wheel")
+#: The lists of the steering controllers.
+_AXLES = (
+    "traction_joints_names", "steering_joints_names", "rear_wheels_names", "front_wheels_names",
+)  # fmt: skip
+
+#: What a car does whose steering is right.
+_SKIDS = "the inner wheel gets the speed of the outer one"
 
 #: Names of joints that do not roll a wheel along.
 _OTHERS = ("caster", "castor", "swivel", "steer", "mecanum", "omni", "roller")
@@ -65,6 +89,8 @@ def _of_drives(context: Context) -> Findings:
     for use in context.plugins:
         yield from _of_plugin(use, context)
     for file, controller in context.controllers:
+        for finding in _of_axles(controller, context):
+            yield finding._replace(related=(file.note,))
         left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
         if "diff_drive" not in controller.type or not left or not right:
             continue
@@ -76,16 +102,55 @@ def _of_drives(context: Context) -> Findings:
             yield Finding(at, message, wrong[1], related=(file.note,))
 
 
+def _of_axles(controller: Controller, context: Context) -> Findings:
+    """A list of a steering controller with joints of the wrong side, or the wrong way up."""
+    rolling: Wheel | None = None
+    for right_name, right, left in sorted(_axles(controller, context), key=_is_steered):
+        if not _is_steered((right_name, right, left)):
+            rolling, wrong = left, wrong_direction(left, right, _SKIDS)
+        else:
+            wrong = wrong_steering(left, right, rolling) if rolling else None
+        if wrong:
+            message = f"controller '{controller.name}': {wrong[0]}"
+            help = f"{wrong[1]}; the list begins with the right joint"
+            yield Finding(Location(right_name.span), message, help)
+            return
+
+
+def _axles(controller: Controller, context: Context) -> Iterator[tuple[Value, Wheel, Wheel]]:
+    """The lists of two joints, right and left, each with the place of the first."""
+    for name in _AXLES if controller.type.endswith("SteeringController") else ():
+        named = controller.values([name])
+        joints = [context.model.joints_by_name.get(one.text) for one in named]
+        found = [wheel for one in joints if one and (wheel := wheel_of(one, context.tree))]
+        if len(found) == len(named) == 2:
+            yield named[0], found[0], found[1]
+
+
+def _is_steered(axle: tuple[Value, Wheel, Wheel]) -> bool:
+    return min(abs(one.axis[2]) for one in axle[1:]) > _PARALLEL
+
+
 def _of_plugin(use: PluginUse, context: Context) -> Findings:
     kind = drive_of(use)
-    if kind is None or kind.steered or use.values("legacyMode"):
+    if kind is None or use.values("legacyMode"):
         return
-    for left, right in pairs(list(wheels(use, context.tree))):
+    is_gz = use.plugin is not None and use.plugin.generation == "gz"
+    rolling = list(pairs(list(wheels(use, context.tree)))) if is_gz or not kind.steered else []
+    for left, right in rolling:
         if wrong := wrong_direction(left.wheel, right.wheel):
             other = Related(right.reference.item.at.span, "the right joint is named here")
             at, message = left.reference.item.at, f"{use.title}: {wrong[0]}"
             yield Finding(at, message, wrong[1], related=(other,))
             return
+    steered = {one.parameter.name: one for one in use.references() if rolling and kind.steered}
+    named = [steered.get(f"{side}_steering_joint") for side in ("left", "right")]
+    joints = [context.model.joints_by_name.get(one.name) for one in named if one]
+    found = [wheel for one in joints if one and (wheel := wheel_of(one, context.tree))]
+    if named[0] and len(found) == 2:
+        left_joint, right_joint = found
+        if wrong := wrong_steering(left_joint, right_joint, rolling[0][0].wheel):
+            yield Finding(named[0].item.at, f"{use.title}: {wrong[0]}", wrong[1])
 
 
 def _one_of_four(context: Context) -> Findings:

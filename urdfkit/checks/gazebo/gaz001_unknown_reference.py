@@ -3,7 +3,8 @@
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
 usual cause. Properties of a link whose name is like no other are a warning: a file that several
-robots include may hold those of all their links.
+robots include may hold those of all their links. So is a link that a file of the robot defines
+where an argument switches it off: without it the sensor is not wanted either.
 
 A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the tags can
 stand in that link. A joint added in this way must name links that are there.
@@ -13,10 +14,13 @@ Sources:
     gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
+import re
+
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
@@ -60,7 +64,11 @@ def check(context: Context) -> Findings:
         else:
             found = _unknown(context, reference, suggester.suggested(reference.value), lost)
             is_left_over = not found.help and _THINGS.isdisjoint(tags)
-            yield found._replace(severity=Severity.WARNING) if is_left_over else found
+            if _is_switched_off(context, reference.value):
+                help = "put the <gazebo> behind the condition of the link"
+                yield found._replace(severity=Severity.WARNING, help=help, fix=None)
+            else:
+                yield found._replace(severity=Severity.WARNING) if is_left_over else found
     if context.is_part or not any(block.all("joint") for block in model.gazebo):
         return
     for joint, end, into in context.gazebo.lost_joint_ends():
@@ -71,6 +79,16 @@ def check(context: Context) -> Findings:
                 "in the converted model",
                 "name a link that Gazebo has; 'urdfkit gazebo' lists them",
             )
+
+
+def _is_switched_off(context: Context, name: str) -> bool:
+    """True if a file of the robot defines the link or joint, behind a condition that is not met."""
+    expanded = context.reading.xacro
+    before = rb"""<(?:link|joint)\b[^>]*?\bname\s*=\s*["'](?:\$[({][^)}"']*[)}])*"""
+    definition = before + re.escape(name).encode() + b"[\"']"
+    return expanded is not None and any(
+        re.search(definition, blank_comments(source.data)) for source in expanded.sources
+    )
 
 
 def _unknown(context: Context, reference: Attribute, suggested: str, lost: str) -> Finding:

@@ -16,6 +16,8 @@ Sources:
     SDF, lidar: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from functools import cache
 from math import dist

@@ -19,6 +19,8 @@ Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

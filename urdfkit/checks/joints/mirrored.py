@@ -1,5 +1,7 @@
 """Where a joint is, compared with its left or right counterpart."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

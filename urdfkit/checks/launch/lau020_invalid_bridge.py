@@ -11,7 +11,8 @@ Messages that are not in the table of urdfkit are not reported, for later releas
 A topic that no sensor or system of the robot publishes or reads, while one with that message has
 another topic that is not passed on, is a warning. A sensor without `<topic>` publishes below
 `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next to its images. A topic that
-is passed on in the wrong direction only is a warning, too.
+is passed on in the wrong direction only is a warning, too. So is one of a message that no sensor
+and no system of the robot has, where the world is known to hold no other one.
 
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
@@ -20,12 +21,15 @@ Sources:
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
 
+import os
 import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.ros.gazebo.topics import GazeboTopic, topics
+from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
+from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
     FROM_GAZEBO,
@@ -36,6 +40,7 @@ from urdfkit.ros.launch.bridges import (
     bridged_topics,
     gazebo_messages,
 )
+from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.document import CallFrame
 
 NAME = "robot.launch.py"
@@ -49,6 +54,12 @@ bridge = Node(
 )
 """
 GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
+
+#: Messages that a robot alone publishes or reads, but for models of the world.
+_OF_ROBOTS = (
+    "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
+    "Twist",
+)  # fmt: skip
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
@@ -122,6 +133,8 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
     """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
     of_robot = list(_topics(context))
     passed = {topic.topic for topic, _ in bridged} | _images(context)
+    is_known = _is_known(context)
+    unnamed: set[str] = set()
     unbridged = [one for one in of_robot if not any(map(one.is_called, passed))]
     for topic, frame in bridged:
         own = [one for one in of_robot if one.is_called(topic.topic)]
@@ -133,20 +146,57 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
             yield Finding(at, message, f"write {right}", severity=Severity.WARNING)
         wanted = topic.gz_type.rpartition(".")[2]
         waiting = [one for one in unbridged if one.message == wanted and one.is_read is not only]
+        at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
         if not own and waiting:
-            at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
-            yield Finding(at, *_unknown(topic.topic, waiting), severity=Severity.WARNING)
+            other = _nearest(topic.topic, waiting)
+            if other.is_unnamed and other.who in unnamed:
+                continue  # the same <topic> gives it this one, too
+            unnamed.add(other.who)
+            yield Finding(at, *_unknown(topic.topic, other), severity=Severity.WARNING)
+        elif not own and is_known and wanted in _OF_ROBOTS:
+            verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
+            message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
+            message += f"system with {topic.gz_type}"
+            help = "add one to the robot, or remove the topic from the bridge"
+            yield Finding(at, message, help, severity=Severity.WARNING)
 
 
-def _unknown(topic: str, waiting: list[GazeboTopic]) -> tuple[str, str]:
-    """Message and help for a topic that the robot does not have, by the nearest of those it has."""
+def _is_known(context: Context) -> bool:
+    """True if all that publishes or reads such messages in Gazebo is in the one robot."""
+    robots, started = list(context.described_robots), list(worlds(context.launch))
+    return (
+        len(robots) == len(started) == 1
+        and all(description.is_whole for description, _ in robots)
+        and all(are_all_known(robot.model) for _, robot in robots)
+        and (started[0].is_shipped or _is_bare(started[0].name, context))
+    )
+
+
+def _is_bare(path: str, context: Context) -> bool:
+    """True for a world in whose models there is no sensor and no system."""
+    try:
+        world, _ = read_world(path, context.resolver) if os.path.isabs(path) else (None, ())
+    except UnreadableFile:
+        return False
+    every = list(world.at.walk()) if world else []
+    plugins = [one for one in every if one.tag == "plugin"]
+    is_foreign = any(one.tag in ("sensor", "include", "population") for one in every)
+    return world is not None and not is_foreign and len(plugins) == len(world.plugins)
+
+
+def _nearest(topic: str, waiting: list[GazeboTopic]) -> GazeboTopic:
     known = {one.name: one for one in waiting}
-    other = known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
+    return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
+
+
+def _unknown(topic: str, other: GazeboTopic) -> tuple[str, str]:
+    """Message and help for a topic that the robot does not have, by one that it has."""
     nothing = f"nothing in the robot has the topic '{topic}'"
-    if other.is_default and not other.is_system:
+    if other.is_unnamed:
+        place = "plugin" if other.is_system else "sensor"
         return (
-            f"{nothing}: {other.who} has no <topic>",
-            f"write <topic>{topic}</topic> into the sensor",
+            f"{nothing}: {other.who} has no <{other.tag}>",
+            f"write <{other.tag}>{other.named(topic)}</{other.tag}> into the {place}",
         )
     message = f"{nothing}; that of {other.who} is '/{other.name}', which is not bridged"
     if other.name.strip("'\"") != other.name:

@@ -9,7 +9,7 @@ was never committed. A package that is not found is XAC011. Also reported:
   Macs, and missing on Linux.
 - Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
 - A third slash, as in `package:///arm/arm.stl`, and a file alone, as in `package://arm.stl`: they
-  name no package.
+  name no package. PyBullet alone looks for the rest beside the URDF (a warning if it is there).
 - A file outside the workspace of the model and of the packages that are found: it is on this
   computer only, and urdfkit does not read it (a warning).
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: whether
@@ -95,12 +95,17 @@ def check(context: Context) -> Findings:
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
     """``package:///name/...``, whose package is the empty text, and ``package://file.stl``."""
-    reference = f"{scheme}://{rest.lstrip('/')}"
-    is_found = context.resolver.locate(reference, context.files.top).path is not None
+    path, right = rest.lstrip("/"), f"{scheme}://PACKAGE/..."
     where = f"between '{scheme}://' and " + ("the next '/'" if "/" in rest else "the file")
     message = f"{mesh.who} names no package {where}"
+    if disk.is_file(os.path.join(os.path.dirname(context.files.top), path)):
+        message += "; PyBullet alone finds it, beside the URDF"
+        help, fix = f"write {path}, or {right}", _fix(mesh, path, f"refer to {path}")
+        return Finding(mesh.at, message, help, fix, group_key="beside", severity=Severity.WARNING)
+    reference = f"{scheme}://{path}"
+    is_found = context.resolver.locate(reference, context.files.top).path is not None
     fix = _fix(mesh, reference, "remove the third slash") if is_found else None
-    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, group_key=scheme)
+    return Finding(mesh.at, message, f"write {right}", fix, group_key=scheme)
 
 
 def _cut_scheme(mesh: MeshReference, found: re.Match[str]) -> Finding:

@@ -24,7 +24,7 @@ from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.ros_control import simulated_hardware
-from urdfkit.ros.claims import commanded_joints, commands
+from urdfkit.ros.claims import claims
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
 from urdfkit.ros.ros_control import Component, components, control_plugins, driven_joints
@@ -76,17 +76,17 @@ def check(context: Context) -> Findings:
 def _without_command(context: Context) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
     free = _free(context)
+    every = [(file, one, *claim) for file, one in context.controllers for claim in claims(one)]
     served = {  # another controller of the file is for these joints as they are
         (file.path, value.text)
-        for file, one in context.controllers
-        for value in commanded_joints(one)
-        if commands(one) and by_ros[one.ros].get(value.text, set()).issuperset(commands(one))
+        for file, one, needed, joints in every
+        for value in joints
+        if needed and by_ros[one.ros].get(value.text, set()).issuperset(needed)
     }
-    for file, one in context.controllers:
-        joints = [value for value in commanded_joints(one) if (file.path, value.text) not in served]
+    for file, one, needed, every_joint in every:
+        joints = [value for value in every_joint if (file.path, value.text) not in served]
         by_itself = free if one.ros == 2 else frozenset()
-        needed, offered = commands(one), by_ros[one.ros]
-        yield from _lacking(one, file, joints, needed, offered, by_itself, "command")
+        yield from _lacking(one, file, joints, needed, by_ros[one.ros], by_itself, "command")
 
 
 def _lacking(

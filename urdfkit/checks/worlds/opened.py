@@ -1,5 +1,7 @@
 """The worlds that a launch file starts, read, and the robots that it describes."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator
 

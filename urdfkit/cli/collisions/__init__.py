@@ -94,7 +94,7 @@ def _srdf(path: str, context: Context) -> Srdf:
     from urdfkit.ros.moveit.srdf import is_srdf, read
 
     Source.read(path)  # says why if there is none
-    found = read(path, context.tree, context.resolver, trust=context.trust)
+    found = read(path, context)
     if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
     return found

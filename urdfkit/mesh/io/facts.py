@@ -1,5 +1,7 @@
 """What is known of a mesh file before it is loaded."""
 
+from __future__ import annotations
+
 from enum import Enum
 
 from urdfkit.core.record import Record

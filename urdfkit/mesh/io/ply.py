@@ -1,5 +1,7 @@
 """Validating PLY files from their bytes: a text header, then vertices, faces and more."""
 
+from __future__ import annotations
+
 import re
 from struct import calcsize
 

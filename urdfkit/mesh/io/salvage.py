@@ -1,5 +1,7 @@
 """What is left of a broken mesh file, and how much of it that is."""
 
+from __future__ import annotations
+
 import os
 import re
 

@@ -1,5 +1,7 @@
 """Repairing meshes: what was wrong, what was done, and that nothing became worse."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 import numpy as np

@@ -1,5 +1,7 @@
 """A robot that another machine and another program can load: one URDF with all of its files."""
 
+from __future__ import annotations
+
 import hashlib
 import json
 import os

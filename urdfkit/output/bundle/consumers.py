@@ -1,5 +1,7 @@
 """The programs that a bundle can be made for, and what each of them reads."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.mesh.io.facts import ASCII_STL, BINARY_STL, COLLADA, GLB, GLTF, OBJ, PLY
 from urdfkit.ros.targets import facts_of

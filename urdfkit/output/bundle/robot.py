@@ -1,5 +1,7 @@
 """The URDF of a bundle: the expanded robot with the names of the bundle's files in it."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable, Iterator
 from xml.sax.saxutils import quoteattr

@@ -1,5 +1,7 @@
 """A bundle on disk: a directory or a zip, whole or not at all."""
 
+from __future__ import annotations
+
 import os
 import shutil
 import zipfile

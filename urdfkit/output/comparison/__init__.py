@@ -1,5 +1,7 @@
 """compare(): the differences between two states of a robot, in the terms of the robot."""
 
+from __future__ import annotations
+
 import os
 from math import dist
 

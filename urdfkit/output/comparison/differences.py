@@ -5,6 +5,8 @@ tensors, shapes, and of joints type, links, origin, axis, limits and mimic. How 
 written, colours, and the blocks for single programs are not.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import asin, dist
 from types import MappingProxyType

@@ -1,5 +1,7 @@
 """Where links are, against where they were."""
 
+from __future__ import annotations
+
 from math import dist
 
 from urdfkit.core.record import Record

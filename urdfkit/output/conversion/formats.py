@@ -3,6 +3,8 @@
 Each has a module of its name here with a function ``write``, loaded when it is asked for.
 """
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 
 

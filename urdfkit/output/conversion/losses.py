@@ -1,5 +1,7 @@
 """What a conversion does with every element and attribute of a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 from enum import Enum
 

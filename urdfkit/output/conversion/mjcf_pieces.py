@@ -1,5 +1,7 @@
 """What a shape of a URDF is made of in MJCF."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """Compares the robot that MuJoCo reads from a file with the robot that Pinocchio computes."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from typing import Any
 

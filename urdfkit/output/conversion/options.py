@@ -1,5 +1,7 @@
 """How a robot is converted."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 
 #: What becomes of the root link.

@@ -1,5 +1,7 @@
 """The result of a conversion: the files, and what happened to each part of the robot."""
 
+from __future__ import annotations
+
 import json
 import os
 from collections.abc import Iterator

@@ -4,6 +4,8 @@ Source: ``ReduceInertialToParent`` in its parser_urdf.cc. It turns by angles tha
 a pitch near a right angle is one then, which moves a tensor by some parts of a thousand.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement

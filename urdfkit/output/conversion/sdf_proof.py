@@ -1,5 +1,7 @@
 """Compares an SDF model with the robot that it was converted from."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record

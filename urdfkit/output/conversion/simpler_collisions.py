@@ -1,5 +1,7 @@
 """Simpler shapes for a collision mesh, and how far they are from it."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Context
 from urdfkit.mesh.containment import protrusion

@@ -1,5 +1,7 @@
 """URDF on disk: the robot without xacro, in a directory with all files that it names."""
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.record import Record

@@ -3,6 +3,8 @@
 https://github.com/newton-physics/urdf-usd-converter, which takes a bundle of the robot.
 """
 
+from __future__ import annotations
+
 import os
 import re
 from pathlib import PurePosixPath

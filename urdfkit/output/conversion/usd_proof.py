@@ -1,5 +1,7 @@
 """What a stage of USD holds, compared with the robot that it was made from."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from math import degrees, isfinite
 from typing import Any

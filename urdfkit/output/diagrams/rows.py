@@ -1,5 +1,7 @@
 """The kinematic tree as rows, parents before children: what every diagram is drawn from."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

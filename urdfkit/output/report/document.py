@@ -4,6 +4,8 @@ Lengths in m, angles in rad, masses in kg, moments in kg·m². A part that canno
 of a library or of a robot, is None, and ``missing`` says why.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Callable, Mapping
 from functools import partial

@@ -6,6 +6,8 @@ protocol of its own), meshcat (0.9 MB; an old three.js, and it needs IPython, Ze
 and k3d (2.6 MB, and it needs the Jupyter widgets).
 """
 
+from __future__ import annotations
+
 import re
 from importlib.metadata import PackageNotFoundError, distribution
 

@@ -1,5 +1,7 @@
 """report(): the report of a robot in the format of a file's suffix."""
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.progress import Progress

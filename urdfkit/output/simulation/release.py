@@ -1,5 +1,7 @@
 """A robot without drives: it may fall, but not blow up nor gain energy."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 import mujoco

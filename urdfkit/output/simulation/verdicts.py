@@ -1,5 +1,7 @@
 """What simulations say of a robot."""
 
+from __future__ import annotations
+
 from typing import Any
 
 from urdfkit.core.record import Record

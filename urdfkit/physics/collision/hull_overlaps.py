@@ -1,5 +1,7 @@
 """Overlaps of convex hulls, which some simulators collide in place of the triangles of meshes."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """Whether the joint-space mass matrix can be inverted: every simulation does it at each step."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """A second opinion: what Pinocchio itself makes of a URDF."""
 
+from __future__ import annotations
+
 import json
 import os
 import subprocess

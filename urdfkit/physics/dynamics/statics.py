@@ -4,6 +4,8 @@ The poses looked at: all joints at zero, and all at their limits; poses drawn wi
 for every joint climbs from the worst of these. The root is held.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.progress import Progress

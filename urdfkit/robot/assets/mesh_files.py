@@ -1,5 +1,7 @@
 """The mesh files that a model names: their places, formats and defects, and suggestions."""
 
+from __future__ import annotations
+
 import os
 from functools import cached_property
 

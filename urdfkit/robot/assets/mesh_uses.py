@@ -1,5 +1,7 @@
 """The uses of mesh files in the visuals and collisions of a model."""
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """The bounds that a placeholder mesh has to fill, by the other shapes of its link."""
 
+from __future__ import annotations
+
 from math import sqrt
 
 from urdfkit.core.record import Record

@@ -4,6 +4,8 @@ The collision may be simpler, a little larger, or without some parts. What is co
 bounding box of each along the axes of the link, in m.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from enum import Enum
 from functools import cached_property

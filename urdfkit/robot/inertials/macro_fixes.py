@@ -3,6 +3,8 @@
 A uniform solid has its inertial where its shape is, so the calls pass the pose of the shape, too.
 """
 
+from __future__ import annotations
+
 import re
 
 from urdfkit.core.record import Record

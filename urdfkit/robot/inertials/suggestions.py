@@ -1,5 +1,7 @@
 """Declared inertia of links, compared with that of their shapes; edits that replace it."""
 
+from __future__ import annotations
+
 from collections.abc import Collection, Iterable
 from math import dist
 

@@ -1,5 +1,7 @@
 """What the controllers of ros_control and ros2_control want of their parameters."""
 
+from __future__ import annotations
+
 from functools import cache
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """Children of ``<gazebo>``: what Gazebo's URDF converter handles, and what SDF reads there."""
 
+from __future__ import annotations
+
 from functools import cache
 
 from urdfkit.core.record import Record

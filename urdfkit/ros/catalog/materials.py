@@ -1,5 +1,7 @@
 """Materials that Gazebo knows by name."""
 
+from __future__ import annotations
+
 from functools import cache
 
 from urdfkit.core.record import Record

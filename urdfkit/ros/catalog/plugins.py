@@ -1,5 +1,7 @@
 """Plugins of Gazebo: which library each is, where it belongs and which tags it reads."""
 
+from __future__ import annotations
+
 import re
 from functools import cache
 from itertools import chain

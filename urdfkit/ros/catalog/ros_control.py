@@ -1,5 +1,7 @@
 """ros_control and ros2_control: what their blocks hold, and the joints that controllers name."""
 
+from __future__ import annotations
+
 from functools import cache
 from typing import Any
 

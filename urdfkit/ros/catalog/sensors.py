@@ -1,5 +1,7 @@
 """Sensors of SDF: which types there are, and who makes them."""
 
+from __future__ import annotations
+
 from functools import cache
 
 from urdfkit.core.record import Record

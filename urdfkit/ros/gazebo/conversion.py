@@ -8,6 +8,8 @@ Source: ``parser_urdf.cc`` of gazebosim/sdformat, versions 9 to 16; the tests co
 libsdformat 12.3.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from functools import cached_property
 

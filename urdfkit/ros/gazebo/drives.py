@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, times
+from urdfkit.core.spatial import Transform, Vector, dot, length, minus, rotate, times
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
@@ -35,6 +35,13 @@ class Wheel(Record):
     def center(self) -> Vector:
         """Of the tyre if its shape is known, else of the joint."""
         return self.hub or self.origin
+
+    @property
+    def is_at_joint(self) -> bool:
+        """False if its tyre is farther from the joint than its diameter: one of them is wrong."""
+        if self.hub is None or self.radius is None:
+            return True
+        return length(minus(self.hub, self.origin)) <= 2 * self.radius
 
     @property
     def is_flat(self) -> bool:
@@ -97,7 +104,9 @@ def pairs(found: list[DrivenWheel]) -> Iterator[tuple[DrivenWheel, DrivenWheel]]
     yield from zip(left, right, strict=False)
 
 
-def wrong_direction(left: Wheel, right: Wheel) -> tuple[str, str] | None:
+def wrong_direction(
+    left: Wheel, right: Wheel, effect: str = "the robot turns the wrong way"
+) -> tuple[str, str] | None:
     """Why a drive does not move a robot as commanded, and the help; None if it does.
 
     A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
@@ -105,6 +114,7 @@ def wrong_direction(left: Wheel, right: Wheel) -> tuple[str, str] | None:
 
     Args:
         left: what the drive takes for the left wheel.
+        effect: of sides that are swapped.
     """
     to_left = dot(minus(left.center, right.center), left.axis)
     if left.is_parallel(right) and left.is_flat:
@@ -120,7 +130,25 @@ def wrong_direction(left: Wheel, right: Wheel) -> tuple[str, str] | None:
         return None
     message = f"left joint {first} is {-to_left:.3g} m to the right of {second} when rolling "
     help = "swap the joints, or invert both axes"
-    return f"{message}forwards, so the robot turns the wrong way", help
+    return f"{message}forwards, so {effect}", help
+
+
+def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str] | None:
+    """Why a drive steers a robot wrongly, and the help; None if it does not.
+
+    Args:
+        left: the steering joint that the drive takes for the left one.
+        rolling: a wheel that is not steered, which says where forwards is.
+    """
+    to_left = dot(minus(left.origin, right.origin), rolling.axis)
+    first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
+    if left.axis[2] < 0 and right.axis[2] < 0:
+        message = f"the axes of {first} and {second} point down, so the robot steers the wrong way"
+        return message, "invert the <axis> of both joints"
+    if to_left > -_APART:
+        return None
+    message = f"left steering joint {first} is {-to_left:.3g} m to the right of {second}"
+    return message, "swap the joints"
 
 
 def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:

@@ -1,5 +1,7 @@
 """The tags that a plugin is given and does not read, and why."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import Suggester
 from urdfkit.ros.catalog.plugins import Plugin, often_unread, renames

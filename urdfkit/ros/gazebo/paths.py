@@ -6,6 +6,8 @@ knows nothing of ROS packages. The path must be set: by a package.xml that expor
 Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_gz_sim.
 """
 
+from __future__ import annotations
+
 import os
 
 from urdfkit.core.record import Record

@@ -4,6 +4,8 @@ Source: libsdformat 12.3 on robots with one defect each. It reads URDF by urdfdo
 joint rejects the robot, one in a link loses but that part of the link.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """The sensors in the ``<gazebo>`` tags of a model."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """The topics in Gazebo on which the sensors and systems of a robot publish, or which they read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
@@ -17,8 +19,21 @@ class GazeboTopic(Record):
     message: str  # of Gazebo, such as ``LaserScan``
     name: str  # without slashes around it; ``*`` stands for the names of the world and the robot
     is_read: bool = False  # True if the robot reads it, as it does with commands
-    is_default: bool = False  # True if the description does not name it
+    tag: str = "topic"  # that names it
+    #: What a sensor adds to that: after a slash, or after two points instead of the last part.
+    suffix: str = ""
     is_system: bool = False  # True for that of a plugin
+
+    @property
+    def is_unnamed(self) -> bool:
+        """True if the description does not name it."""
+        return "*" in self.name
+
+    def named(self, name: str) -> str:
+        """What to write into the tag for the topic to have a name."""
+        if self.suffix.startswith("./"):
+            return name.removesuffix(self.suffix[1:]) + "/image"
+        return name.removesuffix(self.suffix) or name
 
     def is_called(self, name: str) -> bool:
         """True if it has this name, which may have slashes around it."""
@@ -48,19 +63,33 @@ def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
         if message == "CameraInfo" and info is not None:
             name = info.text.strip()
         name = topic if is_default else name.strip("/")
-        yield GazeboTopic(sensor.who, message, name, is_default=is_default)
+        yield GazeboTopic(sensor.who, message, name, suffix=path[1:])
 
 
 def _of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
-    file = (plugin.get("filename") or "").strip().removeprefix("lib").removesuffix(".so")
-    for entry in _entries("plugins", file):
+    for entry in _entries("plugins", _library(plugin)):
         message, parameter, default = entry.split()
-        written = plugin.child(parameter[1:])
-        name = (written.text if written is not None else "").strip().strip("/")
+        tags = parameter[1:].split("/")
+        written = [plugin.child(tag) for tag in tags]
+        given = [one.text.strip().strip("/") if one is not None else "" for one in written]
+        defaults = default.strip("/").rsplit("/", len(tags) - 1)
+        name = "/".join(text or part for text, part in zip(given, defaults, strict=True))
         who = f"plugin '{plugin.get('name')}'"
         is_read = parameter.startswith("<")
-        default = default.strip("/")
-        yield GazeboTopic(who, message, name or default, is_read, not name, is_system=True)
+        yield GazeboTopic(who, message, name, is_read, tags[-1], is_system=True)
+
+
+def _library(plugin: Element) -> str:
+    return (plugin.get("filename") or "").strip().removeprefix("lib").removesuffix(".so")
+
+
+def are_all_known(model: RobotModel) -> bool:
+    """True if no other sensor or system of the robot publishes or reads such messages."""
+    plugins = (_library(plugin) for gazebo in model.gazebo for plugin in gazebo.all("plugin"))
+    known = data("bridge")["silent"].split()
+    return all(_entries("sensors", one.type) for one in sensors(model)) and all(
+        _entries("plugins", one) or one in known for one in plugins
+    )
 
 
 def _entries(section: str, key: str) -> list[str]:

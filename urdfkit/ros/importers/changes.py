@@ -1,5 +1,7 @@
 """What a program changes of a robot when it imports it, each at its element, for people."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

@@ -1,5 +1,7 @@
 """The programs whose import of a URDF is known, and the facts about each."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from functools import cache
 

@@ -1,5 +1,7 @@
 """A robot as a program has it after it has read the URDF."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from functools import cached_property
 

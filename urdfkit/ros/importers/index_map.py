@@ -1,5 +1,7 @@
 """Which joint of one program is which of another one."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros.importers.imported import Imported, ImportedJoint

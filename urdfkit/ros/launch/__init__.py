@@ -7,8 +7,7 @@ a launch file is run.
 from collections.abc import Mapping
 
 from urdfkit.ros.launch.collect import Collector
-from urdfkit.ros.launch.contents import Launch
-from urdfkit.text.document import CallFrame
+from urdfkit.ros.launch.contents import Launch, LaunchedFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -21,24 +20,17 @@ def read_launch(
     Args:
         arguments: of the launch file, ``name:=value``.
     """
-    from urdfkit.ros.launch.collect import Collector
-
     collector = Collector(resolver, _read)
-    _read(collector, source, arguments or {}, None)
+    _read(collector, LaunchedFile(source, arguments or {}))
     return collector.launch()
 
 
-def _read(
-    collector: Collector,
-    source: Source,
-    arguments: Mapping[str, str | None],
-    frame: CallFrame | None,
-) -> None:
-    if is_python(source):
+def _read(collector: Collector, file: LaunchedFile) -> None:
+    if is_python(file.source):
         from urdfkit.ros.launch.python import read
     else:
         from urdfkit.ros.launch.xml import read
-    read(collector, source, arguments, frame)
+    read(collector, file)
 
 
 def is_python(source: Source) -> bool:

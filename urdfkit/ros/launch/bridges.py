@@ -1,5 +1,7 @@
 """What ros_gz_bridge passes between Gazebo and ROS: words of its command line, or a YAML file."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record

@@ -1,13 +1,13 @@
 """What both kinds of launch file share: packages, files, and the xacro command line."""
 
 import os
-import shlex
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
     MAX_INCLUDED,
@@ -16,6 +16,7 @@ from urdfkit.ros.launch.contents import (
     IncludedFile,
     Launch,
     LaunchedDescription,
+    LaunchedFile,
     PackageUse,
     StartedProgram,
 )
@@ -33,10 +34,8 @@ UNKNOWN = "/package-not-found"
 _FORMER = "xacro.py"
 _XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
-#: Reads a launch file with the values of its arguments, included at a place.
-Reader: TypeAlias = (
-    "Callable[[Collector, Source, Mapping[str, str | None], CallFrame | None], None]"
-)
+#: Reads a launch file of any kind.
+Reader: TypeAlias = "Callable[[Collector, LaunchedFile], None]"
 
 
 class Collector:
@@ -98,10 +97,7 @@ class Collector:
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
         """A shell command whose output is the robot description, or the YAML of one."""
-        try:
-            words = shlex.split(text)
-        except ValueError:
-            return  # an unfinished quote: the shell will say so
+        words = command_words(text)
         while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
             words = words[1:]
         if len(words) > 1 and words[0] == words[1] == "xacro":
@@ -176,7 +172,7 @@ class Collector:
         except UnreadableFile:
             return
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
-        self._reader(inner, included, arguments, frame)
+        self._reader(inner, LaunchedFile(included, arguments, frame))
         self.included = inner.included
         self.unread += inner.unread
         self.has_scopes = self.has_scopes or inner.has_scopes

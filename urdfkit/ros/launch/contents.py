@@ -1,11 +1,13 @@
 """What is found in a launch file."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 
 #: What a file of parameters is called in messages.
 PARAMETERS = "parameter file"
@@ -14,6 +16,14 @@ PARAMETERS = "parameter file"
 MAX_DEPTH = 8
 #: Includes that are followed from one launch file.
 MAX_INCLUDED = 200
+
+
+class LaunchedFile(Record):
+    """A launch file with the arguments that it is given."""
+
+    source: Source
+    arguments: Mapping[str, str | None]  # None for those that are known at run time only
+    frame: CallFrame | None = None  # the launch files that led here
 
 
 class LaunchedDescription(Record):

@@ -1,5 +1,7 @@
 """The parameters of nodes in a YAML file of ROS 2, by node."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

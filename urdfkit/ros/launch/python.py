@@ -2,7 +2,7 @@
 
 import ast
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfkit.core import disk
@@ -11,7 +11,13 @@ from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, IncludedFile, StartedProgram
+from urdfkit.ros.launch.contents import (
+    PARAMETERS,
+    GivenParameters,
+    IncludedFile,
+    LaunchedFile,
+    StartedProgram,
+)
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice
 from urdfkit.ros.launch.python_mistakes import (
     added,
@@ -27,7 +33,7 @@ from urdfkit.ros.launch.values import JOINED, Values, argument, called
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
 #: Actions that hold for the nodes after them.
@@ -37,13 +43,9 @@ _SCOPES = (
 )  # fmt: skip
 
 
-def read(
-    collector: Collector,
-    source: Source,
-    arguments: Mapping[str, str | None],
-    frame: CallFrame | None,
-) -> None:
+def read(collector: Collector, file: LaunchedFile) -> None:
     """What a launch file in Python needs, as far as constants reach."""
+    source = file.source
     try:
         tree = python_source.parse(source.data, source.path)
     except SyntaxError as error:
@@ -51,25 +53,18 @@ def read(
         at = Span(source, start, start)
         collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
         return
-    _PythonReader(collector, source, tree, arguments, frame).read()
+    _PythonReader(collector, file, tree).read()
 
 
 class _PythonReader:
     """Reads the calls of one launch file that make actions."""
 
-    def __init__(
-        self,
-        collector: Collector,
-        source: Source,
-        tree: ast.Module,
-        arguments: Mapping[str, str | None],
-        frame: CallFrame | None,
-    ) -> None:
+    def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
         self.collector = collector
-        self.source = source
-        self.frame = frame
+        self.source = file.source
+        self.frame = file.frame
         self._tree = tree
-        self.values = Values(collector, source, tree, arguments)
+        self.values = Values(collector, file, tree)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
         self._untyped: set[ast.expr] = set()

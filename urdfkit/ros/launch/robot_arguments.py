@@ -1,5 +1,7 @@
 """The arguments that the launch files of a package give to one of its robots."""
 
+from __future__ import annotations
+
 import ast
 import os
 import re

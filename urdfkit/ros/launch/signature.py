@@ -1,5 +1,7 @@
 """Which arguments a launch file takes."""
 
+from __future__ import annotations
+
 import ast
 import re
 import sys

@@ -1,5 +1,7 @@
 """The programs that put models into Gazebo, and their command lines: ``catalog/launch.json``."""
 
+from __future__ import annotations
+
 import re
 
 from urdfkit.core.record import Record

@@ -2,11 +2,11 @@
 
 import os
 import re
-import shlex
 from collections.abc import Iterator
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.evaluation import evaluate
 from urdfkit.text.document import Attribute
@@ -81,13 +81,9 @@ class Substitutions:
             value = self.command(part, attribute.span) if is_command else part
             # An argument that is empty unless it is given is a word, too.
             written.append(value or _UNKNOWN_WORD)
-        text = "".join(written)
-        try:
-            words = shlex.split(text)
-        except ValueError:  # an unfinished quote
-            words = text.split()
         return tuple(
-            Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
+            Word(None if _UNKNOWN_WORD in word else word, attribute.span)
+            for word in command_words("".join(written))
         )
 
     def _found(self, package: str, span: Span) -> str:

@@ -1,5 +1,7 @@
 """Tags and attributes of launch files in XML, of ROS 1 and of ROS 2: ``catalog/launch.json``."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterator
 from functools import cache

@@ -4,6 +4,8 @@ Its frames are the values of ``--frame-id`` and ``--child-frame-id``, or the two
 numbers: https://github.com/ros2/geometry2/blob/rolling/tf2_ros/src/static_transform_broadcaster_program.cpp
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
 

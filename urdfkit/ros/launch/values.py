@@ -2,12 +2,12 @@
 
 import ast
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
-from urdfkit.ros.launch.contents import Word
+from urdfkit.ros.launch.contents import LaunchedFile, Word
 from urdfkit.ros.launch.scopes import Scopes
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import Span
 
 #: Expressions inside one another that are followed.
 MAX_DEPTH = 40
@@ -24,21 +24,14 @@ _PASSED_ON = (
 class Values:
     """Follows constants through one launch file.
 
-    Args:
-        arguments: of the launch file; texts, or expressions of their defaults; None for those
-            that are not known.
+    Attributes:
+        arguments: texts, or expressions of their defaults; None for those that are not known.
     """
 
-    def __init__(
-        self,
-        collector: Collector,
-        source: Source,
-        tree: ast.Module,
-        arguments: Mapping[str, str | None],
-    ) -> None:
+    def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
         self.collector = collector
-        self.source = source
-        self.arguments: dict[str, ast.expr | str | None] = dict(arguments)
+        self.source = file.source
+        self.arguments: dict[str, ast.expr | str | None] = dict(file.arguments)
         self._scopes = Scopes(tree)
         self._opened: dict[str, list[ast.expr]] = {}
         for node in ast.walk(tree):

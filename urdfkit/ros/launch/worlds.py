@@ -1,12 +1,14 @@
 """The worlds that a launch file starts Gazebo with: ``catalog/worlds.json``."""
 
+from __future__ import annotations
+
 import os
 import re
-import shlex
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import IncludedFile, Launch, StartedProgram, Word
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
@@ -66,7 +68,7 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
         return None
     is_line = names[0].endswith("_args")
     runs = ["-r"] if generation == GZ else []
-    words = _words(word.text) if is_line else [*runs, word.text]
+    words = command_words(word.text) if is_line else [*runs, word.text]
     found = _started(generation, words, word.span, included)
     return found._replace(libraries=_OF_ROS) if found else None
 
@@ -81,20 +83,13 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
         return None
-    words = _words(" ".join(known)) if not started.package else known
+    words = command_words(" ".join(known)) if not started.package else known
     for command, kind in _COMMANDS.items() if not started.package else ():
         if tuple(words[: len(command)]) == command:
             generation, words = kind, words[len(command) :]
             break
     found = _started(generation, words, started.span, started) if generation else None
     return found._replace(libraries=_OF_ROS) if found and started.package else found
-
-
-def _words(text: str) -> list[str]:
-    try:
-        return shlex.split(text)
-    except ValueError:  # an unfinished quote
-        return text.split()
 
 
 def _parted(word: str) -> list[str]:

@@ -1,7 +1,7 @@
 """Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import partial
 
 from urdfkit.errors import UnreadableFile
@@ -13,7 +13,7 @@ from urdfkit.ros.launch.argument_checks import (
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, Word
+from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, LaunchedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
@@ -21,7 +21,7 @@ from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import CallFrame, Element
+from urdfkit.text.document import Element
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
 
@@ -40,14 +40,9 @@ _SCOPES = (
 )  # fmt: skip
 
 
-def read(
-    collector: Collector,
-    source: Source,
-    arguments: Mapping[str, str | None],
-    frame: CallFrame | None,
-) -> None:
+def read(collector: Collector, file: LaunchedFile) -> None:
     """What a launch file in XML or YAML needs; files that it includes are followed."""
-    _XmlReader(collector, source, arguments, (), frame, collector.outer).read()
+    _XmlReader(collector, file, (), collector.outer).read()
 
 
 class _XmlReader(XmlLaunchFile):
@@ -61,17 +56,15 @@ class _XmlReader(XmlLaunchFile):
     def __init__(
         self,
         collector: Collector,
-        source: Source,
-        arguments: Mapping[str, str | None],
+        file: LaunchedFile,
         inherited: Iterable[str],
-        frame: CallFrame | None,
         outer: tuple[str, ...],
     ) -> None:
-        super().__init__(collector, source, arguments, frame)
-        self._given = dict(arguments)
+        super().__init__(collector, file)
+        self._given = file.arguments
         self._outer = outer
         self._level = 0
-        self._arguments = ArgumentUses({*arguments, *inherited})
+        self._arguments = ArgumentUses({*file.arguments, *inherited})
         self._is_whole = True
 
     def read(self) -> None:
@@ -222,7 +215,8 @@ class _XmlReader(XmlLaunchFile):
         inherited = {child.get("name") or "" for child in element.children}
         if self._passes_all(element):
             inherited |= self._arguments.declared
-        _XmlReader(self.collector, source, self._passed(element), inherited, frame, here).read()
+        file = LaunchedFile(source, self._passed(element), frame)
+        _XmlReader(self.collector, file, inherited, here).read()
 
     def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""

@@ -1,12 +1,10 @@
 """One launch file in XML, and what the texts in it become."""
 
-from collections.abc import Mapping
-
 from urdfkit.ros.launch.collect import Collector, path_from
+from urdfkit.ros.launch.contents import LaunchedFile
 from urdfkit.ros.launch.signature import USE
 from urdfkit.ros.launch.substitutions import Substitutions
-from urdfkit.text.document import Attribute, CallFrame, Element
-from urdfkit.text.source import Source
+from urdfkit.text.document import Attribute, Element
 
 
 class XmlLaunchFile:
@@ -19,18 +17,12 @@ class XmlLaunchFile:
         unknown_conditions: how many conditions around an element are known at run time only.
     """
 
-    def __init__(
-        self,
-        collector: Collector,
-        source: Source,
-        arguments: Mapping[str, str | None],
-        frame: CallFrame | None,
-    ) -> None:
+    def __init__(self, collector: Collector, file: LaunchedFile) -> None:
         self.collector = collector
-        self.source = source
-        self.values = {name: value for name, value in arguments.items() if value is not None}
-        self.substitutions = Substitutions(collector, source, self.values)
-        self.frame = frame
+        self.source = file.source
+        self.values = {name: value for name, value in file.arguments.items() if value is not None}
+        self.substitutions = Substitutions(collector, self.source, self.values)
+        self.frame = file.frame
         self.ros: int | None = None
         self.unknown_conditions = 0
 

@@ -2,6 +2,7 @@
 
 import os
 import re
+from itertools import pairwise
 
 from urdfkit.ros.launch.collect import frame_at, path_from
 from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram
@@ -11,8 +12,6 @@ from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
 
-#: The file may stand in quotes, which roslaunch removes.
-_RVIZ = re.compile(r"""(?:^|\s)(?:-d|--display-config)\s+(["']?)(.+?)(?:\1(?=\s|$))""")
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -22,15 +21,17 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
     name = file.text(package)
     if package and name:
         file.collector.package(name, file.source, package.span)
-    is_rviz = name is None or "rviz" in name
-    if is_rviz and arguments and (found := _RVIZ.search(file.text(arguments) or "")):
-        path = path_from(file.source, found.group(2))
-        file.collector.file(path, arguments.span, "RViz configuration")
+    words = file.substitutions.words(arguments)
+    if name is None or "rviz" in name:
+        for option, path in pairwise(word.text for word in words):
+            if arguments and option in ("-d", "--display-config") and path:
+                whole = path_from(file.source, path)
+                file.collector.file(whole, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
     started = StartedProgram(
         name or "",
         file.text(executable) or "",
-        file.substitutions.words(arguments),
+        words,
         element.span,
         file.frame,
         is_sure=not file.unknown_conditions,

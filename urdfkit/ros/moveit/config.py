@@ -4,6 +4,8 @@ Source: ``moveit_configs_utils`` and ``moveit_simple_controller_manager`` of mov
 files of the setup assistant of MoveIt 1.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator
 
@@ -75,6 +77,17 @@ def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
         for one in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
             if isinstance(one, Value):
                 yield one
+
+
+def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]:
+    """The adapters of the planning pipelines, by the keys that list them: key, name and place."""
+    for file in _PIPELINES:
+        root = load_next_to(srdf, file, resolver)
+        for key in ("request_adapters", "response_adapters"):
+            node = root.get(key)
+            for value in [node] if isinstance(node, Value) else scalars(node):
+                for name in value.text.split():
+                    yield key, name, value
 
 
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:

@@ -3,6 +3,8 @@
 Source: ``robot_model`` and ``robot_model_loader`` of MoveIt 1 and 2.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from math import radians
 

@@ -6,12 +6,13 @@ the robot.
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.ros import RosDescription
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
@@ -164,54 +165,37 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
             yield kind, attribute
 
 
-def find(
-    path: str,
-    tree: KinematicTree,
-    resolver: Resolver,
-    *,
-    trust: bool,
-    arguments: Mapping[str, str] | None = None,
-) -> Srdf | None:
+def find(robot: RosDescription) -> Srdf | None:
     """The SRDF of a robot, if exactly one is next to it; an unreadable one does not count.
 
     One with another name is the robot's if it speaks of its links and joints; one of a package of
     MoveIt that may be for other robots, too, if it fits this one. One that is called like the file
     of another robot next to this one is of that other one.
-
-    Args:
-        trust: let expressions of a xacro run unfenced and read any file.
-        arguments: of the robot; a xacro of its SRDF has those of the same names.
     """
-    read_one = partial(read, tree=tree, resolver=resolver, trust=trust, arguments=arguments)
+    path, name, resolver = robot.source.path, robot.model.name, robot.resolver
     files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
-    read_files = map(read_one, files)
-    found = [srdf for srdf in read_files if srdf is not None]
-    same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
+    found = [srdf for one in files if (srdf := read(one, robot))]
+    same = [srdf for srdf in found if srdf.root.get("name") == name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
     if len(chosen) > 1:  # MoveIt's builder takes the one that is called like the robot's file
         chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not found:
-        others = other_srdf_files(path, tree.model.name, resolver)
-        read_files = map(read_one, others)
-        chosen = [srdf for srdf in read_files if srdf is not None and srdf.fits_robot]
+        others = other_srdf_files(path, name, resolver)
+        chosen = [srdf for one in others if (srdf := read(one, robot)) and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None
 
 
-def read(
-    path: str,
-    tree: KinematicTree,
-    resolver: Resolver,
-    *,
-    trust: bool,
-    arguments: Mapping[str, str] | None = None,
-) -> Srdf | None:
-    """An SRDF file, of the robot with this tree; None if it cannot be read."""
-    document, _ = _parsed(path, resolver, trust=trust, arguments=arguments)
+def read(path: str, robot: RosDescription) -> Srdf | None:
+    """An SRDF file of a robot; None if it cannot be read.
+
+    A xacro has the arguments of the robot, as far as they have the same names.
+    """
+    document, _ = _parsed(path, robot.resolver, robot.trust, robot.arguments)
     if document is None or document.root.tag != "robot":
         return None
     if path.endswith(".xacro") and not document.root.children:
         return None  # macros, for other files
-    return Srdf(path, document.root, tree)
+    return Srdf(path, document.root, robot.tree)
 
 
 def is_srdf(root: Element) -> bool:
@@ -224,7 +208,7 @@ def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
     paths = srdf_files(path, resolver)
     for one in paths:
         if len(paths) == 1 or _stem(one) in (name, _stem(path)):
-            document, problems = _parsed(one, resolver, trust=False)
+            document, problems = _parsed(one, resolver, False, {})
             if document is None:
                 yield from problems
 
@@ -234,7 +218,7 @@ def _stem(path: str) -> str:
 
 
 def _parsed(
-    path: str, resolver: Resolver, *, trust: bool, arguments: Mapping[str, str] | None = None
+    path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
 ) -> tuple[Document | None, Sequence[Problem]]:
     try:
         source = resolver.read(path)

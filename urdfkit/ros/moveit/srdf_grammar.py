@@ -4,6 +4,8 @@ Other programs keep tags of their own in the same file, so an unknown name is re
 is a typo of a known one.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

@@ -6,6 +6,8 @@ they stand, single blank lines as well. What holds text is left as it is, unless
 URDF that may hold elements only: there a text is stray, and gets a line of its own.
 """
 
+from __future__ import annotations
+
 from itertools import chain
 from xml.parsers import expat
 

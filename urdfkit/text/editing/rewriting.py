@@ -1,5 +1,7 @@
 """New texts for files: shown as a diff, or written."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterable
 
