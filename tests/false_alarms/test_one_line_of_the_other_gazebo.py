@@ -117,3 +117,11 @@ def test_plugins_of_ros_1_in_a_package_of_ros_2(tmp_path: Path, target: str | No
     robot.write_text(f'<robot name="arm">{BASE}{old}</robot>')
     (found,) = check(robot, select=["GAZ012"], targets=[target] if target else []).diagnostics
     assert found.severity.value == ("error" if target else "warning")
+
+
+@pytest.mark.parametrize("ros", ["1", "2"])
+def test_a_misspelt_plugin_is_suggested_for_the_own_ros(ros: str) -> None:
+    """An Elfin of ROS 2 with "gazebo_ros_control.so"."""
+    text = BASE + plugin("gazebo_ros_control.so")
+    (found,) = reported("GAZ011", text, targets=(f"ros{ros}", f"classic-ros{ros}"))
+    assert found.help == f"did you mean 'libgazebo_ros{'2' if ros == '2' else ''}_control.so'?"

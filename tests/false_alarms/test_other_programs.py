@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported as of_launch
-from tests.workspaces import add_file, add_package
+from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit import check
 from urdfkit.ros.controllers import read
 from urdfkit.text.source import Source
@@ -128,3 +128,17 @@ def test_sensors_of_mujoco(tmp_path: Path) -> None:
     sensor = '<mujoco><sensor><force name="f" site="s"/></sensor></mujoco>'
     text = f'<robot name="r"><link name="a"/>{sensor}</robot>'
     assert not check(add_file(tmp_path / "r.urdf", text.encode()), select=["URD008"]).diagnostics
+
+
+@pytest.mark.parametrize("target", [None, "gz-harmonic"])
+@pytest.mark.parametrize("head", [b"#VRML V2.0 utf8\n", b"#Inventor V2.1 ascii\n"])
+def test_scene_files_of_planners(tmp_path: Path, head: bytes, target: str | None) -> None:
+    """Kautham's robots: it reads them as Open Inventor does, and no ROS is near."""
+    add_file(tmp_path / "can.wrl", head)
+    robot = add_file(
+        tmp_path / "can.urdf", f"<robot name='r'>{mesh_link('can.wrl')}</robot>".encode()
+    )
+    report = check(robot, select=["MSH"], targets=[target] if target else [])
+    assert {(one.code, one.severity.value) for one in report.diagnostics} == {
+        ("MSH007", "error" if target else "warning")
+    }

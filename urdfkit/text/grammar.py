@@ -251,6 +251,7 @@ class _Walk:
             known = grammar.children.get(tag)
             if known is None:
                 if ":" in tag:
+                    self._of_drake(child)
                     continue
                 if not extensions.has_element(element.tag, tag):
                     unknown.append(child)
@@ -271,6 +272,12 @@ class _Walk:
         for tag in missing:
             self._add("URD004", element, name=tag)
         return inner
+
+    def _of_drake(self, element: Element) -> None:
+        """Misspelt elements of Drake, which ignores them without a message."""
+        for inner in element.walk() if element.tag.startswith("drake:") else ():
+            if intended := extensions.intended_of_drake(inner.tag):
+                self._add("URD001", inner, suggested=intended)
 
     def _unknown_children(
         self,

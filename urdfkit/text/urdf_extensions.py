@@ -4,17 +4,25 @@ import os
 from functools import cache
 from typing import Any
 
+from urdfkit.core.suggest import nearest
 from urdfkit.text.document import Element
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar
 
+_TYPO = 0.85
+
 
 @cache
-def _extensions() -> list[dict[str, Any]]:
+def _data() -> dict[str, Any]:
     from json import load  # most models need no facts
 
     path = os.path.join(os.path.dirname(__file__), "urdf_extensions.json")
     with open(path, encoding="utf-8") as file:
-        extensions: list[dict[str, Any]] = load(file)["extensions"]
+        facts: dict[str, Any] = load(file)
+    return facts
+
+
+def _extensions() -> list[dict[str, Any]]:
+    extensions: list[dict[str, Any]] = _data()["extensions"]
     return extensions
 
 
@@ -46,6 +54,17 @@ def elements_in(parent: str) -> frozenset[str]:
 def attributes_of(tag: str) -> frozenset[str]:
     """The attributes that programs read in an element."""
     return frozenset(name for place, name in _read("attributes") if place == tag)
+
+
+def intended_of_drake(tag: str) -> str:
+    """What a misspelt or former element of Drake should be; empty for others."""
+    prefix, _, name = tag.partition(":")
+    facts = _data()["drake"]
+    known = facts["elements"].split()
+    if prefix != "drake" or name in known:
+        return ""
+    intended = facts["former"].get(name) or nearest(name, known, _TYPO)
+    return f"drake:{intended}" if intended else ""
 
 
 def place_of(element: Element) -> str:

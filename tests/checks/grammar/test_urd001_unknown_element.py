@@ -1,6 +1,9 @@
+from pathlib import Path
+
 import pytest
 
 from tests.reported import fixed, messages, places, reported
+from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
 JOINT = """\
@@ -267,3 +270,46 @@ def test_no_error_where_nothing_is_missing(robot: str) -> None:
 def test_what_one_program_reads_elsewhere(robot: str, message: str) -> None:
     found = messages("URD001", f'<robot name="r">{robot}</robot>')
     assert [one[-len(message) :] for one in found] == [message]
+
+
+PROPERTIES = (
+    '<link name="a"><collision><geometry><sphere radius="1"/></geometry>'
+    '<drake:proximity_properties xmlns:drake="http://drake.mit.edu">{}'
+    "</drake:proximity_properties></collision></link>"
+)
+
+
+@pytest.mark.parametrize(
+    ("written", "intended"),
+    [
+        ('<drake:mu_static value="1"/>', ""),
+        ('<drake:mu_statc value="1"/>', "mu_static"),
+        ("<drake:soft_hydroelastic/>", "compliant_hydroelastic"),
+        ("<drake:of_my_own/>", ""),
+        ("<other:mu_statc/>", ""),
+    ],
+)
+def test_elements_of_drake(written: str, intended: str) -> None:
+    written = written.replace("<other:mu_statc", '<other:mu_statc xmlns:other="o"')
+    found = messages("URD001", PROPERTIES.format(written))
+    assert [one.endswith(f"did you mean <drake:{intended}>?") for one in found] == [True] * bool(
+        intended
+    )
+
+
+@pytest.mark.parametrize(
+    ("root", "count"),
+    [("robot", 2), ("link", 1), ("!-- <robot> --><joint", 1)],
+)
+def test_the_root_of_an_included_file(tmp_path: Path, root: str, count: int) -> None:
+    end = root.rpartition("<")[2]
+    part = f'<{root} name="arm"><visual/><inertial/></{end}>'
+    (tmp_path / "arm.xacro").write_text(part)
+    robot = tmp_path / "robot.urdf.xacro"
+    robot.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:include filename="arm.xacro"/><link name="base"/></robot>'
+    )
+    found = check(robot, select=["URD001"]).diagnostics
+    assert len(found) == count
+    assert ("wrap the" in found[0].help) is (root != "robot")

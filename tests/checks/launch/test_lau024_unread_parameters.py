@@ -136,3 +136,56 @@ def test_types(tmp_path: Path, value: str, message: str) -> None:
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
     found = [one for one in found if "values, not 15" not in one]
     assert [message in one for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("default", "loaded", "count"),
+    [
+        ('"ompl"', '["ompl"]', 0),
+        ('"pilz"', '["ompl"]', 1),
+        ('"pilz"', '["ompl", pipeline]', 0),
+        ('"pilz"', "pipelines", 0),
+    ],
+)
+def test_the_default_pipeline(tmp_path: Path, default: str, loaded: str, count: int) -> None:
+    node = (
+        'package="moveit_ros_move_group", executable="move_group", parameters=['
+        f'{{"planning_pipelines": {loaded}, "default_planning_pipeline": {default}}}]'
+    )
+    found = messages(tmp_path, node, "", "")
+    assert ["is not in planning_pipelines" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("value", "count"), [("30.0", 0), ("30", 1), ("rate", 0)])
+def test_how_often_the_state_is_published(tmp_path: Path, value: str, count: int) -> None:
+    node = (
+        'package="robot_state_publisher", executable="robot_state_publisher", '
+        f'parameters=[{{"publish_frequency": {value}}}]'
+    )
+    found = messages(tmp_path, node, "", "")
+    assert [one.endswith("and 30 is an integer") for one in found] == [True] * count
+    yaml = f"robot_state_publisher:\n  ros__parameters:\n    publish_frequency: {value}\n"
+    node = node.partition("parameters")[0] + 'parameters=["../a.yaml"]'
+    assert len(messages(tmp_path, node, "", yaml)) == count
+
+
+BUILDER = """from moveit_configs_utils import MoveItConfigsBuilder
+
+config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()
+"""
+
+
+@pytest.mark.parametrize(
+    ("yaml", "help"),
+    [
+        ("planning_plugins: [ompl_interface/OMPLPlanner]\n", ""),
+        ("planning_plugin: ompl_interface/OMPLPlanner\n", ""),
+        ("planner_configs: {}\n", "add planning_plugins"),
+        ("ompl: {planning_plugin: ompl_interface/OMPLPlanner}\n", "remove 'ompl:'"),
+        ("", ""),
+    ],
+)
+def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
+    files = {"config/ompl_planning.yaml": yaml}
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BUILDER, files)
+    assert [one.help.startswith(help) for one in found] == [True] * bool(help)

@@ -12,7 +12,7 @@ CODE = "MSH007"
 
 def message(tmp_path: Path, name: str, data: bytes) -> str | None:
     add_file(tmp_path / name, data)
-    found = reported(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
+    found = reported(CODE, mesh_link(name), str(tmp_path / "arm.urdf"), ("gz-harmonic",))
     if not found:
         return None
     assert found[0].severity is Severity.ERROR
@@ -22,7 +22,10 @@ def message(tmp_path: Path, name: str, data: bytes) -> str | None:
 def test_a_cad_file(tmp_path: Path) -> None:
     step = b"ISO-10303-21;\nHEADER;\n"
     for name in ("arm.step", "arm.stl"):
-        assert message(tmp_path, name, step) == "is a STEP file, which Gazebo does not read"
+        assert (
+            message(tmp_path, name, step)
+            == "is of STEP, which Gazebo, MuJoCo and Drake do not read"
+        )
 
 
 @pytest.mark.parametrize(

@@ -263,3 +263,29 @@ def test_of_srdf_and_ros2_control_against_one_joint_the_joint_is_misspelt(
     (found,) = check(tmp_path / "r.urdf", select=["SRD001"]).diagnostics
     assert found.fix is not None
     assert [Path(edit.span.source.path).name for edit in found.fix.edits] == [corrected]
+
+
+@pytest.mark.parametrize(
+    ("text", "help"),
+    [
+        ("request_adapters: [default_planning_request_adapters/CheckStartStateBounds]", ""),
+        (
+            "request_adapters: own/Own default_planner_request_adapters/FixWorkspaceBounds",
+            "",
+        ),
+        (
+            "request_adapters: [default_planning_request_adapters/AddTimeOptimalParameterization]",
+            (
+                "write default_planning_response_adapters/AddTimeOptimalParameterization in "
+                "response_adapters"
+            ),
+        ),
+        (
+            "response_adapters: default_planning_response_adapters/ValidateSolutions",
+            "write default_planning_response_adapters/ValidateSolution in response_adapters",
+        ),
+    ],
+)
+def test_adapters(tmp_path: Path, text: str, help: str) -> None:
+    (tmp_path / "ompl_planning.yaml").write_text(text)
+    assert [one.help for one in findings(tmp_path, GROUPS, "SRD001")] == [help] * bool(help)

@@ -183,3 +183,11 @@ def test_a_world_may_load_the_factory(tmp_path: Path) -> None:
     start = START.format('"gazebo", share + "/worlds/hall.sdf"')
     plugin = '<plugin name="f" filename="libgazebo_ros_factory.so"/>'
     assert messages(tmp_path, CODE, world=plugin, launch=launch + start + SPAWN) == []
+
+
+def test_a_world_that_is_nowhere_on_earth(tmp_path: Path) -> None:
+    world = systems(*DEFAULTS, "navsat")
+    (one,) = messages(tmp_path, CODE, world=world, robot=SENSOR.format("navsat"))
+    assert "has no <spherical_coordinates>" in one
+    world += "<spherical_coordinates/>"
+    assert messages(tmp_path, CODE, world=world, robot=SENSOR.format("navsat")) == []

@@ -38,6 +38,7 @@ def test_a_sound_mesh_of_each_format(form: str, suffix: str) -> None:
         (b"BLENDER-v279RENDH", "Blender"),
         (b"MM\x0a\0\0\0abcd", "3DS"),
         (b"#VRML V2.0 utf8\n", "VRML"),
+        (b"#Inventor V2.1 ascii\n", "Open Inventor"),
         (b"<?xml version='1.0'?><!DOCTYPE X3D><X3D></X3D>", "X3D"),
         (b"<amf unit='meter'></amf>", "AMF"),
         (b"#usda 1.0\n", "USD"),

@@ -21,7 +21,14 @@ import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.plugins import Plugin, all_plugins, find, misspelt, of_same_words
+from urdfkit.ros.catalog.plugins import (
+    GENERATIONS,
+    Plugin,
+    all_plugins,
+    find,
+    misspelt,
+    of_same_words,
+)
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.editing.edits import fix_value
@@ -50,7 +57,9 @@ def check(context: Context) -> Findings:
             at = use.at.attributes["filename"]
             yield Finding(at, message, help, severity=Severity.ERROR)
         elif suggested := misspelt(use.filename):
-            yield _misspelt(use, suggested)
+            successor = _successor(suggested, context.targets.names)
+            finding = _misspelt(use, successor or suggested)
+            yield finding._replace(fix=None) if successor else finding
         elif system := of_same_words(use.filename):
             # Its class has another name as well, so that there is no fix.
             yield _misspelt(use, system)._replace(fix=None)
@@ -58,6 +67,18 @@ def check(context: Context) -> Findings:
             reported.add(use.filename)  # one robot may use a library a hundred times
             message = f"unknown plugin library '{use.filename}'"
             yield Finding(use.at.attributes["filename"], message)
+
+
+def _successor(library: str, targets: tuple[str, ...]) -> str:
+    """What the targets load instead of a library of the other ROS or Gazebo; empty if that."""
+    loaded = {one for target in targets for one in GENERATIONS.get(target, ())}
+    if not loaded or _loads(loaded, library):
+        return ""
+    return next((p.successor for p in find(library) if _loads(loaded, p.successor or "")), "") or ""
+
+
+def _loads(generations: set[str], library: str) -> bool:
+    return any(p.generation in generations and not p.removed for p in find(library))
 
 
 def _misspelt(use: PluginUse, suggested: str) -> Finding:

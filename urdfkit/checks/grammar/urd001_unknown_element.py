@@ -4,10 +4,11 @@ URDF parsers ignore it without a message, with all that is in it. Usually the na
 the tag belongs to another format (SDF, an old ROS tutorial, another simulator). A `<material>`
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
-namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
-that a program reads, in its package, one next to it or one that it depends on, is an info, as is
-an old tag whose attributes are all zero, one in the axis of a fixed joint, and one that
-`<xacro:element>` makes.
+namespace prefix, such as `drake:proximity_properties`, is an extension and is reported only where
+Drake has another one of nearly that name. What the root of an included file is, xacro drops: a
+`<link>` there puts its shapes directly into the `<robot>`. An element that a program reads, in its
+package, one next to it or one that it depends on, is an info, as is an old tag whose attributes are
+all zero, one in the axis of a fixed joint, and one that `<xacro:element>` makes.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -20,11 +21,14 @@ Sources:
     urdf-usd-converter, benchmarks: misplaced in 74 of 408 public models: https://github.com/newton-physics/urdf-usd-converter
 """
 
+import os
+import re
 from collections.abc import Sequence
 
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
+from urdfkit.text.comments import without_comments
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.file_kinds import is_xacro
@@ -37,6 +41,9 @@ FIXED = GOOD = BAD.replace("colision", "collision")
 
 #: What replaced an element of early versions.
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
+
+#: The first element of a file.
+_ROOT = re.compile(rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)")
 
 #: Elements of one tag in the same wrong place that are shown.
 _SHOWN = 5
@@ -137,9 +144,28 @@ def _misplaced(elements: list[Element]) -> Findings:
             alike.setdefault((element.tag, element.parent.tag), []).append(element)
         else:
             yield _in_place(element, element.parent, fix=fix)
+    rootless: set[str] = set()
     for first, *others in alike.values():
         assert first.parent is not None
+        source = first.tag_at.source
+        root = _ROOT.search(without_comments(source.data)) if first.parent.tag == "robot" else None
+        if root and root[1] in (b"link", b"joint"):
+            if source.path not in rootless:
+                rootless.add(source.path)
+                yield _without_robot(first, root[1].decode())
+            continue
         yield _in_place(first, first.parent, others)
+
+
+def _without_robot(element: Element, root: str) -> Finding:
+    """What an include put into the robot without the root of its file."""
+    file = os.path.basename(element.tag_at.source.path)
+    return Finding(
+        element,
+        f"the root of {file} is <{root}>, which xacro:include drops: <{element.tag}> is put "
+        "directly into <robot>",
+        f"wrap the <{root}> of {file} in <robot>",
+    )
 
 
 def _in_place(

@@ -6,16 +6,16 @@ name robot_localization, Nav2 and slam_toolbox wait for ever: "Could not find a 
 'odom' and 'base'", "Timed out waiting for transform from base to map". RViz shows nothing: "Fixed
 Frame [base] does not exist". A static transform with such a parent makes a second tree.
 
-Checked are `base_link_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and `sensor_frame`,
-RViz's fixed frame and the frames of its displays, and the parents of static transforms, unless the
-launch file starts drivers that are not in the workspace, which publish frames of their own. The
-robot is that of the launch file, else those that the other launch files of the workspace start. A
-frame that a program of the workspace names is left out. So is the `global_frame` of a costmap, the
-frame of a map or of odometry, unless it is a typo of `map` or `odom`. `map`, `odom` and `world` as
-the fixed frame are reported where a launch file starts RViz with joint_state_publisher and nothing
-else. So is a `world_frame` of robot_localization that is neither its `odom_frame` nor its
-`map_frame`, at which the filter stops, and an `odom_frame` that is one of the others ("Invalid
-frame configuration!").
+Checked are `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`,
+`base_frame_id` and `sensor_frame`, RViz's fixed frame and the frames of its displays, and the
+parents of static transforms, unless the launch file starts drivers that are not in the workspace,
+which publish frames of their own. The robot is that of the launch file, else those that the other
+launch files of the workspace start. A frame that a program of the workspace names is left out. So
+is the `global_frame` of a costmap, the frame of a map or of odometry, unless it is a typo of `map`
+or `odom`. `map`, `odom` and `world` as the fixed frame are reported where a launch file starts RViz
+with joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is
+neither its `odom_frame` nor its `map_frame`, at which the filter stops, and an `odom_frame` that is
+one of the others ("Invalid frame configuration!").
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html

@@ -17,6 +17,10 @@
 - A configuration of RViz has a display of a class that RViz 2 does not have, such as
   `rviz/LaserScan` of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes
   have relative names, or Gazebo's `model://`: "Could not load resource" (warning).
+- A planning pipeline of MoveIt has no plugin (warning): its file of MoveItConfigsBuilder names none
+  ("Planning plugin name is empty or not defined in namespace 'ompl'"). Or
+  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops).
+- `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - static_transform_publisher gets an option that it does not have, or another number of words: a
   period behind the frames belongs to ROS 1.
 
@@ -31,10 +35,21 @@ import re
 
 from urdfkit.checks.launch.costmap_parameters import COSTMAPS, misplaced, plugins
 from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
-from urdfkit.checks.launch.parameter_types import wrong_types
+from urdfkit.checks.launch.parameter_types import old_model, whole_frequency, wrong_types
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.core.words import few
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Related,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
 from urdfkit.ros.launch.transforms import mistakes
@@ -76,6 +91,7 @@ def check(context: Context) -> Findings:
         for one in several:
             yield from _configurations(one)
             yield from wrong_types(one)
+            yield from old_model(one)
             if names.count(one.name) == 1:  # others would complete it
                 yield from plugins(one)
                 yield from misplaced(one)
@@ -83,9 +99,26 @@ def check(context: Context) -> Findings:
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from relative_meshes(context)
+    yield from reported(context, "LAU024")
     for started in context.launch.started:
+        yield from _other_pipeline(started)
+        yield from whole_frequency(started)
         for word, message, help in mistakes(started):
             yield Finding(Location(word.span, started.frame), message, help)
+
+
+def _other_pipeline(started: StartedProgram) -> Findings:
+    """A default of MoveIt's planning pipelines that is none of them."""
+    name = started.parameters.values.get("default_planning_pipeline")
+    loaded = started.parameters.lists.get("planning_pipelines", ())
+    names = [one for one in loaded if one]
+    if name and names and len(names) == len(loaded) and name not in names:
+        yield Finding(
+            Location(started.span, started.frame),
+            f"default_planning_pipeline '{name}' is not in planning_pipelines: {few(names, 4)}",
+            f"add '{name}' to planning_pipelines, with its settings",
+            severity=Severity.WARNING,
+        )
 
 
 def _configurations(node: NodeParameters) -> Findings:

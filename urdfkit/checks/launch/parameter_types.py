@@ -7,10 +7,12 @@ rst-tu-dortmund/teb_local_planner#202 ("expected [double] got [integer]").
 import re
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Location
+from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value
 
+PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
 #: Parameters that are declared with a fraction, by the node; in a filter, all of these.
 _OF_COSTMAP = frozenset(
     "cost_scaling_factor footprint_padding inflation_radius obstacle_max_range obstacle_min_range "
@@ -20,10 +22,16 @@ _OF_COSTMAP = frozenset(
 _FRACTIONS = {
     "controller_server": frozenset(("controller_frequency",)),
     "planner_server": frozenset(("expected_planner_frequency",)),
+    PUBLISHER: frozenset((FREQUENCY,)),
     "local_costmap": _OF_COSTMAP,
     "global_costmap": _OF_COSTMAP,
 }
 _OF_FILTER = frozenset(("frequency", "sensor_timeout"))
+#: What AMCL loads instead of the names of ROS 1.
+_MODELS = {
+    "differential": "nav2_amcl::DifferentialMotionModel",
+    "omnidirectional": "nav2_amcl::OmniMotionModel",
+}
 _FILTERED = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 
@@ -47,6 +55,30 @@ def wrong_types(node: NodeParameters) -> Findings:
                 "integer",
                 f"write {value.text}.0",
             )
+
+
+def whole_frequency(started: StartedProgram) -> Findings:
+    """A frequency of robot_state_publisher in a launch file of ROS 2; ROS 1 takes any number."""
+    value = started.parameters.values.get(FREQUENCY) or ""
+    is_ros2 = started.span.source.path.endswith(".py")
+    if started.package == PUBLISHER and is_ros2 and re.fullmatch(r"\d+", value):
+        message = (
+            f"{PUBLISHER} stops: {FREQUENCY} is declared as a double, and {value} is an integer"
+        )
+        yield Finding(Location(started.span, started.frame), message, f"write {value}.0")
+
+
+def old_model(node: NodeParameters) -> Findings:
+    """A model of AMCL's motion as ROS 1 and Foxy call it."""
+    model = node.values.get("robot_model_type")
+    name = _MODELS.get(model.text) if isinstance(model, Value) and node.name == "amcl" else None
+    if name and isinstance(model, Value):
+        yield Finding(
+            Location(model.span),
+            f"'amcl' of Humble and later stops: robot_model_type is a class, not '{model.text}'",
+            f"write {name}",
+            severity=Severity.WARNING,
+        )
 
 
 def _all(values: dict[str, Node]) -> Iterator[tuple[Key, Node]]:

@@ -29,13 +29,19 @@ from urdfkit.text.located_yaml import Node, Value, mapping
 #: Packages whose programs publish none of these messages.
 _SILENT = re.compile(
     r"robot_state_publisher|joint_state_publisher(_gui)?|ros_gz_(sim|image)|rviz2|tf2_ros"
-    r"|moveit_ros_move_group|nav2_(?!costmap_2d)\w+"
+    r"|moveit_ros_move_group|slam_toolbox|nav2_(?!costmap_2d)\w+"
 )
 _CONTROLLERS = "controller_manager"
-_PUBLISHERS = (_CONTROLLERS, "robot_localization", "ros_gz_bridge")
 #: What robot_localization publishes itself.
-_FILTERED = "/odometry/filtered"
+_FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
+_PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _INPUT = re.compile(r"(odom|imu)\d+")
+#: Nodes with a parameter for one topic, and the message on it.
+_NAMED = {
+    ("amcl", "scan_topic"): "LaserScan",
+    ("bt_navigator", "odom_topic"): "Odometry",
+    ("slam_toolbox", "scan_topic"): "LaserScan",
+}
 _READ = {"odom": "Odometry", "imu": "Imu"}
 #: The displays of RViz that have the name of their message.
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
@@ -44,6 +50,10 @@ _PUBLISHED = {
     "DiffDriveController": ("Odometry", "odom"),
     "MecanumDriveController": ("Odometry", "odometry"),
     "IMUSensorBroadcaster": ("Imu", "imu"),
+    "AckermannSteeringController": ("Odometry", "odometry"),
+    "BicycleSteeringController": ("Odometry", "odometry"),
+    "TricycleSteeringController": ("Odometry", "odometry"),
+    "TricycleController": ("Odometry", "odom"),
 }
 
 
@@ -72,7 +82,9 @@ def unpublished_inputs(context: Context) -> Findings:
         is_known = all(_is_known(x, one.message) for x in started)
         name = "/" + one.topic.text.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in one.others)}
-        if not published or not is_known or not names.isdisjoint((_FILTERED, *published)):
+        if any(x.package == _FILTER for launch in others for x in launch.started):
+            names.discard(_FILTERED)
+        if not published or not is_known or not names or not names.isdisjoint(published):
             continue
         if any(launch.has_scopes for launch in launches):
             continue
@@ -115,6 +127,8 @@ def _read(context: Context) -> Iterator[_Read]:
                 found = _INPUT.fullmatch(key)
                 if found and isinstance(value, Value) and f"{key}_config" in node.values:
                     yield _Read(value, _READ[found.group(1)], node.name)
+                elif (message := _NAMED.get((node.name, key))) and isinstance(value, Value):
+                    yield _Read(value, message, node.name)
                 elif isinstance(value, dict):
                     yield from _of_layer(value, node.name)
 

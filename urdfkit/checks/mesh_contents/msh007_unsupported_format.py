@@ -1,10 +1,11 @@
 """A mesh is in a format that programs do not load, or take for another.
 
-By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, X3D, AMF, 3MF, USD), which
-Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another format:
-programs choose their loader by the suffix and then fail or load nothing. Export it as STL, COLLADA
-or OBJ. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new
-Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
+By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, Open Inventor, X3D, AMF, 3MF,
+USD), which Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another
+format: programs choose their loader by the suffix and then fail or load nothing. Export it as STL,
+COLLADA or OBJ. Where no target is known, such a file is a warning: planners such as OpenRAVE and
+Kautham read scene files. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them
+through assimp, new Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
 
 MuJoCo loads binary STL and OBJ only, Drake OBJ and glTF: where one of them is a target, a collision
 in another format, such as COLLADA, is an error. Drake leaves out visuals that it does not load,
@@ -43,7 +44,7 @@ BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
 FILES = {"forearm.stl": b"ISO-10303-21;\nHEADER;\n", "hand.stl": PLATE}
 
-_NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
+_NOT_LOADED = frozenset(("Open Inventor", *"STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split()))
 
 
 @rule(
@@ -56,9 +57,9 @@ def check(context: Context) -> Findings:
             continue
         suffix = os.path.splitext(path)[1]
         if facts.format in _NOT_LOADED:
-            yield Finding(
-                mesh.at, f"{mesh.who} is a {facts.format} file, which Gazebo does not read"
-            )
+            message = f"{mesh.who} is of {facts.format}, which Gazebo, MuJoCo and Drake do not read"
+            severity = None if context.targets.names else Severity.WARNING
+            yield Finding(mesh.at, message, severity=severity)
         elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
             message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
             yield Finding(mesh.at, message, "give the file the suffix of its format")

@@ -7,6 +7,7 @@ from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.moveit.config import (
     MANAGER,
+    adapters,
     controller_entries,
     controller_manager,
     group_entries,
@@ -49,6 +50,17 @@ _PLANNERS = (
     "pilz_industrial_motion_planner/CommandPlanner",
     "stomp_moveit/StompPlanner",
 )
+#: The adapters of Jazzy and later, by their package and the key that lists them.
+_ADAPTERS = {
+    "request_adapters": ("default_planning_request_adapters", (
+        "CheckForStackedConstraints", "CheckStartStateBounds", "CheckStartStateCollision",
+        "ResolveConstraintFrames", "ValidateWorkspaceBounds",
+    )),
+    "response_adapters": ("default_planning_response_adapters", (
+        "AddRuckigTrajectorySmoothing", "AddTimeOptimalParameterization", "DisplayMotionPath",
+        "ValidateSolution",
+    )),
+}  # fmt: skip
 #: The planners of OMPL for which MoveIt brings a configuration, NAMEkConfigDefault.
 _OF_OMPL = (
     "BFMT", "BKPIECE", "BiEST", "BiTRRT", "EST", "FMT", "KPIECE", "LBKPIECE", "LBTRRT", "LazyPRM",
@@ -137,6 +149,16 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
         if meant and plugin.text != meant:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{meant}'?"
             yield Finding(Location(plugin.span), message, f"write {meant}")
+    packages = [package for package, _ in _ADAPTERS.values()]
+    every = {f"{package}/{one}": key for key, (package, ones) in _ADAPTERS.items() for one in ones}
+    for key, adapter, place in adapters(srdf, context.resolver):
+        package, _, last = adapter.partition("/")
+        if package in packages and every.get(adapter) != key:
+            like = next((one for one in every if one.endswith(f"/{last}")), None)
+            meant = like or nearest(adapter, every, _PLANNER_TYPO)
+            message = f"{key}: MoveIt has no such adapter '{adapter}'"
+            help = f"write {meant} in {every[meant]}" if meant else f"remove it from {key}"
+            yield Finding(Location(place.span), message, help)
 
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:

@@ -11,7 +11,8 @@
 - `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
 - `ompl_planning.yaml` with a misspelt planner of a group (warning): "Could not find the planner
-  configuration"; or a misspelt planning plugin: "Exception while loading planner".
+  configuration"; or a misspelt planning plugin: "Exception while loading planner"; or an adapter
+  that MoveIt does not have, or has for responses and not for requests.
 - `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
   group cannot be moved to a pose.
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown

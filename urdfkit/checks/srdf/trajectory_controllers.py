@@ -21,6 +21,10 @@ _ACTIONS = {
     _TRAJECTORY: ("FollowJointTrajectory", "follow_joint_trajectory"),
     "position_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
     "effort_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
+    "parallel_gripper_action_controller/GripperActionController": (
+        "ParallelGripperCommand",
+        "gripper_cmd",
+    ),
 }
 
 

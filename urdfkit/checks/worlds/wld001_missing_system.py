@@ -11,6 +11,8 @@ Gazebo Classic brings all that but the library `libgazebo_ros_factory.so`, which
 gazebo_ros load, and `gazebo` or `gzserver` alone does not: `spawn_entity.py` stops with "Was Gazebo
 started with GazeboRosFactory?" (error).
 
+A world without `<spherical_coordinates>` is nowhere on Earth, and its NavSat sensors are silent.
+
 A system is not missing where the robot, or a model in the world, loads it, nor where a launch file
 sets `GZ_SIM_SERVER_CONFIG_PATH`.
 
@@ -86,6 +88,7 @@ def check(context: Context) -> Findings:
         loaded = opened.systems | systems_in(robot_files)
         if opened.world is not None:
             loaded |= all_systems(opened.world, models)
+            yield from _nowhere(needed, opened)
             yield from _without_defaults(context, opened, loaded)
         for plugin, sensor in needed:
             system = plugin.class_name.rpartition("::")[2]
@@ -97,6 +100,19 @@ def check(context: Context) -> Findings:
                     _help(plugin, opened),
                     related=(Related(sensor.at.span, sensor.who), *opened.note),
                 )
+
+
+def _nowhere(needed: list[tuple[Plugin, Sensor]], opened: OpenedWorld) -> Findings:
+    """A world without a place on Earth, and a robot that asks for it."""
+    placed = opened.world is None or opened.world.at.child("spherical_coordinates")
+    for sensor in (one for _, one in needed if one.type == "navsat" and not placed):
+        yield Finding(
+            opened.place,
+            f"{opened.title} has no <spherical_coordinates>, without which {sensor.who} "
+            "(navsat) gives no data",
+            "add <spherical_coordinates> with latitude_deg, longitude_deg and elevation",
+            related=(Related(sensor.at.span, sensor.who), *opened.note),
+        )
 
 
 def _without_factory(context: Context, opened: OpenedWorld) -> Findings:

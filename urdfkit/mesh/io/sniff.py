@@ -51,6 +51,7 @@ _MAGIC = (
     (b"; FBX", "FBX"),
     (b"BLENDER", "Blender"),
     (b"#VRML", "VRML"),
+    (b"#Inventor", "Open Inventor"),
     (b"#X3D", "X3D"),
     (b"#usda", "USD"),
     (b"PXR-USDC", "USD"),

@@ -13,7 +13,10 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Parameters that name a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
 #: the controllers of wheels.
-_OF_ROBOT = ("base_link_frame", "robot_base_frame", "base_frame", "base_frame_id", "sensor_frame")
+_OF_ROBOT = (
+    "base_link_frame", "base_link_output_frame", "robot_base_frame", "base_frame", "base_frame_id",
+    "sensor_frame",
+)  # fmt: skip
 #: Of costmaps, behaviours and the navigator: the frame of a map or of odometry.
 GLOBAL = "global_frame"
 _NAMING = (*_OF_ROBOT, GLOBAL)

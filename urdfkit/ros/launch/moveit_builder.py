@@ -8,9 +8,11 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.values import Values, argument, called
-from urdfkit.text.diagnostic import Problem
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.located_yaml import Key, load, mapping
 
 #: Methods whose first argument is a file of the package.
 _FILES = (
@@ -38,7 +40,10 @@ def use(call: ast.Call, values: Values, collector: Collector) -> None:
         if node is not None and path and not path.startswith(UNKNOWN):
             path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
             collector.file(path, values.span(node), "MoveIt configuration")
+    elif called(call) == "to_moveit_configs" and directory:
+        _without_plugin(directory, collector)
     elif called(call) == "planning_pipelines" and directory:
+        _default(call, values, collector)
         for item in values.items(argument(call, 1, "pipelines")):
             name = values.text(item)
             file = os.path.join(directory, "config", f"{name}_planning.yaml")
@@ -47,6 +52,39 @@ def use(call: ast.Call, values: Values, collector: Collector) -> None:
                 message += did_you_mean(name, _PIPELINES)
                 help = "add the file, or name one of " + ", ".join(_PIPELINES)
                 collector.problems.append(Problem("LAU003", values.span(item), message, help))
+
+
+def _default(call: ast.Call, values: Values, collector: Collector) -> None:
+    """Report a default that is none of the pipelines: the builder stops at it."""
+    node = argument(call, 0, "default_planning_pipeline")
+    names = [values.text(item) for item in values.items(argument(call, 1, "pipelines"))]
+    known = [name for name in names if name]
+    default = values.text(node)
+    if node is not None and default and known and default not in names and None not in names:
+        message = f"default_planning_pipeline '{default}' is not in pipelines: {', '.join(known)}"
+        help = f"add '{default}' to pipelines"
+        collector.problems.append(Problem("LAU024", values.span(node), message, help))
+
+
+def _without_plugin(directory: str, collector: Collector) -> None:
+    """Report the pipelines of a package whose settings name no planning plugin."""
+    for name in _PIPELINES:
+        path = os.path.join(directory, "config", f"{name}_planning.yaml")
+        try:
+            root = mapping(load(collector.resolver.read(path))) if disk.is_file(path) else {}
+        except UnreadableFile:
+            continue
+        if any(isinstance(key, Key) for key in root) and root.keys().isdisjoint(
+            ("planning_plugin", "planning_plugins")
+        ):
+            message = f"config/{name}_planning.yaml names no planning plugin"
+            help = f"add planning_plugins, and planning_plugin up to Humble, with that of {name}"
+            if mapping(root, name):
+                message += f": its settings are below '{name}'"
+                help = f"remove '{name}:', and the indentation below it"
+            first = next(key for key in root if isinstance(key, Key))
+            problem = Problem("LAU024", first.span, message, help, severity=Severity.WARNING)
+            collector.problems.append(problem)
 
 
 def _builder(call: ast.Call) -> ast.Call | None:

@@ -79,6 +79,17 @@ def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
                 yield one
 
 
+def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]:
+    """The adapters of the planning pipelines, by the keys that list them: key, name and place."""
+    for file in _PIPELINES:
+        root = load_next_to(srdf, file, resolver)
+        for key in ("request_adapters", "response_adapters"):
+            node = root.get(key)
+            for value in [node] if isinstance(node, Value) else scalars(node):
+                for name in value.text.split():
+                    yield key, name, value
+
+
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
     """The joints that the files name, each with who names it."""
     for name, section in controllers(srdf, resolver):
