@@ -39,7 +39,6 @@ from urdfkit.checks.launch.parameter_types import old_model, whole_frequency, wr
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import (
     Context,
     Finding,
@@ -84,13 +83,9 @@ _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node",
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    found: dict[str, list[NodeParameters]] = {}
-    for file in context.launch.parameters:
-        if file.exists and file.path not in found:
-            try:
-                found[file.path] = list(node_parameters(context.resolver.read(file.path)))
-            except UnreadableFile:
-                continue
+    paths = dict.fromkeys(file.path for file in context.launch.parameters if file.exists)
+    sources = filter(None, map(context.resolver.readable, paths))
+    found = {source.path: list(node_parameters(source)) for source in sources}
     names = [one.name for several in found.values() for one in several]
     for several in found.values():
         for one in several:
