@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 from tests.lint.directories import ROOT_ROBOT, include, names, write
+from tests.workspaces import add_file
+from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry
@@ -198,3 +200,32 @@ def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
     assert [(Path(skip.path).name, skip.reason) for skip in report.skipped] == [
         ("spare.urdf", "no [[robot]] in the configuration for it")
     ]
+
+
+def test_a_robot_is_called_as_its_link_is(tmp_path: Path):
+    add_file(tmp_path / "real" / "r.xml", b'<robot name="r"><link name="a"/></robot>')
+    for name in ("a.urdf", "z.urdf"):
+        (tmp_path / name).symlink_to("real/r.xml")
+        found = discover(str(tmp_path), Config(), Resolver())
+        assert [one.file for one in found.robots] == [str(tmp_path / name)]
+        assert not found.others
+        (tmp_path / name).unlink()
+
+
+def test_a_directory_without_a_robot_says_what_is_there(tmp_path: Path):
+    add_file(tmp_path / "r.xml", b'<robot name="r"><link name="a"/></robot>')
+    (found,) = check(tmp_path).diagnostics
+    assert found.message.endswith(
+        "r.xml has the root <robot>, but an unusual suffix, and no launch file references it"
+    )
+
+
+def test_a_library_that_is_named_is_told_to_hold_no_robot(tmp_path: Path):
+    library = add_file(tmp_path / "m.xacro", xacro('<xacro:macro name="m"/>').encode())
+    robot = add_file(tmp_path / "r.xacro", xacro('<link name="a"/>').encode())
+    (skip,) = check(library, robot).skipped
+    assert (skip.code, skip.path, skip.reason) == (
+        "",
+        str(library),
+        "defines no link; check a robot that uses it",
+    )

@@ -14,7 +14,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
-from urdfkit.lint.report import Skipped, crash
+from urdfkit.lint.report import DEFINES_NO_LINK, Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.source import shown
@@ -154,7 +154,11 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
     # That a robot of a directory cannot be expanded by itself is no defect of it.
     lacking = context.reading.missing_argument_codes if job.found else ()
     codes = [code for code in chosen if code not in lacking]
-    result = _skipped_as_one(run_rules(context, codes, options), context)
+    result = run_rules(context, codes, options)
+    if not job.found and context.reading.xacro and context.reading.xacro.is_library:
+        no_robot = Skipped("", context.source.path, DEFINES_NO_LINK)
+        result = result._replace(skipped=(*result.skipped, no_robot))
+    result = _skipped_as_one(result, context)
     unknown = {"": unknown_arguments(context, options.arguments)}
     if names := options.config.argument_names(job.path) - set(options.arguments):
         entry = f"{shown(options.config.path)}: {shown(job.path)} has no"

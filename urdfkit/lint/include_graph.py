@@ -38,7 +38,8 @@ class IncludeGraph:
             # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
             if ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
-                self.names[real] = path
+                if real not in self.names or is_description(path):  # whose link may be called so
+                    self.names[real] = path
                 if b"xacro:include" in source.data:
                     self._including[real] = source.data
         #: The real paths of the files that each xacro includes, by its own.

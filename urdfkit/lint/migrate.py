@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
+from urdfkit.lint.report import DEFINES_NO_LINK
 from urdfkit.lint.rule_index import NOT_CHECKED, all_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
@@ -66,7 +67,7 @@ def migrate(
         for edit in diagnostic.fix.edits:
             edits.setdefault(edit.span.source, []).append(edit)
     texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
-    unread = {skipped.path: skipped.reason for skipped in report.skipped}
+    unread = {one.path: one.reason for one in report.skipped if one.reason != DEFINES_NO_LINK}
     return Migration(texts, tuple(left), tuple(renamed), unread)
 
 

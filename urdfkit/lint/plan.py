@@ -163,8 +163,8 @@ class Plan:
             what = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
             help = "check the package of the robot, too, or pass --package NAME=DIRECTORY"
         else:
-            what = "only macros and parts of robots"
-            help = "check a robot that uses them; urdfkit check --show-files lists the files"
+            what = "".join(f"{shown(one.path)} {one.reason}" for one in self.skipped[:1])
+            help = "name a robot to check; urdfkit check --show-files lists the files"
         named = ", ".join(f"'{shown(directory)}'" for directory in directories)
         first = [*launches, *(skip.path for skip in self.skipped), *directories][0]
         self.unchecked.append((first, f"no robot checked in {named}: {what}", help))

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
 
+#: Why nothing but the text of a file of macros is checked.
+DEFINES_NO_LINK = "defines no link; check a robot that uses it"
+
+
 class Skipped(Record):
     """A rule that did not run, and why."""
 

@@ -35,6 +35,11 @@ def messages(directory: Path, node: str, names: str, yaml: str) -> list[str]:
         ("", "controller", 1),  # servers of Nav2 are called as their programs
         ("", "other", 0),
         ('name="controller", namespace="robot"', "other", 0),
+        ('name="controller", namespace="robot"', "controller", 1),
+        ('name="controller", namespace="/robot"', "/robot/controller", 0),
+        ('name="controller", namespace="robot"', "/**/controller", 0),
+        ('name="controller", namespace=LaunchConfiguration("ns")', "controller", 0),
+        ('namespace="robot"', "controller_server", 1),
     ],
 )
 def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -> None:
@@ -42,6 +47,18 @@ def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -
     listed = '"controller"' if "controller" in name else '"controller_server"'
     found = messages(tmp_path, node, listed, PARAMETERS.format(key))
     assert len([one for one in found if "not read" in one]) == count
+
+
+@pytest.mark.parametrize(
+    ("key", "count"), [("controller_manager", 1), ("arm/controller_manager", 0)]
+)
+def test_a_controller_manager_in_a_namespace(tmp_path: Path, key: str, count: int) -> None:
+    """An arm of six joints: its spawners ask /arm/controller_manager, which knows no controller."""
+    node = (
+        'package="controller_manager", executable="ros2_control_node", namespace="arm", '
+        'parameters=["../a.yaml"]'
+    )
+    assert len(messages(tmp_path, node, "", PARAMETERS.format(key))) == count
 
 
 @pytest.mark.parametrize(

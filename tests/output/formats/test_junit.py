@@ -117,3 +117,13 @@ def test_reports_of_the_models_can_be_read(model) -> None:
     assert outcomes.count("Failure") == len(
         {d.code for d in checked.diagnostics if d.severity is not Severity.INFO}
     )
+
+
+def test_a_robot_that_is_not_checked_is_skipped_with_every_reason() -> None:
+    found = [diagnostic(span(ONE, "arm"), code="CFG003", message=one) for one in ("no", "nor")]
+    skipped = (Skipped("MSH001", "one.urdf", "too much"), Skipped("", "one.urdf", "never"))
+    for some in ((), skipped[:1], skipped):
+        of_file = cases(render(report(*found, files=(), skipped=some)))
+        assert [kind for *_, kind, _ in of_file] == ["Skipped"] * (1 + bool(some))
+        assert "CFG003 no\n" in of_file[-1][3]
+        assert "CFG003 nor\n" in of_file[-1][3]

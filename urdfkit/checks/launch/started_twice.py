@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 from urdfkit.checks.launch.bridged_odometry import bridged_odometry
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import node_parameters
@@ -146,11 +145,10 @@ def _odometry_of(started: StartedProgram, context: Context) -> Iterator[dict[str
     given = dict(_FILTER)
     is_known = started.parameters.is_whole and bool(started.parameters.files)
     for path in started.parameters.files:
-        try:
-            sections = list(node_parameters(context.resolver.read(path)))
-        except UnreadableFile:
+        source = context.resolver.readable(path)
+        if source is None:
             return
-        for node in sections:
+        for node in node_parameters(source):
             if node.name == name:
                 values = {
                     key: one.text for key, one in node.values.items() if isinstance(one, Value)

@@ -6,7 +6,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, option, with_examples
-from urdfkit.cli.mesh.saving import save
+from urdfkit.cli.mesh.saving import FORCE, save
 from urdfkit.cli.progress import working
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import scaled, upright
@@ -22,7 +22,7 @@ from urdfkit.mesh.writers import require_replaceable
 @option("-o, --output OUT", "Write the mesh to this file.", to="out", required=True)
 @option("--upright", "Rotate the up axis of the file to z.", to="turn")
 @option("--scale FACTOR", "Multiply all lengths.", type=float, default=1.0)
-@option("--force", "Replace OUT even if it is a valid mesh.")
+@FORCE
 @limited
 def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     """Convert a mesh to another format, or clean it in the same one.

@@ -7,7 +7,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import choice, limited, option, with_examples
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.mesh.saving import destination, save
+from urdfkit.cli.mesh.saving import FORCE, destination, save
 from urdfkit.cli.progress import working
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.convex_decomposition import ENGINES, decompose
@@ -23,7 +23,7 @@ from urdfkit.mesh.transforms import in_metres
 @option("--split", "One file for each piece: OUT_1, OUT_2, ...")
 @option("--most N", "Maximum number of pieces.", type=int, default=16)
 @choice("--engine", of=ENGINES, help="Decomposition algorithm.")
-@option("--force", "Replace OUT even if it is a valid mesh.")
+@FORCE
 @limited
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
     """Decompose a mesh into convex pieces for physics engines.

@@ -4,6 +4,7 @@ Errors and warnings are failures, infos are output, rules that did not run are s
 that crashed is an error of the test case. A robot that is not checked is a skipped test case.
 """
 
+from operator import itemgetter
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
@@ -31,21 +32,22 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 def _suite(root: Element, path: str, report: Report) -> None:
     suite = SubElement(root, "testsuite", name=xml_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
+    unchecked = []
     for diagnostic in report.diagnostics:
-        is_skipped = diagnostic.code == NOT_CHECKED  # it is in the list of these
-        if posix(diagnostic.span.source.path) == path and not is_skipped:
+        if posix(diagnostic.span.source.path) != path:
+            continue
+        if diagnostic.code == NOT_CHECKED:
+            unchecked.append(f"{_line(diagnostic)}\n{diagnostic.help}")
+        else:
             by_rule.setdefault(f"{diagnostic.code} {diagnostic.name}", []).append(diagnostic)
     for name, diagnostics in sorted(by_rule.items()):
         _case(suite, path, name, diagnostics)
-    reported = {
-        posix(one.span.source.path): f"{_line(one)}\n{one.help}"
-        for one in report.diagnostics
-        if one.code == NOT_CHECKED
-    }
-    for skip in report.skipped:
-        if posix(skip.path) == path:
-            case = _new_case(suite, path, skip.code or "check")
-            SubElement(case, "skipped", message=xml_text(reported.get(path, skip.reason)))
+    skipped = [(one.code, one.reason) for one in report.skipped if posix(one.path) == path]
+    if unchecked:
+        skipped = [*filter(itemgetter(0), skipped), ("", "\n".join(unchecked))]
+    for code, reason in skipped:
+        case = _new_case(suite, path, code or "check")
+        SubElement(case, "skipped", message=xml_text(reason))
     for crash in report.crashed:
         if posix(crash.path) == path:
             case = _new_case(suite, path, crash.code or "check")
