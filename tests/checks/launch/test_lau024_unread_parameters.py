@@ -167,7 +167,7 @@ def test_types(tmp_path: Path, value: str, message: str) -> None:
 def test_the_default_pipeline(tmp_path: Path, default: str, loaded: str, count: int) -> None:
     node = (
         'package="moveit_ros_move_group", executable="move_group", parameters=['
-        f'{{"planning_pipelines": {loaded}, "default_planning_pipeline": {default}}}]'
+        f'{{"planning_pipelines": {loaded}, "default_planning_pipeline": {default}, "ompl": x}}]'
     )
     found = messages(tmp_path, node, "", "")
     assert ["is not in planning_pipelines" in one for one in found] == [True] * count
@@ -206,3 +206,41 @@ def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
     files = {"config/ompl_planning.yaml": yaml}
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BUILDER, files)
     assert [one.help.startswith(help) for one in found] == [True] * bool(help)
+
+
+HANDED = """import yaml
+from launch_ros.actions import Node
+
+def load_yaml(package, path):
+    return yaml.safe_load(open(path))
+
+settings = {}
+Node(package="moveit_ros_move_group", executable="move_group", parameters=[{}, settings])
+"""
+PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
+
+
+@pytest.mark.parametrize(
+    ("settings", "given", "said"),
+    [
+        ("{}", PIPELINES.format('load_yaml("arm", "ompl.yaml")'), ""),
+        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "gets no planning plugin"),
+        ("{}", PIPELINES.format('load_yaml("arm", "missing.yaml")'), ""),
+        ("{}", PIPELINES.format('{"planning_plugin": "ompl_interface/OMPLPlanner"}'), ""),
+        ("{}", '{"planning_pipelines": ["ompl"]}', "gets no planning plugin"),
+        ("other()", '{"planning_pipelines": ["ompl"]}', ""),
+        ("{}\nsettings.update(x=1)", '{"planning_pipelines": ["ompl"]}', ""),
+        ("{}", 'load_yaml("arm", "solvers.yaml")', "are not in robot_description_kinematics"),
+        ("{}", '{"robot_description_kinematics": load_yaml("arm", "solvers.yaml")}', ""),
+        ("{}", '"a.yaml"', ""),
+    ],
+)
+def test_what_move_group_is_handed(tmp_path: Path, settings: str, given: str, said: str) -> None:
+    text = HANDED.replace("settings = {}", f"settings = {settings}").replace("[{}", f"[{given}")
+    files = {
+        "ompl.yaml": "planning_plugins: [ompl_interface/OMPLPlanner]\n",
+        "empty.yaml": "planner_configs: {}\n",
+        "solvers.yaml": "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
+    }
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
+    assert [said in one.message for one in found] == [True] * bool(said)

@@ -17,9 +17,11 @@
 - A configuration of RViz has a display of a class that RViz 2 does not have, such as
   `rviz/LaserScan` of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes
   have relative names, or Gazebo's `model://`: "Could not load resource" (warning).
-- A planning pipeline of MoveIt has no plugin (warning): its file of MoveItConfigsBuilder names none
+- A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
+  nor in the dictionaries that the launch file hands to move_group
   ("Planning plugin name is empty or not defined in namespace 'ompl'"). Or
-  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops).
+  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops). Or
+  the solvers are not below `robot_description_kinematics` (warning).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - static_transform_publisher gets an option that it does not have, or another number of words: a
   period behind the frames belongs to ROS 1.
