@@ -133,7 +133,7 @@ def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> N
     assert found.help.startswith(help)
 
 
-def test_all_errors_are_told_each_at_its_place() -> None:
+def test_all_errors_are_reported_each_at_its_place() -> None:
     body = (
         '<link name="${a}"/>\n<xacro:nope/>\n<xacro:property name="p" scope="parent" value="1"/>\n'
         '<xacro:if value="${b}"/>\n<xacro:include filename="none.xacro"/>'
@@ -186,7 +186,7 @@ class TestMissingFiles:
         directory = tmp_path / "config"
         assert found.help == f"directory 'ur5x' not found in {directory}; did you mean 'ur5e'?"
 
-    def test_what_lacks_because_of_it_is_not_told(self) -> None:
+    def test_what_lacks_because_of_it_is_not_reported(self) -> None:
         body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'
         assert codes(body) == ["XAC001"]
 
