@@ -3,6 +3,7 @@
 A pattern that looks for an end anew from each beginning takes quadratic time.
 """
 
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -138,3 +139,24 @@ def test_a_directory(piece: bytes, tmp_path: Path):
         return lambda: discover(str(directory), Config(), Resolver())
 
     assert_linear(reading, MANY)
+
+
+def test_a_comment_of_200_000_codes_is_read_once_a_rule() -> None:
+    """Not once a finding, of which there may be a thousand: that took minutes."""
+    start = time.process_time()
+    comment = f"<!-- urdfkit: ignore[{'A,' * 200_000}] -->"
+    report = check(Source("r.urdf", f'<robot name="r">{comment}<link name="a"/></robot>'.encode()))
+    assert "CFG002" in {one.code for one in report.diagnostics}
+    assert time.process_time() - start < 20
+
+
+def test_a_manifest_of_many_dependencies_is_read_once_for_many_packages(tmp_path: Path) -> None:
+    """Not once for each package that is missing: that took 40 s."""
+    start = time.process_time()
+    depends = "".join(f"<depend>a{number}</depend>" for number in range(30_000))
+    add_file(tmp_path / "package.xml", f"<package><name>p</name>{depends}</package>".encode())
+    links = "".join(mesh_link(f"package://p{n}/a.stl", link=f"l{n}") for n in range(1000))
+    robot = add_file(tmp_path / "r.urdf", f'<robot name="r">{links}</robot>'.encode())
+    report = check(robot, select=["XAC011"])
+    assert len(report.diagnostics) == 1000
+    assert time.process_time() - start < 15

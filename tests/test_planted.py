@@ -26,6 +26,7 @@ ROBOTS: dict[str, tuple[Path, tuple[str, ...]]] = {
     "crawler": (CARRIERS / "crawler", ("urdf/crawler.xacro", "launch/gazebo.launch")),
     "picker": (CARRIERS / "picker", ("urdf/picker.urdf",)),
     "porter": (CARRIERS / "porter", (".",)),
+    "arm": (CARRIERS / "arm", (".",)),
     "car": (CARRIERS / "car", (".",)),
     "drone": (CARRIERS / "drone", (".",)),
     "mobile_base": (MODELS / "good" / "mobile_base", ("urdf/mobile_base.urdf.xacro",)),

@@ -145,3 +145,15 @@ def test_boxes_are_covered_as_stated(
     assert (spheres.radii > 0).all()
     low, high = surface.min(axis=(0, 1)), surface.max(axis=(0, 1))
     assert ((spheres.centers > low - 1e-9) & (spheres.centers < high + 1e-9)).all()
+
+
+def test_points_are_inside_of_one_of_two_solids_that_overlap() -> None:
+    moved = ROD + np.array((0.01, 0.02, 0.1))
+    points = np.random.default_rng(0).uniform((-0.04, -0.04, -0.3), (0.04, 0.05, 0.4), (2000, 3))
+    half = np.array((0.02, 0.02, 0.2))
+    expected = [
+        (np.abs(points - place) < half).all(axis=1) for place in ((0, 0, 0), (0.01, 0.02, 0.1))
+    ]
+    found = are_inside(np.concatenate([ROD, moved]), points)
+    assert (found == (expected[0] | expected[1])).all()
+    assert are_inside(ROD, np.empty((0, 3))).shape == (0,)

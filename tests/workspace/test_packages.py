@@ -374,3 +374,29 @@ def test_meshes_far_above_a_robot_are_not_its_own(tmp_path: Path) -> None:
     add_file(tmp_path / "arm" / "meshes" / "link.stl")
     near = add_file(tmp_path / "arm" / "a" / "b" / "c" / "arm.urdf")
     assert root(near) == (str(near.parent), "")
+
+
+@pytest.mark.parametrize(
+    ("link", "mark", "is_followed"),
+    [
+        ("repository/hands", "repository/.git/HEAD", False),
+        ("repository/arm/src/hands", "repository/.git/HEAD", False),
+        ("src/repository/hands", "src/repository/.git/HEAD", False),
+        ("unpacked/hands", "unpacked/LICENSE", False),
+        ("src/hands", "src/repository/.git/HEAD", True),  # which the user made
+        ("src/hands", ".git/HEAD", False),  # a workspace that is a repository
+    ],
+)
+def test_a_link_out_of_a_repository_leads_to_no_package(
+    tmp_path: Path, link: str, mark: str, is_followed: bool
+) -> None:
+    """A pull request may bring it, to read what it has no business with."""
+    outside = add_package(tmp_path / "outside" / "hand", "hand")
+    top = tmp_path / "top"
+    add_file(top / mark)
+    at = top / link
+    near = add_package(top / Path(link).parts[0] / "repository" / "arm", "arm") / "arm.urdf"
+    at.parent.mkdir(parents=True, exist_ok=True)
+    at.symlink_to(outside.parent)
+    expected = str(at / "hand") if is_followed else None
+    assert first(finder(), "hand", near) == expected

@@ -8,6 +8,10 @@ which program.
 import os
 import re
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from urdfkit.errors import MissingLibrary
 
 #: Where the package ``urdfkit`` is: a checkout, or ``site-packages``.
 _HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -28,6 +32,21 @@ def install_command(extra: str) -> str:
     if "archive-v" in sys.prefix or "environments-v" in sys.prefix:  # of uv's cache
         return f"uvx --from {requirement} urdfkit"
     return f"{_program()} {requirement}"
+
+
+@contextmanager
+def needing(what: str, extra: str) -> Iterator[None]:
+    """For the imports of libraries in an extra, without which something cannot be done.
+
+    Raises:
+        MissingLibrary: one is not installed; with what installs it.
+    """
+    try:
+        yield
+    except MissingLibrary:
+        raise
+    except ImportError as error:
+        raise MissingLibrary(f"{what} needs {error.name}: {install_command(extra)}") from error
 
 
 def _program() -> str:

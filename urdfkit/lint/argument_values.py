@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.words import few
-from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.errors import PackageNotFound
 from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
@@ -114,11 +114,8 @@ def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues 
 
 def _default(name: str, path: str, resolver: Resolver) -> str | None:
     """The default of an argument that a file declares; None if there is none."""
-    try:
-        data = resolver.read(path).data
-    except UnreadableFile:
-        return None
-    for tag in _DECLARATION.findall(without_comments(data)):
+    source = resolver.readable(path)
+    for tag in _DECLARATION.findall(without_comments(source.data)) if source else ():
         words = _attributes(tag, b"name", b"default")
         if words.get(b"name") == name and "$" not in words.get(b"default", "$"):
             return words[b"default"]

@@ -12,8 +12,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.core.installation import install_command
-from urdfkit.errors import UrdfkitError
+from urdfkit.core.installation import needing
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
@@ -138,11 +137,8 @@ def _generated_meshes(
     files: Iterable[str | os.PathLike[str]], options: Options, *, force: bool
 ) -> GeneratedMeshes:
     """Meshes for the files of all robots; of a file that several name, that of the last."""
-    try:
+    with needing("generating meshes", "meshes"):
         from urdfkit.robot.assets import placeholder_meshes
-    except ImportError as error:
-        text = f"generating meshes needs {error.name}: {install_command('meshes')}"
-        raise UrdfkitError(text) from error
     found: dict[str, GeneratedMesh | NotGenerated] = {}
     for robot in filter(None, contexts(options, files)):
         if robot.reading.document is None:

@@ -26,8 +26,12 @@ def apply_suppressions(
     kept: list[Diagnostic] = []
     suppressed = 0
     hits: set[Span] = set()
+    known: dict[tuple[str, str, Severity], list[Ignore]] = {}  # the comments that name a rule
     for diagnostic in diagnostics:
-        naming = [comment for comment in comments if _names(comment, diagnostic)]
+        key = (diagnostic.code, diagnostic.name, diagnostic.severity)
+        if key not in known:
+            known[key] = [comment for comment in comments if _names(comment, diagnostic)]
+        naming = known[key]
         at_place = [comment for comment in naming if comment.covers(diagnostic.span)]
         hits.update(comment.span for comment in at_place)
         calls = [] if at_place else _remaining(diagnostic, naming, hits)

@@ -1,15 +1,19 @@
 """Which points lie inside of closed surfaces."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from urdfkit.mesh.convex_hull import NoHull, hull
-from urdfkit.mesh.geometry import Flags, Floats, Mesh
+from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.mesh.health import examine_mesh
 
 #: In m.
 _LARGEST = 1e5
 #: Points on each line.
 _ON_EACH = 10
+#: Lines that are looked at together.
+_GROUP = 32
 
 
 def columns_inside(triangles: Floats, columns: Floats, heights: Floats) -> Flags:
@@ -27,17 +31,29 @@ def columns_inside(triangles: Floats, columns: Floats, heights: Floats) -> Flags
     turns = _cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     (low_x, low_y), (high_x, high_y) = corners.min(axis=1).T, corners.max(axis=1).T
     found = np.zeros(heights.shape, dtype=bool)
-    for number, (x, y) in enumerate(columns):
-        near = (low_x <= x) & (high_x >= x) & (low_y <= y) & (high_y >= y) & (turns != 0)
-        chosen = np.flatnonzero(near)
-        a, b, c = (corners[chosen] - (x, y)).swapaxes(0, 1)
-        weights = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)], axis=1)
-        met = (weights > 0).all(axis=1) | (weights < 0).all(axis=1)
-        chosen, weights = chosen[met], weights[met]
-        crossed = np.einsum("ij,ij->i", weights, triangles[chosen, :, 2]) / weights.sum(axis=1)
-        entered = np.sign(turns[chosen]) @ (crossed[:, None] > heights[number])
-        found[number] = entered > 0.5
+    for group in _neighbours(columns):
+        lines = columns[group]
+        (left, front), (right, back) = lines.min(axis=0), lines.max(axis=0)
+        near = (low_x <= right) & (high_x >= left) & (low_y <= back) & (high_y >= front)
+        chosen = np.flatnonzero(near & (turns != 0))
+        a, b, c = (corners[chosen, corner] - lines[:, None] for corner in range(3))
+        weights = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)])
+        met = (weights > 0).all(axis=0) | (weights < 0).all(axis=0)
+        line, hit = np.nonzero(met)
+        hit_weights, hit = weights[:, line, hit], chosen[hit]
+        crossed = np.einsum("ji,ij->i", hit_weights, triangles[hit, :, 2]) / hit_weights.sum(axis=0)
+        entered = np.zeros((len(group), heights.shape[1]))
+        signs = np.sign(turns[hit])[:, None]
+        np.add.at(entered, line, signs * (crossed[:, None] > heights[group[line]]))
+        found[group] = entered > 0.5
     return found
+
+
+def _neighbours(columns: Floats) -> Iterator[Integers]:
+    """The numbers of lines in groups that are near each other, which few triangles meet."""
+    count = int(np.ceil(np.sqrt(len(columns) / _GROUP)))
+    for strip in np.array_split(np.argsort(columns[:, 0]), count) if count else ():
+        yield from np.array_split(strip[np.argsort(columns[strip, 1])], count)
 
 
 def are_inside(triangles: Floats, points: Floats) -> Flags:
@@ -66,7 +82,7 @@ def points_inside(triangles: Floats, columns: int, seed: int) -> tuple[Floats, f
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    product: Floats = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    product: Floats = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
     return product
 
 

@@ -53,9 +53,11 @@ _SWAPS = 60
 #: How far a center moves at once, as a part of its depth.
 _INSIDE = 0.9
 #: Of what may stay out, this part is covered, as other points show a little less.
-_SPARE = 0.08
+_SPARE = 0.11
 #: Less than any area of a triangle that counts.
 _TINY = 1e-300
+#: What lengths are counted in, as a part of the size; the largest of them; rows at a time.
+_UNIT, _MOST, _ROWS = 2.0**-14, 2**15 - 1, 500
 _SEED = 11
 
 
@@ -97,9 +99,12 @@ class Covering:
         medial = medial[are_inside(triangles, medial)]
         self._centers = np.concatenate([medial, points[:: max(1, len(points) // _ELSEWHERE)]])
         self._depths, _ = self._tree.query(self._centers)
-        #: (k, n), by how much a candidate has to stick out to cover a point, as a part of the size.
-        needed = cdist(rough, self._centers) - self._depths
-        self._sticks_out, self._size = (needed / size).astype(np.float16), size
+        self._size = size
+        #: (k, n), by how much a candidate sticks out to cover a point, in `_UNIT` of the size.
+        self._sticks_out = np.empty((len(rough), len(self._centers)), dtype=np.int16)
+        for start in range(0, len(rough), _ROWS):
+            needed = cdist(rough[start : start + _ROWS], self._centers) - self._depths
+            self._sticks_out[start : start + _ROWS] = needed / (size * _UNIT)
 
     def _sample(self, triangles: Floats, columns: int, surface: Floats) -> Floats:
         """Points inside; of a thin part, which has few, also some of its surface."""
@@ -131,15 +136,20 @@ class Covering:
         Returns:
             Nothing if more than so many are needed.
         """
-        covers = self._sticks_out <= margin / self._size
+        covers = self._covers(margin)
         chosen = _pruned(
             covers, _greedy(covers, self._roughly_allowed, 2 * most), self._roughly_allowed
         )
         return chosen if len(chosen) <= most else []
 
+    def _covers(self, margin: float) -> Flags:
+        """(k, n), which candidates cover a point with a margin."""
+        covers: Flags = self._sticks_out <= int(min(margin / (self._size * _UNIT), _MOST))
+        return covers
+
     def further(self, chosen: list[int], margin: float) -> int:
         """The candidate that covers most of what the chosen ones leave out with a margin."""
-        covers = self._sticks_out <= margin / self._size
+        covers = self._covers(margin)
         return int(covers[~covers[:, chosen].any(axis=1)].sum(axis=0).argmax())
 
     def refined(self, chosen: list[int]) -> tuple[Spheres, float]:
@@ -149,7 +159,7 @@ class Covering:
         """
         random = np.random.default_rng(_SEED)
         centers, depths = self._centers[chosen], self._depths[chosen]
-        needed = cdist(self._points, centers) - depths
+        needed = cdist(centers, self._points) - depths[:, None]
         least, best, step = self._margin(needed), (centers, depths), self._step
         for _ in range(_ROUNDS):
             directions = random.normal(size=(_DIRECTIONS, 3))
@@ -163,11 +173,11 @@ class Covering:
                 if nearest:
                     moved[number], moved_depths[number] = tried[nearest], below[nearest]
                     at = tried[nearest : nearest + 1]
-                    needed[:, number] = cdist(self._points, at)[:, 0] - below[nearest]
+                    needed[number] = cdist(at, self._points)[0] - below[nearest]
             # Of a thin part the samples of the surface are farther than the surface.
             is_inside = are_inside(self._triangles, moved)
             left = np.flatnonzero(~is_inside)
-            needed[:, left] = cdist(self._points, centers[left]) - depths[left]
+            needed[left] = cdist(centers[left], self._points) - depths[left, None]
             centers = np.where(is_inside[:, None], moved, centers)
             depths = np.where(is_inside, moved_depths, depths)
             if (margin := self._margin(needed)) < least:
@@ -177,21 +187,22 @@ class Covering:
 
     def _margin(self, needed: Floats) -> float:
         """The least margin with which spheres cover enough, in m."""
-        return float(np.sort(needed.min(axis=1))[-1 - self._allowed])
+        place = needed.shape[1] - 1 - self._allowed
+        return float(np.partition(needed.min(axis=0), place)[place])
 
     def _best(
         self, needed: Floats, number: int, tried: Floats, below: Floats, margin: float, reach: float
     ) -> int:
         """Where a sphere leaves the fewest points out, by its number; near misses count in part."""
         soft = _SOFT * max(margin, _LEAST * self._size)
-        near = np.flatnonzero(needed[:, number] < margin + 2 * reach + _FAR * soft)
-        others = needed[near]
-        others[:, number] = np.inf
-        rest = others.min(axis=1)
+        near = np.flatnonzero(needed[number] < margin + 2 * reach + _FAR * soft)
+        others = needed[:, near]
+        others[number] = np.inf
+        rest = others.min(axis=0)
         alone = rest > margin - _FAR * soft
-        needs = cdist(self._points[near[alone]], tried) - below
-        beyond = (np.minimum(needs, rest[alone, None]) - margin) / soft
-        return int(np.tanh(beyond).sum(axis=0).argmin())
+        needs = cdist(tried, self._points[near[alone]]) - below[:, None]
+        beyond = (np.minimum(needs, rest[alone]) - margin) / soft
+        return int(np.tanh(beyond).sum(axis=1).argmin())
 
     def _spheres(self, centers: Floats, depths: Floats) -> Spheres:
         """Spheres just large enough for their own points; the farthest points stay uncovered."""

@@ -7,8 +7,8 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary, UnreadableRobot
+from urdfkit.core.installation import needing
+from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.robot.model import RobotModel
@@ -35,10 +35,8 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: yourdfpy does not get through it; ``urdfkit.check`` says why.
     """
-    try:
+    with needing("to_yourdfpy", "exchange"):
         from yourdfpy import URDF
-    except ImportError as error:
-        raise MissingLibrary(f"needs yourdfpy: {install_command('exchange')}") from error
 
     if isinstance(robot, RobotModel):
         resolver, path = Resolver(robot.packages), robot.document.sources[0].path

@@ -10,10 +10,9 @@
 gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
 """
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import needing
 
-try:
+with needing("rendering", "render"):
     from urdfkit.render.animation import (
         animated,
         animation_format,
@@ -33,10 +32,6 @@ try:
     from urdfkit.render.materials import SurfaceMaterial
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
-except ImportError as error:
-    raise MissingLibrary(
-        f"rendering needs {error.name}, which is not installed: {install_command('render')}"
-    ) from error
 
 __all__ = [
     "LAYERS",

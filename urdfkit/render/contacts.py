@@ -3,8 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import needing
 from urdfkit.lint.context import Context
 from urdfkit.robot.adjacency import Adjacency
 
@@ -27,13 +26,11 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     Raises:
         MissingLibrary: coal is not installed.
     """
-    try:
+    with needing("the layer of contacts", "dynamics"):
         from urdfkit.physics.collision.batch_kinematics import tree_arrays
         from urdfkit.physics.collision.collision_geometry import build_geometry
         from urdfkit.physics.collision.geometry_arrays import collision_arrays
         from urdfkit.physics.collision.pair_queries import CollisionModel
-    except ImportError as error:
-        raise MissingLibrary(f"contacts need coal: {install_command('dynamics')}") from error
     moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
     known = set(moving.links)

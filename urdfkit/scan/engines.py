@@ -7,8 +7,8 @@ from itertools import islice
 from queue import SimpleQueue
 from typing import Any
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.core.installation import needing
+from urdfkit.errors import UrdfkitError
 from urdfkit.scan.isolated import Isolated, Settings
 from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow
@@ -104,10 +104,8 @@ def dask(
 
 
 def _dask_client(jobs: int, address: str) -> Any:
-    try:
+    with needing("--engine dask", "scan"):
         from distributed import Client
-    except ImportError as error:
-        raise MissingLibrary(f"--engine dask needs Dask: {install_command('scan')}") from error
     here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
     try:
         return Client(address) if address else Client(**here)

@@ -5,8 +5,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import Any
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import needing
 from urdfkit.scan import journal
 from urdfkit.scan.rows import FindingRow, ModelRow
 
@@ -22,11 +21,9 @@ def write_tables(directory: str) -> None:
         MissingLibrary: pyarrow is not installed.
         UnreadableFile: the directory holds no scan.
     """
-    try:
+    with needing("Parquet", "scan"):
         import pyarrow
         from pyarrow.parquet import ParquetWriter
-    except ImportError as error:
-        raise MissingLibrary(f"Parquet needs pyarrow: {install_command('scan')}") from error
     kinds = {"str": pyarrow.string(), "int": pyarrow.int64(), "float": pyarrow.float64()}
 
     def schema(fields: dict[str, str]) -> Any:

@@ -18,7 +18,7 @@ from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
-from urdfkit.core.installation import install_command
+from urdfkit.core.installation import needing
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.options import Options
@@ -175,14 +175,12 @@ def application(viewer: Viewer, token: str) -> Starlette:
     Raises:
         UrdfkitError: Starlette is not installed.
     """
-    try:
+    with needing("the viewer", "report"):
         from starlette.applications import Starlette
         from starlette.middleware import Middleware
         from starlette.middleware.trustedhost import TrustedHostMiddleware
         from starlette.responses import HTMLResponse, JSONResponse, Response, StreamingResponse
         from starlette.routing import Route
-    except ImportError as error:
-        raise UrdfkitError(f"the viewer needs a server: {install_command('report')}") from error
 
     async def page(request: Request) -> Response:
         return HTMLResponse(await asyncio.to_thread(viewer.page), headers=_HEADERS)
@@ -244,10 +242,8 @@ def serve(
         UrdfkitError: the robot's file is missing, the port is taken, or a library is missing.
         KeyboardInterrupt: Ctrl-C.
     """
-    try:
+    with needing("the viewer", "report"):
         import uvicorn
-    except ImportError as error:
-        raise UrdfkitError(f"the viewer needs a server: {install_command('report')}") from error
 
     try:
         listening = socket.create_server((HOST, port))  # a browser that comes early waits

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from functools import lru_cache
 
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
@@ -52,7 +53,7 @@ class Manifest(Record):
     @property
     def dependencies(self) -> frozenset[str]:
         """Names of packages, of every kind of dependency."""
-        return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, self.data))
+        return _dependencies(self.data)
 
     @property
     def dependency_tag(self) -> str:
@@ -65,6 +66,11 @@ class Manifest(Record):
         """1 or 2 by the build system; None if it does not say, or has one for each."""
         systems = set(re.findall(_BUILD, self.data))
         return {b"catkin": 1, b"ament": 2}[systems.pop()] if len(systems) == 1 else None
+
+
+@lru_cache(maxsize=8)  # a robot may name a thousand packages that are missing
+def _dependencies(data: bytes) -> frozenset[str]:
+    return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, data))
 
 
 def manifest_of(resolver: Resolver, path: str) -> Manifest | None:

@@ -4,6 +4,7 @@ import os
 import time
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.words import counted
 from urdfkit.workspace.directories import is_walked
 from urdfkit.workspace.package_directories import PackageDirectories
@@ -73,15 +74,27 @@ class PackageScan:
         for entry in sorted(entries):
             if entries[entry] and is_walked(entry):
                 path = os.path.join(directory, entry)
-                if not self._in_a_circle(path):
+                if not self._is_left_out(path):
                     self._queue.append((path, depth + 1))
 
-    def _in_a_circle(self, path: str) -> bool:
-        """True if a symbolic link leads to where another led, or to a directory around it."""
+    def _is_left_out(self, path: str) -> bool:
+        """True of a symbolic link to where another led, to a directory around it, or outside."""
         if not self._directories.listings.is_link(path):
             return False
         real = disk.real(path)
-        if real in self._linked or (path + os.sep).startswith(real + os.sep):
+        is_circle = real in self._linked or is_within(path, real)
+        if is_circle or (self._nested and self._leads_out(path, real)):
             return True
         self._linked.add(real)
         return False
+
+    def _leads_out(self, path: str, real: str) -> bool:
+        """True if a link leads out of the repository that it is a part of.
+
+        Its author may be a stranger. In the ``src`` of a workspace the user puts links himself.
+        """
+        above = list(upwards(os.path.dirname(path)))
+        repository = next((at for at in above if disk.exists(os.path.join(at, ".git"))), None)
+        if repository is None and os.path.basename(above[0]) == "src":
+            return False
+        return not is_within(real, disk.real(repository or self.root))

@@ -119,6 +119,13 @@ class Resolver:
             raise UnreadableFile(f"{path}: {OUTSIDE}")
         return self._read(path)
 
+    def readable(self, path: str) -> Source | None:
+        """A file as of `read`; None if it cannot be read."""
+        try:
+            return self.read(path)
+        except UnreadableFile:
+            return None
+
     def _read(self, path: str) -> Source:
         data = self.text(path)
         return Source.read(path) if data is None else Source(path, data)

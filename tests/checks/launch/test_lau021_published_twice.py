@@ -110,3 +110,41 @@ def test_claims(tmp_path: Path, text: str, claimed: str) -> None:
     assert [claimed in one and "'position' of joint 'j2'" in one for one in found] == (
         [True] if claimed else []
     )
+
+
+DRIVE = """
+<gazebo><plugin filename="gz-sim-diff-drive-system" name="drive"><frame_id>odom</frame_id>
+<child_frame_id>{}</child_frame_id></plugin></gazebo></robot>"""
+BRIDGE = (
+    "Node(package='ros_gz_bridge', executable='parameter_bridge', "
+    "arguments=['{}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V'])\n"
+)
+EKF = "Node(package='robot_localization', executable='ekf_node', parameters=['{}/ekf.yaml'])\n"
+FILTER = (
+    "ekf_filter_node: {{ros__parameters: {{odom_frame: odom, world_frame: odom, "
+    "base_link_frame: base, publish_tf: {}}}}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("base", "topic", "filter", "said"),
+    [
+        ("base", "/tf", "", ""),
+        ("lidar", "/tf", "", "that of joint 'mast'"),
+        ("lidar", "/model/r/pose", "", ""),
+        ("base", "/tf", "true", "is published twice"),
+        ("base", "/tf", "false", ""),
+        ("base", "/other", "true", ""),
+    ],
+)
+def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, said: str) -> None:
+    plugin = DRIVE.replace("<frame_id>", "<tf_topic>tf</tf_topic><frame_id>").format(base)
+    robot = f"open('{tmp_path}/r.urdf')\n"
+    bridge = BRIDGE.format(topic)
+    text = robot + STATE + bridge + (EKF.format(tmp_path) if filter else "")
+    files = {
+        "r.urdf": ROBOT.replace("</robot>", plugin),
+        "ekf.yaml": FILTER.format(filter or "true"),
+    }
+    found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
+    assert [said in one.message for one in found] == [True] * bool(said)

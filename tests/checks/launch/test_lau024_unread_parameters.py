@@ -35,6 +35,11 @@ def messages(directory: Path, node: str, names: str, yaml: str) -> list[str]:
         ("", "controller", 1),  # servers of Nav2 are called as their programs
         ("", "other", 0),
         ('name="controller", namespace="robot"', "other", 0),
+        ('name="controller", namespace="robot"', "controller", 1),
+        ('name="controller", namespace="/robot"', "/robot/controller", 0),
+        ('name="controller", namespace="robot"', "/**/controller", 0),
+        ('name="controller", namespace=LaunchConfiguration("ns")', "controller", 0),
+        ('namespace="robot"', "controller_server", 1),
     ],
 )
 def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -> None:
@@ -42,6 +47,18 @@ def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -
     listed = '"controller"' if "controller" in name else '"controller_server"'
     found = messages(tmp_path, node, listed, PARAMETERS.format(key))
     assert len([one for one in found if "not read" in one]) == count
+
+
+@pytest.mark.parametrize(
+    ("key", "count"), [("controller_manager", 1), ("arm/controller_manager", 0)]
+)
+def test_a_controller_manager_in_a_namespace(tmp_path: Path, key: str, count: int) -> None:
+    """An arm of six joints: its spawners ask /arm/controller_manager, which knows no controller."""
+    node = (
+        'package="controller_manager", executable="ros2_control_node", namespace="arm", '
+        'parameters=["../a.yaml"]'
+    )
+    assert len(messages(tmp_path, node, "", PARAMETERS.format(key))) == count
 
 
 @pytest.mark.parametrize(
@@ -150,7 +167,7 @@ def test_types(tmp_path: Path, value: str, message: str) -> None:
 def test_the_default_pipeline(tmp_path: Path, default: str, loaded: str, count: int) -> None:
     node = (
         'package="moveit_ros_move_group", executable="move_group", parameters=['
-        f'{{"planning_pipelines": {loaded}, "default_planning_pipeline": {default}}}]'
+        f'{{"planning_pipelines": {loaded}, "default_planning_pipeline": {default}, "ompl": x}}]'
     )
     found = messages(tmp_path, node, "", "")
     assert ["is not in planning_pipelines" in one for one in found] == [True] * count
@@ -189,3 +206,41 @@ def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
     files = {"config/ompl_planning.yaml": yaml}
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BUILDER, files)
     assert [one.help.startswith(help) for one in found] == [True] * bool(help)
+
+
+HANDED = """import yaml
+from launch_ros.actions import Node
+
+def load_yaml(package, path):
+    return yaml.safe_load(open(path))
+
+settings = {}
+Node(package="moveit_ros_move_group", executable="move_group", parameters=[{}, settings])
+"""
+PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
+
+
+@pytest.mark.parametrize(
+    ("settings", "given", "said"),
+    [
+        ("{}", PIPELINES.format('load_yaml("arm", "ompl.yaml")'), ""),
+        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "gets no planning plugin"),
+        ("{}", PIPELINES.format('load_yaml("arm", "missing.yaml")'), ""),
+        ("{}", PIPELINES.format('{"planning_plugin": "ompl_interface/OMPLPlanner"}'), ""),
+        ("{}", '{"planning_pipelines": ["ompl"]}', "gets no planning plugin"),
+        ("other()", '{"planning_pipelines": ["ompl"]}', ""),
+        ("{}\nsettings.update(x=1)", '{"planning_pipelines": ["ompl"]}', ""),
+        ("{}", 'load_yaml("arm", "solvers.yaml")', "are not in robot_description_kinematics"),
+        ("{}", '{"robot_description_kinematics": load_yaml("arm", "solvers.yaml")}', ""),
+        ("{}", '"a.yaml"', ""),
+    ],
+)
+def test_what_move_group_is_handed(tmp_path: Path, settings: str, given: str, said: str) -> None:
+    text = HANDED.replace("settings = {}", f"settings = {settings}").replace("[{}", f"[{given}")
+    files = {
+        "ompl.yaml": "planning_plugins: [ompl_interface/OMPLPlanner]\n",
+        "empty.yaml": "planner_configs: {}\n",
+        "solvers.yaml": "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
+    }
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
+    assert [said in one.message for one in found] == [True] * bool(said)

@@ -5,7 +5,8 @@ drives too fast or too slow, and measures too little or too much; with a wrong s
 by the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
 sphere, how large. Write its values into the plugin or the parameter file, corrections into
 multipliers, of which a controller's length is not reported. A separation larger than the track is
-not reported where wheels slip in turns.
+not reported where wheels slip in turns, nor any if the collision of a wheel is farther from its
+joint than its diameter.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -83,7 +84,7 @@ def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
 def _separations(driven: list[DrivenWheel]) -> list[float]:
     """How far the first pair of parallel wheels is apart, in m."""
     for left, right in ((left.wheel, right.wheel) for left, right in pairs(driven)):
-        if left.is_parallel(right):
+        if left.is_parallel(right) and left.is_at_joint:
             return _distances(left, right, left.axis) if left.hub and right.hub else []
     return []
 
@@ -137,7 +138,8 @@ def _real(measure: Measure, controller: Controller, context: Context) -> list[fl
     if measure.kind == "track":
         return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
     left, right = sides[0][0], sides[1][0]
-    are_apart = left.is_parallel(right) and not left.is_flat  # see RCT025
+    # See RCT025 of flat ones, and GEO004 of a collision that is far from its joint.
+    are_apart = left.is_parallel(right) and not left.is_flat and left.is_at_joint
     return _distances(left, right, left.axis) if are_apart else []
 
 

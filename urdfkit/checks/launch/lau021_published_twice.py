@@ -9,7 +9,8 @@
   become active. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot:
   it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
-  robot_localization is a link with a joint above it, which gives the link two parents.
+  robot_localization is a link with a joint above it, which gives the link two parents. The same
+  holds for the transform of gz-sim's drives and OdometryPublisher, where the bridge passes it on.
 - `ros2_control_node` beside Gazebo's plugin, which runs a controller manager of its own: which one
   a spawner reaches is chance. Two robot_state_publishers of one robot.
 

@@ -28,7 +28,6 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -270,11 +269,8 @@ def _unknown_parents(
 def _other_world(context: Context) -> Findings:
     """A world frame of robot_localization that is neither of its two."""
     for file in context.launch.parameters:
-        try:
-            root = load(context.resolver.read(file.path))
-        except UnreadableFile:
-            continue
-        for section in _sections(root):
+        source = context.resolver.readable(file.path)
+        for section in _sections(load(source)) if source else ():
             world, base = section.get("world_frame"), section.get("base_link_frame")
             others = [section.get(key) for key in ("odom_frame", "map_frame")]
             names = [one.text for one in others if isinstance(one, Value)]

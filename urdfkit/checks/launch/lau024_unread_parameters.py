@@ -2,7 +2,7 @@
 
 - A file of parameters names another node than the one that gets it (warning). ROS 2 reads what is
   below the name of the node, or below `/**`; the rest is ignored in silence, and the node runs by
-  its defaults. The name is that which the launch file gives.
+  its defaults. The name is that which the launch file gives, and in the namespace that it gives.
 - `odom0_config` and its like have not 15 values: robot_localization reads five rows of three.
 - A costmap names a plugin in `plugins` or `filters` for which there are no parameters: "Can not get
   'plugin' param value for voxel_layer". The same holds for `controller_plugins` and
@@ -17,9 +17,11 @@
 - A configuration of RViz has a display of a class that RViz 2 does not have, such as
   `rviz/LaserScan` of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes
   have relative names, or Gazebo's `model://`: "Could not load resource" (warning).
-- A planning pipeline of MoveIt has no plugin (warning): its file of MoveItConfigsBuilder names none
+- A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
+  nor in the dictionaries that the launch file hands to move_group
   ("Planning plugin name is empty or not defined in namespace 'ompl'"). Or
-  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops).
+  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops). Or
+  the solvers are not below `robot_description_kinematics` (warning).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - static_transform_publisher gets an option that it does not have, or another number of words: a
   period behind the frames belongs to ROS 1.
@@ -39,7 +41,6 @@ from urdfkit.checks.launch.parameter_types import old_model, whole_frequency, wr
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import (
     Context,
     Finding,
@@ -84,13 +85,9 @@ _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node",
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    found: dict[str, list[NodeParameters]] = {}
-    for file in context.launch.parameters:
-        if file.exists and file.path not in found:
-            try:
-                found[file.path] = list(node_parameters(context.resolver.read(file.path)))
-            except UnreadableFile:
-                continue
+    paths = dict.fromkeys(file.path for file in context.launch.parameters if file.exists)
+    sources = filter(None, map(context.resolver.readable, paths))
+    found = {source.path: list(node_parameters(source)) for source in sources}
     names = [one.name for several in found.values() for one in several]
     for several in found.values():
         for one in several:
@@ -146,18 +143,47 @@ def _of_others(context: Context, found: dict[str, list[NodeParameters]]) -> Find
         users = [one for one in started if path in one.parameters.files]
         names = {one.name for one in several}
         yield from _misnamed(several, users)
+        if not launch.has_scopes:
+            yield from _outside_namespace(several, users)
         is_known = users and all(map(_is_named, users)) and not launch.has_scopes
         if not names or not is_known or any("*" in name for name in names):
             continue
         if names.isdisjoint(one.name for one in users) and names.isdisjoint(COSTMAPS):
             who = users[0]
+            likely = who.executable if who.executable in names else nearest(who.name, names)
+            section = next((one for one in several if one.name == likely), several[0])
             yield Finding(
-                Location(several[0].at),
-                f"parameters of '{several[0].name}' are not read: the node is called '{who.name}'",
-                f"write {who.name}, or name the node {several[0].name}",
+                Location(section.at),
+                f"parameters of '{section.name}' are not read: the node is called '{who.name}'",
+                f"write {who.name}, or name the node {section.name}",
                 related=(Related(who.span, "the node that gets the file"),),
                 severity=Severity.WARNING,
             )
+
+
+def _outside_namespace(several: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """The sections of nodes that are started in a namespace, which the file does not write."""
+    if any("*" in f"{one.namespace}/{one.name}" for one in several):
+        return
+    for one in several:
+        owners = [user for user in users if _node_name(user) == one.name]
+        written = {section.namespace.strip("/") for section in several if section.name == one.name}
+        if owners and all(user.namespace and user.namespace not in written for user in owners):
+            who = owners[0]
+            yield Finding(
+                Location(one.at),
+                f"parameters of '{one.name}' are not read: the node is "
+                f"'/{who.namespace}/{one.name}'",
+                f"write the section below {who.namespace}:, or below /**:",
+                related=(Related(who.span, "the node that gets the file"),),
+                severity=Severity.WARNING,
+            )
+
+
+def _node_name(started: StartedProgram) -> str:
+    """The name that a node has, or that it most likely gives itself."""
+    is_manager = started.executable == "ros2_control_node"
+    return started.name or ("controller_manager" if is_manager else started.executable)
 
 
 def _misnamed(several: list[NodeParameters], users: list[StartedProgram]) -> Findings:

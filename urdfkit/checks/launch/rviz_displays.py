@@ -7,7 +7,6 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
@@ -28,11 +27,8 @@ def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], s
         if file.path in seen or not (file.exists and file.path.endswith(".rviz")):
             continue
         seen.add(file.path)
-        try:
-            source = context.resolver.read(file.path)
-        except UnreadableFile:
-            continue
-        for display in displays(source):
+        source = context.resolver.readable(file.path)
+        for display in displays(source) if source else ():
             written = display.get("Class")
             if isinstance(written, Value):
                 yield file, display, written.text

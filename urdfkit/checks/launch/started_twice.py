@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from urdfkit.checks.launch.bridged_odometry import bridged_odometry
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import node_parameters
@@ -69,6 +69,16 @@ def second_odometry(context: Context, started: list[StartedProgram]) -> Findings
     filters = {given[_ODOM]: one for one in started for given in _odometry_of(one, context)}
     if not filters:
         return
+    for _, robot in context.described_robots:
+        for found in bridged_odometry(context, started, robot):
+            if filter := filters.get(found.odometry):
+                yield Finding(
+                    Location(found.bridge.span, found.bridge.frame),
+                    f"the transform of '{found.odometry}' is published twice: by {found.who} "
+                    f"through the bridge, and by '{filter.name or filter.executable}'",
+                    "remove /tf from the bridge",
+                    related=(Related(filter.span, "the filter is started here"),),
+                )
     defined = defined_controllers(context)
     for one in started:
         for word in controllers(one) if activates(one) else ():
@@ -93,11 +103,11 @@ def second_odometry(context: Context, started: list[StartedProgram]) -> Findings
 
 
 def second_parent(context: Context, started: list[StartedProgram]) -> Findings:
-    """The transform of a link that a joint has as its child by a filter, too."""
+    """The transform of a link that a joint has as its child by a filter or a bridge, too."""
     launch = context.launch
     publishers = [one for one in started if one.package == _PUBLISHER and _is_plain(one)]
     filters = [(one, given) for one in started for given in _odometry_of(one, context)]
-    if not publishers or not filters or len(launch.descriptions) != 1:
+    if not publishers or len(launch.descriptions) != 1:
         return
     robot = context.other_robot(launch.descriptions[0].path, launch.descriptions[0].arguments)
     roots = robot.tree.roots if robot.reading.document and launch.descriptions[0].is_whole else ()
@@ -115,6 +125,16 @@ def second_parent(context: Context, started: list[StartedProgram]) -> Findings:
             f"write base_link_frame: {roots[0].name}, the root link",
             related=(Related(joint.at.span, f"joint '{joint.name}'"),),
         )
+    for found in bridged_odometry(context, started, robot):
+        joint = next(iter(above.get(found.base, ())), None)
+        if joint is not None and joint.parent_name != found.odometry:
+            yield Finding(
+                found.child,
+                f"{found.who} publishes the transform of '{found.base}' through the bridge, and "
+                f"robot_state_publisher that of joint '{joint.name}': a frame has one parent",
+                f"write {roots[0].name}, the root link",
+                related=(Related(joint.at.span, f"joint '{joint.name}'"),),
+            )
 
 
 def _odometry_of(started: StartedProgram, context: Context) -> Iterator[dict[str, str]]:
@@ -125,11 +145,10 @@ def _odometry_of(started: StartedProgram, context: Context) -> Iterator[dict[str
     given = dict(_FILTER)
     is_known = started.parameters.is_whole and bool(started.parameters.files)
     for path in started.parameters.files:
-        try:
-            sections = list(node_parameters(context.resolver.read(path)))
-        except UnreadableFile:
+        source = context.resolver.readable(path)
+        if source is None:
             return
-        for node in sections:
+        for node in node_parameters(source):
             if node.name == name:
                 values = {
                     key: one.text for key, one in node.values.items() if isinstance(one, Value)

@@ -16,7 +16,6 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
@@ -122,11 +121,8 @@ def _shown(context: Context) -> Iterator[_Read]:
 
 def _read(context: Context) -> Iterator[_Read]:
     for file in context.launch.parameters:
-        try:
-            nodes = list(node_parameters(context.resolver.read(file.path)))
-        except UnreadableFile:
-            continue
-        for node in nodes:
+        source = context.resolver.readable(file.path)
+        for node in node_parameters(source) if source else ():
             for key, value in node.values.items():
                 found = _INPUT.fullmatch(key)
                 if found and isinstance(value, Value) and f"{key}_config" in node.values:

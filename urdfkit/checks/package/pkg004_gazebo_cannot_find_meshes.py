@@ -14,7 +14,6 @@ Sources:
     gazebosim/ros_gz#132: https://github.com/gazebosim/ros_gz/issues/132
 """
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -60,9 +59,8 @@ def check(context: Context) -> Findings:
         return
     if not context.given_targets and is_not_started(context.source, context.resolver):
         return
-    try:
-        starter = context.resolver.read(seen.starter)
-    except UnreadableFile:  # a link that leads outside
+    starter = context.resolver.readable(seen.starter)
+    if starter is None:  # a link that leads outside
         return
     variable = "GZ_SIM_RESOURCE_PATH" if context.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
     for package, meshes in found.items():

@@ -14,7 +14,6 @@ Sources:
 import os
 import re
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -70,8 +69,6 @@ def _is_ament(context: Context) -> bool:
     package = context.resolver.packages.enclosing(context.source.path)
     if package is None:
         return False
-    try:
-        manifest = context.resolver.read(os.path.join(package[1], "package.xml"))
-    except UnreadableFile:  # a package of rosbuild has another file
-        return False
-    return b"<build_type>ament" in manifest.data
+    # A package of rosbuild has another file.
+    manifest = context.resolver.readable(os.path.join(package[1], "package.xml"))
+    return manifest is not None and b"<build_type>ament" in manifest.data

@@ -1,11 +1,9 @@
 """``urdfkit mesh hull``: the convex hull of a mesh."""
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import described, limited
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.cli.mesh.saving import save, writes
 from urdfkit.cli.progress import working
 from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.health import examine_mesh
@@ -13,16 +11,17 @@ from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples("hull", "urdfkit mesh hull arm.dae -o arm_hull.stl")
-@click.argument("file", metavar="FILE")
+@described("hull")
 @writes
 @limited
-def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
+def command(file: str, path: str | None) -> int:
     """Compute the convex hull of a mesh.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh hull arm.dae -o arm_hull.stl
     """
-    path = destination(file, out, in_place, force)
     with working():
         mesh = in_metres(load(file))
         found = hull(mesh)

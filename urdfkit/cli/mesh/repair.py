@@ -2,12 +2,10 @@
 
 from collections.abc import Iterator
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, option, with_examples
+from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.mesh import tables
-from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.cli.mesh.saving import save, writes
 from urdfkit.cli.progress import progress_bar
 from urdfkit.mesh.health import Health
 from urdfkit.mesh.io.salvage import load_or_salvage
@@ -16,22 +14,13 @@ from urdfkit.mesh.repair import Repair, RepairStep, repair
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples("repair", "urdfkit mesh repair arm.stl", "urdfkit mesh repair arm.stl --write")
-@click.argument("file", metavar="FILE")
+@described("repair")
 @writes
 @option("--keep-holes", "Do not fill holes.")
 @option("--one-sided", "Remove one side of double-sided sheets.")
 @option("--union", "Boolean union of bodies that overlap or are nested.")
 @limited
-def command(
-    file: str,
-    out: str | None,
-    in_place: bool,
-    force: bool,
-    keep_holes: bool,
-    one_sided: bool,
-    union: bool,
-) -> int:
+def command(file: str, path: str | None, keep_holes: bool, one_sided: bool, union: bool) -> int:
     """Repair a mesh: weld, clean, orient, fill holes.
 
     Prints what was wrong, what was done, and how far the surface has moved. A mesh that is a
@@ -40,8 +29,11 @@ def command(
 
     Exit codes: 0 nothing to repair, or repaired and written; 1 there is something to repair, or
     it could not be repaired fully; 2 usage or input error.
+
+    Examples:
+        urdfkit mesh repair arm.stl
+        urdfkit mesh repair arm.stl --write
     """
-    path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
     with progress_bar() as bar:
         done = repair(

@@ -1,6 +1,10 @@
 """Where commands about meshes write: a new file, or the file itself."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import wraps
+from typing import Any
+
+import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import option, with_options
@@ -8,12 +12,25 @@ from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.writers import GLB_NOTE, losses, require_replaceable, write
 from urdfkit.text.source import shown
 
-#: Gives a command the options that say where the mesh goes.
-writes = with_options(
-    option("--force", "Replace OUT even if it is a valid mesh."),
+FORCE = option("--force", "Replace OUT even if it is a valid mesh.")
+_ADD_OPTIONS = with_options(
+    FORCE,
     option("--write", "Replace FILE itself.", to="in_place"),
     option("-o, --output OUT", "Write the mesh to this file.", to="out"),
 )
+
+
+def writes(command: Callable[..., int]) -> Callable[..., int]:
+    """Give a command FILE and the options that say where its mesh goes.
+
+    It takes them as ``file``, and ``path``: where to write; None for nowhere.
+    """
+
+    @wraps(command)
+    def resolved(file: str, out: str | None, in_place: bool, force: bool, **values: Any) -> int:
+        return command(file=file, path=destination(file, out, in_place, force), **values)
+
+    return click.argument("file", metavar="FILE")(_ADD_OPTIONS(resolved))
 
 
 def destination(file: str, out: str | None, in_place: bool, force: bool) -> str | None:

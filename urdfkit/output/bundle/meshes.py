@@ -8,10 +8,9 @@ from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.core.installation import install_command
+from urdfkit.core.installation import needing
 from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
-from urdfkit.errors import MissingLibrary
 from urdfkit.mesh.io import facts, referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
@@ -93,12 +92,8 @@ def _has_objects(path: str) -> bool:
 
 
 def _loaded(path: str) -> Mesh:
-    try:
+    with needing(f"{path}: to read it", "meshes"):
         from urdfkit.mesh.io.load import load
-    except ImportError as error:
-        raise MissingLibrary(
-            f"{path}: to read it needs {error.name}: {install_command('meshes')}"
-        ) from error
     return load(path)
 
 

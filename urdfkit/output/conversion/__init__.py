@@ -6,9 +6,9 @@ import os
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from urdfkit.core.installation import install_command
+from urdfkit.core.installation import needing
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.conversion.formats import FORMATS
@@ -60,12 +60,8 @@ def convert(
         raise UrdfkitError(
             f"base, fixed, collision and exclude are not of the format '{to}': leave them out"
         )
-    try:
+    with needing(f"to convert to {to}", FORMATS[to].extra):
         module = import_module(f"{__name__}.{to}")
-    except ModuleNotFoundError as error:
-        raise MissingLibrary(
-            f"to convert to {to} needs {error.name}: {install_command(FORMATS[to].extra)}"
-        ) from error
     context = robot if isinstance(robot, Context) else read(robot)
     found: Conversion = module.write(context, os.path.abspath(out), options, force=force)
     return found

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from importlib.metadata import PackageNotFoundError, distribution
 
-from urdfkit.core.installation import install_command
+from urdfkit.core.installation import needing
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 
@@ -35,10 +35,8 @@ def load() -> PageEngine:
     Raises:
         UrdfkitError: trimesh is not installed, or is one whose viewer is another.
     """
-    try:
+    with needing("the 3D view", "report"):
         from trimesh.resources import get_bytes
-    except ImportError as error:
-        raise UrdfkitError(f"the 3D view needs trimesh: {install_command('report')}") from error
     match = _SCRIPT.search(_page(get_bytes(_TEMPLATE)))
     script, end, _ = match.group(1).partition(_END) if match else ("", "", "")
     package = distribution("trimesh")

@@ -16,8 +16,7 @@ from math import degrees, log10
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
-from urdfkit.core.installation import install_command
-from urdfkit.errors import UrdfkitError
+from urdfkit.core.installation import needing
 from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
 from urdfkit.robot.stability import VERDICTS
@@ -183,10 +182,8 @@ def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[in
 
 @cache
 def _environment() -> Environment:
-    try:
+    with needing("an HTML report", "report"):
         from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    except ImportError as error:
-        raise UrdfkitError(f"HTML reports need Jinja: {install_command('report')}") from error
     environment = Environment(
         autoescape=True,
         loader=FileSystemLoader(_DIRECTORY),

@@ -6,8 +6,7 @@ import os
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import needing
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 
@@ -49,10 +48,6 @@ def motion(robot: Context, *, base: str, images: int) -> list[dict[str, Transfor
 
 
 def _running() -> ModuleType:
-    try:
+    with needing("to simulate a robot", "simulate"):
         from urdfkit.output.simulation import running
-    except ModuleNotFoundError as error:
-        raise MissingLibrary(
-            f"to simulate a robot needs {error.name}: {install_command('simulate')}"
-        ) from error
     return running

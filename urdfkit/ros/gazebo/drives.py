@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, times
+from urdfkit.core.spatial import Transform, Vector, dot, length, minus, rotate, times
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
@@ -35,6 +35,13 @@ class Wheel(Record):
     def center(self) -> Vector:
         """Of the tyre if its shape is known, else of the joint."""
         return self.hub or self.origin
+
+    @property
+    def is_at_joint(self) -> bool:
+        """False if its tyre is farther from the joint than its diameter: one of them is wrong."""
+        if self.hub is None or self.radius is None:
+            return True
+        return length(minus(self.hub, self.origin)) <= 2 * self.radius
 
     @property
     def is_flat(self) -> bool:

@@ -46,7 +46,7 @@ def topics(model: RobotModel) -> Iterator[GazeboTopic]:
         yield from _of_sensor(sensor)
     for gazebo in model.gazebo:
         for plugin in gazebo.all("plugin"):
-            yield from _of_plugin(plugin)
+            yield from of_plugin(plugin)
 
 
 def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
@@ -66,7 +66,8 @@ def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
         yield GazeboTopic(sensor.who, message, name, suffix=path[1:])
 
 
-def _of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
+def of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
+    """The topics of a system, if it is catalogued."""
     for entry in _entries("plugins", _library(plugin)):
         message, parameter, default = entry.split()
         tags = parameter[1:].split("/")

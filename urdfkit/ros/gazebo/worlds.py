@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UnreadableFile
 from urdfkit.robot.model import Placed
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
@@ -162,11 +161,8 @@ class Models:
         """The files of the plugins of a model; none if it is not at hand."""
         found: list[str] = []
         for directory in self.directories.get(model_name(uri), ()):
-            try:
-                source = self._resolver.read(os.path.join(directory, "model.sdf"))
-            except UnreadableFile:
-                continue
-            found += _filenames(source.data)
+            source = self._resolver.readable(os.path.join(directory, "model.sdf"))
+            found += _filenames(source.data) if source else []
         return found
 
 

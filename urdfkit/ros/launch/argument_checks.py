@@ -5,7 +5,6 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 
 from urdfkit.core.suggest import Suggester, did_you_mean
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
 from urdfkit.text.diagnostic import Problem, Severity
@@ -171,9 +170,7 @@ def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bo
 
 def _names(name: bytes, package: bytes, other: str, resolver: Resolver) -> bool:
     """True if a launch file names another one, or the end of what it puts together is its name."""
-    try:
-        text = resolver.read(other).data
-    except UnreadableFile:
-        return False
+    source = resolver.readable(other)
+    text = source.data if source else b""
     is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))
     return is_named and package in text

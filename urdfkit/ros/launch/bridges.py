@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.text.located_yaml import Value, load, mapping
@@ -90,10 +89,8 @@ def _of_word(word: Word) -> BridgedTopic | None:
 
 
 def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
-    try:
-        entries = load(resolver.read(path))
-    except UnreadableFile:
-        return
+    source = resolver.readable(path)
+    entries = load(source) if source else None
     for entry in entries if isinstance(entries, list) else ():
         values = {str(key): one for key, one in mapping(entry).items() if isinstance(one, Value)}
         given = {key: one.text for key, one in values.items()}

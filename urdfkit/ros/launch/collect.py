@@ -6,7 +6,7 @@ from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
-from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.errors import PackageNotFound
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
@@ -139,11 +139,8 @@ class Collector:
         """A file whose text is the robot description as it is: reported if xacro must expand it."""
         if not disk.exists(path) or not self.resolver.admits(path):
             return
-        try:
-            data = self.resolver.read(path).data
-        except UnreadableFile:
-            return
-        if b"<xacro:" in blank_comments(data):
+        source = self.resolver.readable(path)
+        if source and b"<xacro:" in blank_comments(source.data):
             message = f"'{os.path.basename(path)}' is a xacro file, which nothing expands here"
             self.problems.append(Problem("LAU015", span, message, _EXPAND, frame))
 
@@ -167,9 +164,8 @@ class Collector:
         outer = (*self.outer, source.path)
         if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
             return
-        try:
-            included = self.resolver.read(path)
-        except UnreadableFile:
+        included = self.resolver.readable(path)
+        if included is None:
             return
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
         self._reader(inner, LaunchedFile(included, arguments, frame))

@@ -3,7 +3,6 @@
 import ast
 from collections.abc import Collection, Iterator
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
@@ -42,9 +41,8 @@ class Configurations:
     def include(self, call: ast.Call, path: str) -> Iterator[Problem]:
         """What is wrong with the arguments that an included launch file is given."""
         passed = self._passed(call)
-        try:
-            source = self._values.collector.resolver.read(path)
-        except UnreadableFile:
+        source = self._values.collector.resolver.readable(path)
+        if source is None:
             self._is_whole = self._is_whole and not declares_others(path)
             return
         taken = signature(source)

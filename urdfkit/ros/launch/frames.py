@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.rviz import displays, manager_of
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
@@ -49,11 +48,8 @@ def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
             found = _of_rviz
         else:
             continue
-        try:
-            source = resolver.read(file.path)
-        except UnreadableFile:
-            continue
-        for who, key, value in found(source):
+        source = resolver.readable(file.path)
+        for who, key, value in found(source) if source else ():
             name = value.text.strip().lstrip("/")
             if name and not any(mark in name for mark in _OPEN):
                 yield NamedFrame(name, who, key, value.span, file.span)

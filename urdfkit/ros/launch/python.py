@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfkit.core import disk
-from urdfkit.ros.launch import moveit_builder
+from urdfkit.ros.launch import moveit_builder, moveit_parameters
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
@@ -177,6 +177,9 @@ class _PythonReader:
             name=self.values.text(argument(call, None, "name")) or "",
         )
         self.collector.started.append(started)
+        if started.executable == "move_group":
+            problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
+            self.collector.problems += problems
 
     def _namespace(self, call: ast.Call) -> str | None:
         written = argument(call, None, "namespace")

@@ -11,7 +11,6 @@ from itertools import islice
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch import read_launch
 from urdfkit.ros.launch.contents import Launch, LaunchedDescription
 from urdfkit.ros.launch.markup import parsed
@@ -167,11 +166,8 @@ def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterato
     """The launch files of a directory whose text mentions a package."""
     files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     for path in islice(files, MAX_FILES):
-        try:
-            source = resolver.read(path)
-        except UnreadableFile:
-            continue  # a dangling link, or no permission
-        if mentioned.encode() in source.data:
+        source = resolver.readable(path)
+        if source and mentioned.encode() in source.data:
             yield source
 
 

@@ -4,7 +4,6 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import Word
@@ -116,9 +115,7 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
 
 def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
     """The first substitution in a YAML file; None if there is none."""
-    try:
-        text = resolver.read(path).data.decode("utf-8", "replace")
-    except UnreadableFile:
-        return None
+    source = resolver.readable(path)
+    text = source.data.decode("utf-8", "replace") if source else ""
     found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
     return found.group(0) if found else None

@@ -4,7 +4,6 @@ import os
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
     ArgumentUses,
     declares_others,
@@ -192,9 +191,8 @@ class _XmlReader(XmlLaunchFile):
         self._is_whole = self._is_whole and not declares_others(path or "")
 
     def _included(self, element: Element, path: str) -> None:
-        try:
-            source = self.collector.resolver.read(path)
-        except UnreadableFile:
+        source = self.collector.resolver.readable(path)
+        if source is None:
             return
         taken = signature(source)
         self._is_whole = self._is_whole and taken.is_whole

@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from urdfkit.core.suggest import nearest
-from urdfkit.errors import UnreadableFile
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros import RosDescription
@@ -220,9 +219,8 @@ def _stem(path: str) -> str:
 def _parsed(
     path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
 ) -> tuple[Document | None, Sequence[Problem]]:
-    try:
-        source = resolver.read(path)
-    except UnreadableFile:
+    source = resolver.readable(path)
+    if source is None:
         return None, ()
     if is_xacro(source):
         from urdfkit.xacro import expand

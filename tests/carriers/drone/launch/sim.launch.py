@@ -42,11 +42,11 @@ def generate_launch_description():
             "/gps@sensor_msgs/msg/NavSatFix[gz.msgs.NavSat",
             "/camera@sensor_msgs/msg/Image[gz.msgs.Image",
             "/camera_info@sensor_msgs/msg/CameraInfo[gz.msgs.CameraInfo",
+            "/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V",
             "/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry",
             "/drone/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist",
             "/drone/enable@std_msgs/msg/Bool]gz.msgs.Boolean",
         ],
-        remappings=[("/drone/cmd_vel", "/cmd_vel")],
     )
     map_frame = Node(
         package="tf2_ros",
