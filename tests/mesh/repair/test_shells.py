@@ -1,4 +1,4 @@
-"""Sheets with two sides, and shells that overlap or are nested: reported, and repaired on request."""
+"""Sheets with two sides, and shells that overlap or are nested: reported, repaired on request."""
 
 import pytest
 
