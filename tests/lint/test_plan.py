@@ -32,6 +32,24 @@ def test_robots_of_a_directory_are_spelt_as_the_directory_was(tmp_path, monkeypa
     assert check("robots").files == check(tmp_path / "robots").files == ("robots/b.urdf",)
 
 
+def test_a_launch_file_computes_the_name_of_a_robot_with_any_suffix(tmp_path):
+    (tmp_path / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
+    robot = tmp_path / "r.description"
+    robot.write_text('<robot name="r"><link name="a"/></robot>')
+    launch = tmp_path / "a.launch.py"
+    launch.write_text(
+        "import xacro\nfrom launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "def generate_launch_description():\n    name = 'r'\n"
+        f"    text = xacro.process_file(f'{tmp_path}/{{name}}.description').toxml()\n"
+        '    return LaunchDescription([Node(parameters=[{"robot_description": text}])])\n'
+    )
+    report = check(tmp_path)
+    assert set(report.files) == {str(tmp_path / "b.urdf"), str(launch), str(robot)}
+    assert report.skipped == ()
+    launch.write_text("def generate_launch_description(): ...")
+    assert [skip.path for skip in check(tmp_path).skipped] == [str(robot)]
+
+
 def test_a_directory_is_checked_and_the_library_is_told(package):
     report = check(package)
     assert len(report.files) == 2

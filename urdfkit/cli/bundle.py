@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, choice, limited, option, with_examples
+from urdfkit.cli.decorators import OUT, choice, described, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -16,11 +16,7 @@ from urdfkit.output.bundle.writing import bundle as write
 from urdfkit.text.source import shown
 
 
-@with_examples(
-    "bundle",
-    "urdfkit bundle robot.urdf.xacro -o robot_bundle",
-    "urdfkit bundle robot.urdf.xacro -o robot.zip --for mujoco",
-)
+@described("bundle")
 @one_robot
 @OUT
 @choice("--for", "consumer", of=CONSUMERS, help="Convert the meshes that this program cannot read.")
@@ -35,6 +31,10 @@ def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
 
     Exit codes: 0 done, 1 the program will reject the robot all the same, 2 a file is missing or
     cannot be read or written.
+
+    Examples:
+        urdfkit bundle robot.urdf.xacro -o robot_bundle
+        urdfkit bundle robot.urdf.xacro -o robot.zip --for mujoco
     """
     with progress_bar() as bar:
         context = robot(asked, bar)

@@ -6,16 +6,19 @@ from errno import EEXIST, ENOTEMPTY
 
 from urdfkit.cli import output
 from urdfkit.cli.cache_contents import contents
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import described
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.errors import UnwritableFile
 
 
-@with_examples("clean", "urdfkit clean")
+@described("clean")
 def command() -> int:
     """Remove the cache: results of checks and measures of meshes.
 
     Exit codes: 0 done, 2 a file cannot be removed.
+
+    Examples:
+        urdfkit clean
     """
     found = contents()
     try:

@@ -15,7 +15,7 @@ from click.shell_completion import (
 )
 
 from urdfkit.cli import options
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import described
 from urdfkit.errors import UrdfkitError
 
 if TYPE_CHECKING:
@@ -29,11 +29,7 @@ VARIABLE = "_URDFKIT_COMPLETE"
 _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 
 
-@with_examples(
-    "completion",
-    "urdfkit completion bash > ~/.local/share/bash-completion/completions/urdfkit",
-    "urdfkit completion fish > ~/.config/fish/completions/urdfkit.fish",
-)
+@described("completion")
 @click.argument("shell", type=click.Choice(SHELLS))
 def command(shell: str) -> int:
     """Print a script by which a shell completes options.
@@ -42,6 +38,10 @@ def command(shell: str) -> int:
     command line; elsewhere file names.
 
     Exit codes: 0 done, 2 usage error.
+
+    Examples:
+        urdfkit completion bash > ~/.local/share/bash-completion/completions/urdfkit
+        urdfkit completion fish > ~/.config/fish/completions/urdfkit.fish
     """
     kind = get_completion_class(shell)
     assert kind is not None

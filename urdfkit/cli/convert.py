@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import OUT, choice, in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import OUT, choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
@@ -22,14 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.output.conversion.result import Conversion
 
 
-@with_examples(
-    "convert",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
-    "urdfkit convert robot.urdf.xacro --to usd -o robot_usd",
-    "urdfkit convert robot.urdf.xacro --to sdf -o models/robot",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives",
-)
+@described("convert")
 @one_robot
 @click.option("--to", type=click.Choice(list(FORMATS)), required=True, help="Format to write.")
 @OUT
@@ -56,6 +49,13 @@ def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any)
     attribute. What was written is read again and compared with the robot.
 
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
+
+    Examples:
+        urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf
+        urdfkit convert robot.urdf.xacro --to usd -o robot_usd
+        urdfkit convert robot.urdf.xacro --to sdf -o models/robot
+        urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge
+        urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives
     """
     with progress_bar() as bar:
         context = robot(asked, bar)

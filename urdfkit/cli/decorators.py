@@ -1,6 +1,7 @@
 """What several commands have in common: examples in their help, and options."""
 
 from collections.abc import Callable, Iterable
+from inspect import cleandoc
 from typing import Any, TypeVar
 
 import click
@@ -15,9 +16,17 @@ def examples(*lines: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
-def with_examples(name: str, *lines: str) -> Callable[[Callable[..., Any]], click.Command]:
-    """``click.command`` for a command whose help ends with some command lines."""
-    return click.command(name, epilog=examples(*lines))
+def described(
+    name: str, cls: type[click.Command] = click.Command
+) -> Callable[[Callable[..., Any]], click.Command]:
+    """``click.command`` for a command whose docstring is its help, and ends with examples."""
+
+    def made(command: Callable[..., Any]) -> click.Command:
+        text, _, lines = cleandoc(command.__doc__ or "").partition("\n\nExamples:\n")
+        epilog = examples(*map(str.strip, lines.splitlines())) if lines else None
+        return click.command(name, cls, help=text, epilog=epilog)(command)
+
+    return made
 
 
 def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:

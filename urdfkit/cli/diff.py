@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, option, to_file, with_examples
+from urdfkit.cli.decorators import described, limited, option, to_file
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -20,11 +20,7 @@ SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
 _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
 
 
-@with_examples(
-    "diff",
-    "urdfkit diff HEAD:urdf/robot.urdf.xacro urdf/robot.urdf.xacro",
-    "urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01",
-)
+@described("diff")
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
 @to_file("output_file", "Write to FILE; its suffix is the format.")
@@ -57,6 +53,10 @@ def command(
     mass and centre of mass, and the findings of urdfkit check.
 
     Exit codes: 0 no differences, 1 differences of --fail-on, 2 usage or input error.
+
+    Examples:
+        urdfkit diff HEAD:urdf/robot.urdf.xacro urdf/robot.urdf.xacro
+        urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01
     """
     files = options.files(values)
     if len(files) != 2:

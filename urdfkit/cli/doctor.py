@@ -19,7 +19,7 @@ from urdfkit.cli.decorators import (
     PACKAGE,
     TARGET,
     TRUST,
-    with_examples,
+    described,
     with_options,
 )
 from urdfkit.core.cache_directory import cache_directory
@@ -64,7 +64,7 @@ _PACKAGES = (
 _PROGRAMS = {"git": "comparison with an earlier git revision"}
 
 
-@with_examples("doctor", "urdfkit doctor", "urdfkit doctor robot.urdf.xacro")
+@described("doctor")
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
 @with_options(TRUST, ISOLATED, CONFIG, TARGET, PACKAGE)
 def command(words: tuple[str, ...], **values: Any) -> int:
@@ -74,6 +74,10 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     targets and why they were detected, and the rules that are skipped and why.
 
     Exit codes: 0 done, 2 FILE or the configuration cannot be read.
+
+    Examples:
+        urdfkit doctor
+        urdfkit doctor robot.urdf.xacro
     """
     values[options.FILES] = words
     near = options.files(values)[0] if words else os.curdir

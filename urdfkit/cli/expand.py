@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import option, to_file, with_examples
+from urdfkit.cli.decorators import described, option, to_file
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
@@ -25,11 +25,7 @@ _IGNORED = partial(
 )
 
 
-@with_examples(
-    "expand",
-    "urdfkit expand robot.urdf.xacro prefix:=left_ -o robot.urdf",
-    "urdfkit expand robot.urdf.xacro --map -",
-)
+@described("expand")
 @one_robot
 @to_file("target", "Write to FILE instead of standard output.")
 @option("--deps", "Print the files that it depends on, and nothing else.")
@@ -56,6 +52,10 @@ def command(
     the model.
 
     Exit codes: 0 done, 2 usage or input error, 3 internal error (a bug in urdfkit).
+
+    Examples:
+        urdfkit expand robot.urdf.xacro prefix:=left_ -o robot.urdf
+        urdfkit expand robot.urdf.xacro --map -
     """
     from urdfkit.workspace.resolve import Resolver
     from urdfkit.xacro import expand

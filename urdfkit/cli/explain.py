@@ -6,7 +6,7 @@ from textwrap import fill, indent
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import RULES, with_examples
+from urdfkit.cli.decorators import RULES, described
 from urdfkit.core.words import listed
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import FAMILIES, find_rule, note
@@ -29,7 +29,7 @@ _NEEDS = {
 _HARD = "\0"
 
 
-@with_examples("explain", "urdfkit explain MSH001")
+@described("explain")
 @click.argument("words", nargs=-1, required=True, metavar="RULE...")
 @RULES
 def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
@@ -38,6 +38,9 @@ def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
     RULE is a code such as XML001 or a name such as not-well-formed.
 
     Exit codes: 0 done, 2 unknown rule.
+
+    Examples:
+        urdfkit explain MSH001
     """
     options.add_rules({"rules": rules})
     output.write("\n\n".join(map(render, map(_find, words))))

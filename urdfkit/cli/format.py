@@ -5,14 +5,14 @@ import os
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, option, with_examples, with_options
+from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, described, option, with_options
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
 from urdfkit.text.source import STANDARD_INPUT, shown
 
 
-@with_examples("format", "urdfkit format urdf", "urdfkit format --check .")
+@described("format")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @option("--check", "Write nothing; exit with 1 if a file would change.")
 @option("--diff", "As --check, and show the changes as a diff.")
@@ -37,6 +37,10 @@ def command(
     writes to standard output.
 
     Exit codes: 0 done, 1 a file would change (--check, --diff), 2 a file cannot be read.
+
+    Examples:
+        urdfkit format urdf
+        urdfkit format --check .
     """
     values = {"config": config, "isolated": isolated, "trust": False}
     is_stdin = files == ("-",)

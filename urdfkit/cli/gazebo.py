@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, option, with_examples
+from urdfkit.cli.decorators import described, in_formats, option
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
@@ -18,7 +18,7 @@ from urdfkit.text.terminal import printable
 VERSION = 1
 
 
-@with_examples("gazebo", "urdfkit gazebo robot.urdf.xacro")
+@described("gazebo")
 @one_robot
 @in_formats("text", "json")
 @option("--old", "Convert as sdformat did before 9.10.1 and 12.7.2.")
@@ -30,6 +30,9 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     libsdformat rejects the robot, that is printed first.
 
     Exit codes: 0 done, 2 the file cannot be read.
+
+    Examples:
+        urdfkit gazebo robot.urdf.xacro
     """
     return show(robot(asked), form, old=old)
 

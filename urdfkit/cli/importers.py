@@ -5,7 +5,7 @@ from itertools import groupby
 from typing import Any
 
 from urdfkit.cli import gazebo, output
-from urdfkit.cli.decorators import in_formats, option, with_examples
+from urdfkit.cli.decorators import described, in_formats, option
 from urdfkit.cli.options import UsageError, words
 from urdfkit.cli.robot import check_options, one_robot, only_file, robot
 from urdfkit.core.words import counted
@@ -24,12 +24,7 @@ VERSION = 1
 STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
 
 
-@with_examples(
-    "importers",
-    "urdfkit importers robot.urdf.xacro",
-    "urdfkit importers robot.urdf.xacro --for mujoco,pinocchio",
-    "urdfkit importers robot.urdf.xacro --map isaac:mujoco",
-)
+@described("importers")
 @one_robot
 @option("--for NAMES", "Programs. [default: all]", to="names", multiple=True)
 @option("--map FROM:TO", "Indices of FROM in the order of TO.", to="pair")
@@ -42,6 +37,11 @@ def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, for
     yourdfpy; none need be installed. Errors that a program stops at come first.
 
     Exit codes: 0 done, 2 the file cannot be read, or two programs have different joints.
+
+    Examples:
+        urdfkit importers robot.urdf.xacro
+        urdfkit importers robot.urdf.xacro --for mujoco,pinocchio
+        urdfkit importers robot.urdf.xacro --map isaac:mujoco
     """
     asked_for = words({"for": names}, "for")
     if pair is not None:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, choice, in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.inertia import MassProperties
@@ -20,11 +20,7 @@ from urdfkit.text.source import shown
 VERSION = 1
 
 
-@with_examples(
-    "inertia",
-    "urdfkit inertia robot.urdf.xacro --diff",
-    "urdfkit inertia robot.urdf.xacro --link arm --material steel",
-)
+@described("inertia")
 @choice("--from", "source", of=SOURCES, help="Geometry to use.")
 @option("--mass KG", "Mass of each link, instead of the declared one.", type=float)
 @option("--density KG/M^3", "Density, from which the mass is computed instead.", type=float)
@@ -61,6 +57,10 @@ def command(
     those links.
 
     Exit codes: 0 done, 1 a value could not be written, 2 the file cannot be read.
+
+    Examples:
+        urdfkit inertia robot.urdf.xacro --diff
+        urdfkit inertia robot.urdf.xacro --link arm --material steel
     """
     if sum(value is not None for value in (mass, density, material)) > 1:
         raise options.UsageError("--mass, --density and --material exclude one another")

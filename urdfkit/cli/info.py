@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import described, in_formats, limited
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -25,11 +25,7 @@ MOST = 8
 _LABEL = 12
 
 
-@with_examples(
-    "info",
-    "urdfkit info robot.urdf.xacro",
-    "urdfkit info robot.urdf.xacro --pose ready --format json",
-)
+@described("info")
 @one_robot
 @posed
 @in_formats("text", "json")
@@ -41,6 +37,10 @@ def command(asked: dict[str, Any], form: str) -> int:
     properties and size are those at one configuration: all joints at zero unless given.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
+
+    Examples:
+        urdfkit info robot.urdf.xacro
+        urdfkit info robot.urdf.xacro --pose ready --format json
     """
     with progress_bar("mesh files") as bar:
         context = robot(asked, bar)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import option, with_examples
+from urdfkit.cli.decorators import described, option
 from urdfkit.core import atomic
 from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
@@ -24,7 +24,7 @@ from urdfkit.xacro import Xacro
 _FILE = "urdfkit.toml"
 
 
-@with_examples("init", "urdfkit init --print")
+@described("init")
 @click.argument("directory", default=os.curdir)
 @option("--print", "Print the configuration; write nothing.", to="only_print")
 def command(directory: str, only_print: bool) -> int:
@@ -34,6 +34,9 @@ def command(directory: str, only_print: bool) -> int:
     configuration is not changed.
 
     Exit codes: 0 written, 2 no robot found, or there is a configuration already.
+
+    Examples:
+        urdfkit init --print
     """
     found = discover(directory, Config(), Resolver())
     text = render(found, directory)

@@ -5,7 +5,7 @@ from math import degrees
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import described, in_formats, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
@@ -18,11 +18,7 @@ VERSION = 1
 _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-@with_examples(
-    "kinematics",
-    "urdfkit kinematics robot.urdf.xacro --joint elbow=90deg",
-    "urdfkit kinematics robot.urdf.xacro --transform base_link tool0",
-)
+@described("kinematics")
 @one_robot
 @posed
 @option("--transform A B", "Pose of link B in the frame of link A.", to="ends", nargs=2)
@@ -43,6 +39,10 @@ def command(
     mass matrix have a column for each independent joint; they need Pinocchio.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read, or a link is unknown.
+
+    Examples:
+        urdfkit kinematics robot.urdf.xacro --joint elbow=90deg
+        urdfkit kinematics robot.urdf.xacro --transform base_link tool0
     """
     context = robot(asked)
     given = positions(context, asked)

@@ -1,11 +1,11 @@
 """``urdfkit lsp``: the language server for editors."""
 
-from urdfkit.cli.decorators import option, with_examples
+from urdfkit.cli.decorators import described, option
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 
 
-@with_examples("lsp", "urdfkit lsp --stdio")
+@described("lsp")
 @option("--stdio", "Communicate over standard input and output, which is the default.")
 def command(stdio: bool) -> int:
     """Start the language server for editors.
@@ -14,6 +14,9 @@ def command(stdio: bool) -> int:
     [lsp].
 
     Exit codes: 0 the editor has disconnected, 2 the extra is not installed.
+
+    Examples:
+        urdfkit lsp --stdio
     """
     try:
         from urdfkit.lsp.features import make

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import described, in_formats, limited
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -19,11 +19,7 @@ from urdfkit.text.markdown import escape, table
 VERSION = 1
 
 
-@with_examples(
-    "mass",
-    "urdfkit mass robot.urdf.xacro",
-    "urdfkit mass robot.urdf.xacro --format csv > masses.csv",
-)
+@described("mass")
 @one_robot
 @posed
 @in_formats("text", "json", "csv", "markdown")
@@ -35,6 +31,10 @@ def command(asked: dict[str, Any], form: str) -> int:
     the geometry of the link gives. The whole robot is taken at one pose.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
+
+    Examples:
+        urdfkit mass robot.urdf.xacro
+        urdfkit mass robot.urdf.xacro --format csv > masses.csv
     """
     with progress_bar("mesh files") as bar:
         context = robot(asked, bar)

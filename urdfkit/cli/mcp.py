@@ -4,12 +4,12 @@ import os
 
 import click
 
-from urdfkit.cli.decorators import option, with_examples
+from urdfkit.cli.decorators import described, option
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableFile
 
 
-@with_examples("mcp", "urdfkit mcp", "urdfkit mcp ~/robot_ws/src --write")
+@described("mcp")
 @click.argument("directory", default=os.curdir)
 @option("--write", "Let the tool 'fix' write files.")
 def command(directory: str, write: bool) -> int:
@@ -19,6 +19,10 @@ def command(directory: str, write: bool) -> int:
     DIRECTORY and change none, unless --write is given. It needs the extra [mcp].
 
     Exit codes: 0 the client has disconnected, 2 usage error, or the extra is not installed.
+
+    Examples:
+        urdfkit mcp
+        urdfkit mcp ~/robot_ws/src --write
     """
     if not os.path.isdir(directory):
         raise UnreadableFile(f"{directory}: no such directory")

@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import COLOR, with_examples
+from urdfkit.cli.decorators import COLOR, described
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
@@ -14,7 +14,7 @@ from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.terminal import printable, wrap
 
 
-@with_examples("migrate", "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch")
+@described("migrate")
 @one_robot
 @click.option(
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
@@ -27,6 +27,9 @@ def command(asked: dict[str, Any], target: str, color: str) -> int:
     a decision, and what the world needs, follow as comments.
 
     Exit codes: 0 nothing to do, 1 changes are needed, 2 the file cannot be read.
+
+    Examples:
+        urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch
     """
     file = only_file(asked)
     how = reading(asked, file)

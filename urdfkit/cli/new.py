@@ -6,13 +6,11 @@ import shlex
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import option, with_examples
+from urdfkit.cli.decorators import described, option
 from urdfkit.output.package_templates import KINDS, create
 
 
-@with_examples(
-    "new", "urdfkit new my_robot --kind diff_drive", "urdfkit new my_arm --kind arm -o src"
-)
+@described("new")
 @click.argument("name")
 @click.option("--kind", type=click.Choice(KINDS), required=True, help="What the robot is.")
 @option("-o, --output DIR", "Directory to write NAME in.", to="out", default=os.curdir)
@@ -23,6 +21,10 @@ def command(name: str, kind: str, out: str) -> int:
     file and RViz. Nothing is overwritten.
 
     Exit codes: 0 written, 2 the name is not valid or exists, or cannot be written.
+
+    Examples:
+        urdfkit new my_robot --kind diff_drive
+        urdfkit new my_arm --kind arm -o src
     """
     files = create(name, kind, out)
     package = os.path.join(out, name) if out != os.curdir else name

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, option, with_examples
+from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, last_file, one_robot
@@ -30,12 +30,7 @@ SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x25
 _NAMED = 5
 
 
-@with_examples(
-    "render",
-    "urdfkit render robot.urdf.xacro -o robot.png --view iso,front,top",
-    "urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg",
-    "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
-)
+@described("render")
 @one_robot
 @option("-o, --output FILE", "Image to write: .png, .webp, .jpg ...")
 @option("--view NAMES", f"{', '.join(VIEWS)}, or all.", to="views", multiple=True)
@@ -69,6 +64,11 @@ def command(asked: dict[str, Any], **values: Any) -> int:
     and reported. The same robot gives the same bytes.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit render robot.urdf.xacro -o robot.png --view iso,front,top
+        urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg
+        urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow
     """
     files, wanted = options.files(asked), 2 if values["diff"] else 1
     if len(files) != wanted:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import choice, limited, option, to_file, with_examples
+from urdfkit.cli.decorators import choice, described, limited, option, to_file
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -18,11 +18,7 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 
 
-@with_examples(
-    "report",
-    "urdfkit report robot.urdf.xacro -o robot.html",
-    "urdfkit report robot.urdf.xacro -o masses.csv --table links",
-)
+@described("report")
 @with_robot_and_targets()
 @to_file("output_file", "Write .html, .md, .json or .csv to FILE.")
 @choice("--lang", of=LANGUAGES, help="Language of the page.")
@@ -42,6 +38,10 @@ def command(
     A robot with variants in the configuration gets a report for each: robot-NAME.html.
 
     Exit codes: 0 done, 1 findings at or above --fail-on, 2 usage or input error.
+
+    Examples:
+        urdfkit report robot.urdf.xacro -o robot.html
+        urdfkit report robot.urdf.xacro -o masses.csv --table links
     """
     file, counts = only_file(values), dict.fromkeys(Severity, 0)
     chosen, source = check_options(values, file), stdin.opened(file)

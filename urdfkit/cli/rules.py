@@ -6,13 +6,13 @@ from collections.abc import Sequence
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import RULES, choice, with_examples
+from urdfkit.cli.decorators import RULES, choice, described
 from urdfkit.lint.rule_index import all_rules, matching
 from urdfkit.lint.rule_packages import add, installed
 from urdfkit.lint.rules import Rule
 
 
-@with_examples("rules", "urdfkit rules", "urdfkit rules MSH", "urdfkit rules --format json")
+@described("rules")
 @click.argument("words", nargs=-1, metavar="[CODE]...")
 @choice("--format", "kind", of=["text", "json"], help="Text table, or JSON with full explanations.")
 @RULES
@@ -24,6 +24,11 @@ def command(words: tuple[str, ...], kind: str, rules: tuple[str, ...]) -> int:
     there is one, the name and the title.
 
     Exit codes: 0 done, 2 unknown rule, or a rule package cannot be read.
+
+    Examples:
+        urdfkit rules
+        urdfkit rules MSH
+        urdfkit rules --format json
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})

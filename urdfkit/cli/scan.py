@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import choice, examples, option
+from urdfkit.cli.decorators import choice, described, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
@@ -37,16 +37,7 @@ class _Scan(click.Command):
         return super().make_context(info_name, args, parent, **more)
 
 
-@click.command(
-    "scan",
-    cls=_Scan,
-    epilog=examples(
-        "urdfkit scan partnet-mobility/ -o results",
-        "urdfkit scan 'zoo/**/*.urdf' more.zip list.txt -o results --jobs 8",
-        "urdfkit scan models/ -o results --engine dask --address tcp://host:8786",
-        "urdfkit scan summary results",
-    ),
-)
+@described("scan", cls=_Scan)
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
 @option("-o, --output DIR", "Directory of the results.", to="directory", required=True)
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
@@ -78,6 +69,12 @@ def command(
     A model that crashes, hangs or takes too much memory gets a row that says so.
 
     Exit codes: 0 done, 2 usage or input error, 130 stopped by Ctrl-C.
+
+    Examples:
+        urdfkit scan partnet-mobility/ -o results
+        urdfkit scan 'zoo/**/*.urdf' more.zip list.txt -o results --jobs 8
+        urdfkit scan models/ -o results --engine dask --address tcp://host:8786
+        urdfkit scan summary results
     """
     chosen = Options(
         packages=options.packages(values),
@@ -107,12 +104,15 @@ def command(
     return 0
 
 
-@click.command("summary", epilog=examples("urdfkit scan summary results"))
+@described("summary")
 @click.argument("directory", metavar="DIR")
 def summary(directory: str) -> int:
     """Summarise the results of a scan: on standard output, and as DIR/summary.html.
 
     Rates per rule, models with the same content, outliers, and models that were not checked.
+
+    Examples:
+        urdfkit scan summary results
     """
     found = summarise(journal.rows(directory))
     page_text = page.html(found, f"Scan {os.path.basename(os.path.abspath(directory))}")

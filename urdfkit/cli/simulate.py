@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import choice, in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.conversion.options import BASES
@@ -20,12 +20,7 @@ if TYPE_CHECKING:
 SIZE, MOVING = (1280, 720), (640, 400)
 
 
-@with_examples(
-    "simulate",
-    "urdfkit simulate robot.urdf.xacro",
-    "urdfkit simulate robot.urdf.xacro --base free --format json",
-    "urdfkit simulate robot.urdf.xacro --gif released.gif",
-)
+@described("simulate")
 @one_robot
 @choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
 @option("--gif FILE", "Animation of its release: .gif, .webp or .apng.")
@@ -40,6 +35,11 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
     that sinks, jitters or tips over when it is dropped.
 
     Exit codes: 0 it behaves, 1 it does not, 2 it cannot be simulated.
+
+    Examples:
+        urdfkit simulate robot.urdf.xacro
+        urdfkit simulate robot.urdf.xacro --base free --format json
+        urdfkit simulate robot.urdf.xacro --gif released.gif
     """
     with progress_bar() as bar:
         context = robot(asked, bar)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import SEED, in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import SEED, described, in_formats, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -31,11 +31,7 @@ NOISE = 1e-9
 MAX_SAMPLES = 1_000_000
 
 
-@with_examples(
-    "statics",
-    "urdfkit statics robot.urdf.xacro --payload 2@tool0",
-    "urdfkit statics robot.urdf.xacro --pose ready",
-)
+@described("statics")
 @one_robot
 @posed
 @option("--payload KG@LINK", "Payload mass at the origin of a link.", multiple=True)
@@ -63,6 +59,10 @@ def command(
     at the given pose.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit statics robot.urdf.xacro --payload 2@tool0
+        urdfkit statics robot.urdf.xacro --pose ready
     """
     context = robot(asked)
     given = positions(context, asked)

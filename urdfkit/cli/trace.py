@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import described
 from urdfkit.cli.robot import first_of, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.document import Attribute, Element, Step
@@ -20,11 +20,7 @@ MAX_LEVELS = 20
 _MOST = 100
 
 
-@with_examples(
-    "trace",
-    "urdfkit trace robot.urdf.xacro link/base_link",
-    "urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value",
-)
+@described("trace")
 @click.argument("file")
 @click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
@@ -37,6 +33,10 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
     properties down to the number, in a xacro or a YAML file.
 
     Exit codes: 0 done, 2 unknown element, or the file does not expand.
+
+    Examples:
+        urdfkit trace robot.urdf.xacro link/base_link
+        urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value
     """
     from urdfkit.text.locations import find
     from urdfkit.workspace.resolve import Resolver

@@ -4,14 +4,12 @@ from importlib import import_module
 from typing import Any
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, with_examples
+from urdfkit.cli.decorators import described, in_formats
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.diagrams import FORMATS, text
 
 
-@with_examples(
-    "tree", "urdfkit tree robot.urdf.xacro", "urdfkit tree robot.urdf.xacro --format svg > tree.svg"
-)
+@described("tree")
 @one_robot
 @in_formats(*FORMATS)
 def command(asked: dict[str, Any], form: str) -> int:
@@ -21,6 +19,10 @@ def command(asked: dict[str, Any], form: str) -> int:
     position, effort and velocity, and mimic.
 
     Exit codes: 0 done, 2 the file cannot be read.
+
+    Examples:
+        urdfkit tree robot.urdf.xacro
+        urdfkit tree robot.urdf.xacro --format svg > tree.svg
     """
     context = robot(asked)
     if form == "text":

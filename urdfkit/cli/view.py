@@ -7,13 +7,13 @@ from typing import Any
 import click
 
 from urdfkit.cli import options
-from urdfkit.cli.decorators import choice, option, with_examples
+from urdfkit.cli.decorators import choice, described, option
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
 
 
-@with_examples("view", "urdfkit view robot.urdf.xacro prefix:=left_")
+@described("view")
 @with_robot_and_targets()
 @click.option(
     "--port",
@@ -31,6 +31,9 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     this machine only, at an address with a random token. Ctrl-C stops it.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit view robot.urdf.xacro prefix:=left_
     """
     file = only_file(values)
     if file == "-":

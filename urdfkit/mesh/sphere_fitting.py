@@ -53,7 +53,7 @@ _SWAPS = 60
 #: How far a center moves at once, as a part of its depth.
 _INSIDE = 0.9
 #: Of what may stay out, this part is covered, as other points show a little less.
-_SPARE = 0.08
+_SPARE = 0.11
 #: Less than any area of a triangle that counts.
 _TINY = 1e-300
 #: What lengths are counted in, as a part of the size; the largest of them; rows at a time.

@@ -163,10 +163,12 @@ def _of_others(context: Context, found: dict[str, list[NodeParameters]]) -> Find
             continue
         if names.isdisjoint(one.name for one in users) and names.isdisjoint(COSTMAPS):
             who = users[0]
+            likely = who.executable if who.executable in names else nearest(who.name, names)
+            section = next((one for one in several if one.name == likely), several[0])
             yield Finding(
-                Location(several[0].at),
-                f"parameters of '{several[0].name}' are not read: the node is called '{who.name}'",
-                f"write {who.name}, or name the node {several[0].name}",
+                Location(section.at),
+                f"parameters of '{section.name}' are not read: the node is called '{who.name}'",
+                f"write {who.name}, or name the node {section.name}",
                 related=(Related(who.span, "the node that gets the file"),),
                 severity=Severity.WARNING,
             )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import SEED, in_formats, limited, option, with_examples
+from urdfkit.cli.decorators import SEED, described, in_formats, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -24,11 +24,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.moveit.srdf import Srdf
 
 
-@with_examples(
-    "collisions",
-    "urdfkit collisions robot.urdf.xacro --srdf robot.srdf",
-    "urdfkit collisions robot.urdf.xacro --compare robot.srdf",
-)
+@described("collisions")
 @one_robot
 @posed
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
@@ -61,6 +57,10 @@ def command(
 
     Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 usage or
     input error.
+
+    Examples:
+        urdfkit collisions robot.urdf.xacro --srdf robot.srdf
+        urdfkit collisions robot.urdf.xacro --compare robot.srdf
     """
     context = robot(asked)
     begin = positions(context, asked)

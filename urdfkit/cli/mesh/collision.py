@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, limited, option, with_examples
+from urdfkit.cli.decorators import COLOR, DIFF, described, limited, option
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -12,11 +12,7 @@ from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, pro
 from urdfkit.text.source import shown
 
 
-@with_examples(
-    "collision",
-    "urdfkit mesh collision robot.urdf.xacro --diff",
-    "urdfkit mesh collision robot.urdf.xacro --link arm --write",
-)
+@described("collision")
 @option("--error METRES", "Largest distance that a shape may stick out of the mesh.", type=float)
 @option("--link NAME", "Only this link, whatever collision it has.", to="links", multiple=True)
 @option("--most N", "Maximum number of convex pieces.", type=int, default=8)
@@ -41,6 +37,10 @@ def command(
     the mesh by no more than --error (default: 5 % of its diagonal).
 
     Exit codes: 0 done, 1 a link could not be written, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh collision robot.urdf.xacro --diff
+        urdfkit mesh collision robot.urdf.xacro --link arm --write
     """
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")

@@ -5,7 +5,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import choice, limited, option, with_examples
+from urdfkit.cli.decorators import choice, described, limited, option
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import FORCE, destination, save
 from urdfkit.cli.progress import working
@@ -17,7 +17,7 @@ from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples("decompose", "urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8")
+@described("decompose")
 @click.argument("file", metavar="FILE")
 @option("-o, --output OUT", "Write the pieces to this file.", to="out")
 @option("--split", "One file for each piece: OUT_1, OUT_2, ...")
@@ -31,6 +31,9 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
     Together the pieces contain the surface of the mesh. For a convex mesh, its hull is written.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8
     """
     if most < 1:
         raise options.UsageError("--most must be 1 or more")

@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, option, with_examples
+from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.progress import working
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
@@ -27,11 +27,7 @@ def _is_robot(files: list[str]) -> bool:
     return bool(files) and files[0].endswith((".urdf", ".xacro", ".xml"))
 
 
-@with_examples(
-    "generate",
-    "urdfkit mesh generate --model robot.urdf.xacro",
-    "urdfkit mesh generate lidar.dae --part rplidar_a2",
-)
+@described("generate")
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
 @option("--model FILE", "Robot that references the mesh.")
 @option(
@@ -62,6 +58,10 @@ def command(
     --model, MESH is a file, and --part selects the part.
 
     Exit codes: 0 done, 1 a mesh could not be generated, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh generate --model robot.urdf.xacro
+        urdfkit mesh generate lidar.dae --part rplidar_a2
     """
     files = [word for word in words if ":=" not in word]
     if len(files) > 1:

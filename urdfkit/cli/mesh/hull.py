@@ -1,7 +1,7 @@
 """``urdfkit mesh hull``: the convex hull of a mesh."""
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import described, limited
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import save, writes
 from urdfkit.cli.progress import working
@@ -11,13 +11,16 @@ from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples("hull", "urdfkit mesh hull arm.dae -o arm_hull.stl")
+@described("hull")
 @writes
 @limited
 def command(file: str, path: str | None) -> int:
     """Compute the convex hull of a mesh.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh hull arm.dae -o arm_hull.stl
     """
     with working():
         mesh = in_metres(load(file))

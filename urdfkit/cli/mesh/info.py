@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.decorators import described, in_formats, limited
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core.strict_json import dumped
@@ -16,7 +16,7 @@ from urdfkit.mesh.geometry import MeshPart
 VERSION = 1
 
 
-@with_examples("info", "urdfkit mesh info meshes/arm.dae meshes/hand.stl")
+@described("info")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @in_formats("text", "json")
 @limited
@@ -24,6 +24,9 @@ def command(files: tuple[str, ...], form: str) -> int:
     """Show size, triangles, unit and defects of mesh files.
 
     Exit codes: 0 done, 2 a file has no triangles.
+
+    Examples:
+        urdfkit mesh info meshes/arm.dae meshes/hand.stl
     """
     with progress_bar("mesh files") as bar:
         found = []

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, option, with_examples
+from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import save, writes
 from urdfkit.cli.progress import progress_bar
@@ -14,7 +14,7 @@ from urdfkit.mesh.repair import Repair, RepairStep, repair
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples("repair", "urdfkit mesh repair arm.stl", "urdfkit mesh repair arm.stl --write")
+@described("repair")
 @writes
 @option("--keep-holes", "Do not fill holes.")
 @option("--one-sided", "Remove one side of double-sided sheets.")
@@ -29,6 +29,10 @@ def command(file: str, path: str | None, keep_holes: bool, one_sided: bool, unio
 
     Exit codes: 0 nothing to repair, or repaired and written; 1 there is something to repair, or
     it could not be repaired fully; 2 usage or input error.
+
+    Examples:
+        urdfkit mesh repair arm.stl
+        urdfkit mesh repair arm.stl --write
     """
     mesh, defect = load_or_salvage(file)
     with progress_bar() as bar:

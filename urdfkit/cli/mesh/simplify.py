@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, option, with_examples
+from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import save, writes
 from urdfkit.cli.progress import progress_bar
@@ -12,11 +12,7 @@ from urdfkit.mesh.simplify import Simplified, to_budget, to_error
 from urdfkit.mesh.transforms import in_metres
 
 
-@with_examples(
-    "simplify",
-    "urdfkit mesh simplify arm.dae --triangles 2000 -o arm.stl",
-    "urdfkit mesh simplify arm.dae --error 0.001 --write",
-)
+@described("simplify")
 @option("--triangles N", "Maximum number of triangles.", type=int)
 @option("--error METRES", "Maximum deviation of the surface.", type=float)
 @writes
@@ -28,6 +24,10 @@ def command(file: str, path: str | None, triangles: int | None, error: float | N
     vertex colours are not.
 
     Exit codes: 0 done, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh simplify arm.dae --triangles 2000 -o arm.stl
+        urdfkit mesh simplify arm.dae --error 0.001 --write
     """
     if (triangles is None) == (error is None):
         raise options.UsageError("give either --triangles or --error")

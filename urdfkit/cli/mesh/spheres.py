@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import choice, limited, option, to_file, with_examples
+from urdfkit.cli.decorators import choice, described, limited, option, to_file
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -21,12 +21,7 @@ if TYPE_CHECKING:
     from urdfkit.mesh.sphere_quality import SphereQuality
 
 
-@with_examples(
-    "spheres",
-    "urdfkit mesh spheres robot.urdf.xacro -o robot.yml",
-    "urdfkit mesh spheres robot.urdf.xacro --format xrdf -o robot.xrdf",
-    "urdfkit mesh spheres robot.urdf --format urdf -o spheres.urdf --most 60",
-)
+@described("spheres")
 @one_robot
 @to_file("out", "Write the spheres to this file.")
 @choice(
@@ -57,6 +52,11 @@ def command(asked: dict[str, Any], out: str | None, form: str, **options: Any) -
     has spheres as collisions. The table measures what was found by other samples.
 
     Exit codes: 0 done, 1 some geometry is left out, 2 usage or input error.
+
+    Examples:
+        urdfkit mesh spheres robot.urdf.xacro -o robot.yml
+        urdfkit mesh spheres robot.urdf.xacro --format xrdf -o robot.xrdf
+        urdfkit mesh spheres robot.urdf --format urdf -o spheres.urdf --most 60
     """
     context = robot(asked)
     with progress_bar() as bar:
