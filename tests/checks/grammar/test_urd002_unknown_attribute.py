@@ -98,3 +98,17 @@ def test_a_long_list_of_attributes_is_cut() -> None:
     assert finding.message == (
         "link 'a': unknown attributes 'A', 'B', 'C', 'D', 'E' and 3 more in <link> (ignored)"
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("drake:acceleration", 0), ("drake:aceleration", 1), ("drake:own", 0)]
+)
+def test_attributes_of_drake(name: str, count: int) -> None:
+    joint = (
+        '<link name="a"/><link name="b"/><joint name="j" type="revolute"><parent link="a"/>'
+        '<child link="b"/><limit xmlns:drake="http://drake.mit.edu" lower="0" upper="1" '
+        f'effort="1" velocity="1" {name}="2"/></joint>'
+    )
+    assert ["did you mean 'drake:acceleration'" in one for one in messages("URD002", joint)] == [
+        True
+    ] * count

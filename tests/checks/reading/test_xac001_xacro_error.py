@@ -241,3 +241,17 @@ def test_an_include_that_cannot_be_opened(tmp_path: Path) -> None:
     (found,) = check(robot, select=["XAC001"]).diagnostics
     assert found.message == f"{tmp_path / 'parts.xacro'}: is a directory"
     assert found.help == "name a file in it"
+
+
+def test_a_macro_of_a_file_with_a_namespace(tmp_path: Path) -> None:
+    namespace = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    (tmp_path / "leg.xacro").write_text(
+        f'<robot {namespace}><xacro:macro name="leg"><link name="a"/></xacro:macro></robot>'
+    )
+    robot = tmp_path / "dog.xacro"
+    robot.write_text(
+        f'<robot name="dog" {namespace}><xacro:include filename="leg.xacro" ns="legs"/>'
+        "<xacro:leg/></robot>"
+    )
+    (found,) = check(robot, select=["XAC001"]).diagnostics
+    assert found.help == 'its file is included with ns="legs": write <xacro:legs.leg>'
