@@ -191,7 +191,17 @@ def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
             f"'{name}' is defined at {place}, but the <xacro:{within}> around it does not hold, or "
             "comes after the use"
         )
+    if namespace := _namespace_of(defined, span.source.path) if kind == "macro" else "":
+        return f'its file is included with ns="{namespace}": write <xacro:{namespace}.{name}>'
     return f"'{name}' is defined further down, at {place}: move its definition above the use"
+
+
+def _namespace_of(defined: Definitions, path: str) -> str:
+    """The namespace in which a file is included; empty without one."""
+    file = re.escape(os.path.basename(path)).encode()
+    included = re.compile(rb"""<xacro:include\b[^>]*%s["'][^>]*?\sns\s*=\s*["']([\w.]+)""" % file)
+    found = (included.search(source.data) for source in defined.sources.values())
+    return next((one[1].decode() for one in found if one), "")
 
 
 def _definitions(defined: Definitions, kind: str) -> Iterator[tuple[Span, str]]:
