@@ -17,12 +17,12 @@ def test_what_was_searched_and_how_to_name_it() -> None:
     assert found.help == "name its directory: --package lost_description=DIR"
 
 
-def test_what_follows_from_it_is_not_told() -> None:
+def test_what_follows_from_it_is_not_reported() -> None:
     body = '<xacro:include filename="$(find arm)/a.xacro"/><xacro:arm/><link name="${length}"/>'
     assert codes(body) == ["XAC011"]
 
 
-def test_every_package_is_told() -> None:
+def test_every_package_is_reported() -> None:
     body = (
         '<xacro:include filename="$(find arm)/a.xacro"/>\n'
         '<xacro:include filename="$(find hand)/h.xacro"/>\n<link name="$(find base)"/>'
