@@ -165,7 +165,7 @@ def test_a_directory_is_reported_by_its_robots(doctor: Doctor, tmp_path: Path) -
         f'{HEAD}<xacro:macro name="m"><link/></xacro:macro></robot>'
     )
     assert doctor(".").endswith(
-        "\n.: 1 robots\n  a.urdf\n  lib.xacro: defines no link, and no file includes it\n"
+        "\n.: 1 robot\n  a.urdf\n  lib.xacro: defines no link, and no file includes it\n"
         "  packages are searched in . (no repository or workspace found around it)\n"
     )
     (tmp_path / "urdfkit.toml").write_text(

@@ -24,6 +24,7 @@ from urdfkit.cli.decorators import (
 )
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.installation import install_command
+from urdfkit.core.words import counted
 from urdfkit.lint.config import Config, ConfigError
 from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
@@ -125,7 +126,7 @@ def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[st
     resolver = Resolver({**config.packages, **options.packages(values)})
     found = discover(path, config, resolver)
     configured = " (named by the configuration)" if config.robots else ""
-    yield f"{path}: {len(found.robots)} robots{configured}"
+    yield f"{path}: {counted(len(found.robots), 'robot')}{configured}"
     for robot in found.robots:
         words = [f"{name}:={value}" for name, value in robot.arguments.items()]
         yield "  " + " ".join([shown(robot.file), *words])

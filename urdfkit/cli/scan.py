@@ -11,6 +11,7 @@ from urdfkit.cli.decorators import choice, described, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
+from urdfkit.core.words import counted
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal, page
 from urdfkit.scan.isolated import Settings
@@ -100,7 +101,11 @@ def command(
         files += [MODELS, FINDINGS]
     else:
         options.warn(f"no Parquet files without pyarrow: {install_command('scan')}")
-    output.page(output.indented(f"{count} models checked; {directory} has {', '.join(files)}", ""))
+    output.page(
+        output.indented(
+            f"{counted(count, 'model')} checked; {directory} has {', '.join(files)}", ""
+        )
+    )
     return 0
 
 
