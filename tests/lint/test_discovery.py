@@ -229,3 +229,21 @@ def test_a_library_that_is_named_is_reported_to_hold_no_robot(tmp_path: Path):
         str(library),
         "defines no link; check a robot that uses it",
     )
+
+
+@pytest.mark.parametrize("is_repository", [False, True])
+def test_a_robot_in_home_is_looked_for_nowhere_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_repository: bool
+) -> None:
+    """An editor would wait until all of home is walked, which dotfiles may make a repository."""
+    monkeypatch.setenv("HOME", str(tmp_path))
+    if is_repository:
+        (tmp_path / ".git").mkdir()
+    write(tmp_path, "arm.urdf.xacro", '<link name="a"/>')
+    write(tmp_path, "elsewhere/more.urdf.xacro", include("../arm.urdf.xacro"))
+    resolver = Resolver()
+    found = affected([str(tmp_path / "arm.urdf.xacro")], Config(), resolver)
+    assert names(found) == ["arm.urdf.xacro"]
+    assert names(affected([str(tmp_path / "notes.yaml")], Config(), resolver)) == []
+    inside = affected([str(tmp_path / "elsewhere" / "more.urdf.xacro")], Config(), resolver)
+    assert names(inside) == ["more.urdf.xacro"]

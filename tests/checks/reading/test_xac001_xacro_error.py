@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import codes, marked, reported, told_of, write
+from tests.xacros import codes, marked, reported, told_of, write, xacro
 from urdfkit import check
 
 MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
@@ -131,6 +131,18 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
 def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> None:
     (found,) = reported("XAC001", f"{before}\n{use}")
     assert found.help.startswith(help)
+
+
+def test_a_macro_of_a_file_that_another_macro_includes(tmp_path: Path) -> None:
+    """A mobile base: <xacro:kmr_base/> includes a file with omni_steering, which comes next."""
+    (tmp_path / "base.xacro").write_text(xacro('<xacro:macro name="steering"/>'))
+    robot = tmp_path / "robot.xacro"
+    include = '<xacro:include filename="base.xacro"/>'
+    robot.write_text(
+        xacro(f'<xacro:macro name="base">{include}</xacro:macro><xacro:base/><xacro:steering/>')
+    )
+    (found,) = check(robot, select=["XAC001"]).diagnostics
+    assert found.help.endswith("and known in the macro that includes it only")
 
 
 def test_all_errors_are_reported_each_at_its_place() -> None:
