@@ -18,7 +18,7 @@ def test_what_was_searched_and_how_to_name_it() -> None:
 
 
 def test_what_follows_from_it_is_not_reported() -> None:
-    body = '<xacro:include filename="$(find shoulder)/a.xacro"/><xacro:arm/><link name="${length}"/>'
+    body = '<xacro:include filename="$(find gone)/a.xacro"/><xacro:arm/><link name="${length}"/>'
     assert codes(body) == ["XAC011"]
 
 
