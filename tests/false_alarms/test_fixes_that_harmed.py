@@ -252,3 +252,36 @@ def test_a_moment_becomes_that_of_the_shape_that_the_others_are_of(tmp_path: Pat
     robot = boxes(tmp_path, 1.2, moments.format("0.05"), "0.05 0.05 0.24", "0.05 0.05 0.24")
     fixes = fix(robot, unsafe=True, select=["INE003"])
     assert [one.fix.title for one in fixes.applied if one.fix] == ['write izz="0.0005"']
+
+
+#: gz_ros2_control's tricycle: a steering link of 5 g bears the front wheel.
+STEERED = """\
+<robot name="tricycle">
+  <link name="chassis"><inertial><mass value="40"/>
+    <inertia ixx="3" ixy="0" ixz="0" iyy="4" iyz="0" izz="6"/></inertial></link>
+  <link name="steering">
+    <visual><geometry><box size="0.01 0.01 0.01"/></geometry></visual>
+    <inertial>
+      <mass value="0.005"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <link name="wheel"><inertial><mass value="{mass}"/>
+    <inertia ixx="0.3" ixy="0" ixz="0" iyy="0.3" iyz="0" izz="0.6"/></inertial></link>
+  <joint name="steer" type="continuous"><parent link="chassis"/><child link="steering"/>
+    <axis xyz="0 0 1"/></joint>
+  <joint name="roll" type="continuous"><parent link="steering"/><child link="wheel"/>
+    <axis xyz="0 1 0"/></joint>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(("mass", "is_offered"), [("15", False), ("0.05", True)])
+def test_the_moments_of_a_light_link_that_carries_a_heavy_one_stay(
+    tmp_path: Path, mass: str, is_offered: bool
+) -> None:
+    robot = tmp_path / "tricycle.urdf"
+    robot.write_text(STEERED.format(mass=mass))
+    found = [one for one in check(robot, select=["INE006"]).diagnostics if "steer" in one.message]
+    assert [one.fix is not None for one in found] == [is_offered]
+    assert is_offered or found[0].help == "give it more mass first: its joints carry 15 kg"

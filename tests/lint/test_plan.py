@@ -32,7 +32,25 @@ def test_robots_of_a_directory_are_spelt_as_the_directory_was(tmp_path, monkeypa
     assert check("robots").files == check(tmp_path / "robots").files == ("robots/b.urdf",)
 
 
-def test_a_directory_is_checked_and_the_library_is_told(package):
+def test_a_launch_file_computes_the_name_of_a_robot_with_any_suffix(tmp_path):
+    (tmp_path / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
+    robot = tmp_path / "r.description"
+    robot.write_text('<robot name="r"><link name="a"/></robot>')
+    launch = tmp_path / "a.launch.py"
+    launch.write_text(
+        "import xacro\nfrom launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "def generate_launch_description():\n    name = 'r'\n"
+        f"    text = xacro.process_file(f'{tmp_path}/{{name}}.description').toxml()\n"
+        '    return LaunchDescription([Node(parameters=[{"robot_description": text}])])\n'
+    )
+    report = check(tmp_path)
+    assert set(report.files) == {str(tmp_path / "b.urdf"), str(launch), str(robot)}
+    assert report.skipped == ()
+    launch.write_text("def generate_launch_description(): ...")
+    assert [skip.path for skip in check(tmp_path).skipped] == [str(robot)]
+
+
+def test_a_directory_is_checked_and_the_library_is_reported(package):
     report = check(package)
     assert len(report.files) == 2
     assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
@@ -135,7 +153,7 @@ def test_a_urdf_without_a_robot_is_no_reason_for_a_green_report(
     assert code in {found.code for found in report.diagnostics if found.severity.value == "error"}
 
 
-def test_what_cannot_be_opened_is_told(tmp_path: Path) -> None:
+def test_what_cannot_be_opened_is_reported(tmp_path: Path) -> None:
     write(tmp_path, "good.urdf", CART)
     (tmp_path / "lost.urdf").symlink_to(tmp_path / "nowhere")
     (skipped,) = [one for one in check(tmp_path).skipped if not one.code]

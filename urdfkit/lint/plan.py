@@ -207,11 +207,22 @@ class Plan:
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
-        sets = self._launched.setdefault(disk.real(description.path), [{}])
+        real = disk.real(description.path)
+        if real not in self._launched:
+            self._launched[real] = [] if self._was_passed_over(real) else [{}]
+        sets = self._launched[real]
         if description.arguments in sets or len(sets) > MAX_LAUNCHED:
             return False
         sets.append(description.arguments)
         return True
+
+    def _was_passed_over(self, robot: str) -> bool:
+        """True if discovery skipped a robot, which now is not: what starts it is known."""
+        if self.config.robots:
+            return False
+        skipped, self.skipped = self.skipped, []
+        self.skipped += (one for one in skipped if disk.real(one.path) != robot)
+        return len(self.skipped) < len(skipped)
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
         every = {**self.config.arguments, **arguments, **self.arguments}

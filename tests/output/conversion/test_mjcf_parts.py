@@ -47,7 +47,7 @@ MTL = "newmtl image\nmap_Kd {image}\nnewmtl red\nKd 1 0 0\nd 0.5\nnewmtl blue\nK
 
 
 def image(kind: str) -> bytes:
-    """A picture of 2 by 2 pixels: the upper left one is red, the others are black."""
+    """An image of 2 by 2 pixels: the upper left one is red, the others are black."""
     file = io.BytesIO()
     pixels = np.zeros((2, 2, 3), dtype=np.uint8)
     pixels[0, 0, 0] = 255

@@ -59,6 +59,9 @@ _STRIKING = 10.0
 #: In a comment beside a tensor that is too large on purpose.
 _PURPOSES = (b"stabilis", b"stabiliz")
 
+#: Times its own mass that the joints of a link carry from where on its moments stay as they are.
+_CARRIED = 300.0
+
 #: A share in the inertia of a whole rigid body that is named.
 _SHARE = 0.1
 
@@ -72,23 +75,29 @@ def check(context: Context) -> Findings:
     masses = context.masses
     too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.
-    found = ((one, _too_large(one, masses)) for one in too_large)
+    loads = {body.top.name: load for body, load in masses.overloaded(_CARRIED)} if too_large else {}
+    found = ((one, _too_large(one, masses, loads.get(one.link.name))) for one in too_large)
     yield from together(found, by=lambda one: max(one.diagonal))
     too_small = masses.defects.get(InertiaDefect.TOO_SMALL, ())
     yield from together((one, _too_small(one, masses)) for one in too_small)
     yield from map(_wrong_axes, masses.defects.get(InertiaDefect.WRONG_AXES, ()))
 
 
-def _too_large(one: LinkInertia, masses: Masses) -> Finding:
+def _too_large(one: LinkInertia, masses: Masses, load: float | None) -> Finding:
+    """Of a link whose joints carry a load in kg; None unless that is far more than the link."""
     diagnosis = of_unlike_shape(one, masses)
+    if load is None:
+        help, fix = advice(one, diagnosis), replacement(one, diagnosis.tensor)
+    else:  # a steering link of 5 g between chassis and wheel is stable by its inertia alone
+        help, fix = f"give it more mass first: its joints carry {load:.3g} kg", None
     high, bound = one.moments[2], one.largest_possible
     return Finding(
         one.at,
         f"link '{one.link.name}': {high:.3g} kg·m² is {high / bound:.3g} times the most that "
         f"{one.mass:g} kg can have within {one.reach:.3g} m of the centre of mass; "
         f"{as_solid(one)}{_radius(one)}{_share(one, masses)}",
-        advice(one, diagnosis),
-        replacement(one, diagnosis.tensor),
+        help,
+        fix,
         confidence=Confidence.INFERRED,
         weight=high / bound,
         severity=Severity.INFO if _is_deliberate(one) else None,
