@@ -118,7 +118,7 @@ SLOW = (
     "tests/cli/mesh/test_spheres.py",
     "tests/cli/test_collisions.py",
     "tests/cli/test_configured.py",
-    "tests/cli/test_main.py::test_ctrl_c_ends",
+    "tests/cli/test_failures.py::test_ctrl_c_ends",
     "tests/cli/test_mcp.py",
     "tests/cli/test_options.py::test_both_parsers",
     "tests/cli/test_own_process.py",
@@ -363,7 +363,7 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """For tests of reports that do not look at the pictures, which take most of their time."""
+    """For tests of reports that do not look at the images, which take most of their time."""
     module = importlib.import_module("urdfkit.output.report.data_uris")
     for name in ("SHEET", "MARKED"):
         monkeypatch.setattr(module, name, (128, 72))

@@ -57,7 +57,7 @@ def test_the_model_is_as_independent_tools_measured_it(entry: CorpusRobot) -> No
 
 
 @pytest.mark.parametrize("entry", REFUSED, ids=model_id)
-def test_the_reason_why_xacro_refuses_a_model_is_told(entry: CorpusRobot) -> None:
+def test_the_reason_why_xacro_refuses_a_model_is_reported(entry: CorpusRobot) -> None:
     # A check takes values for arguments from around the file.
     context = Context(Source.read(entry.path), Resolver(), entry.arguments)
     found = {problem.code for problem in context.reading.problems}

@@ -73,7 +73,7 @@ def test_the_counts_in_readme_are_true(page: Path) -> None:
     assert f" {len(PLANTS)} " in (transcripts.ROOT / "docs" / "comparison.md").read_text("utf-8")
 
 
-def test_the_road_in_readme_mends_the_robot(tmp_path: Path) -> None:
+def test_the_road_in_readme_fixes_the_robot(tmp_path: Path) -> None:
     """The commands of the story, one after the other, in a shell."""
     pytest.importorskip("trimesh")
     pytest.importorskip("PIL")

@@ -100,7 +100,7 @@ def _errors(report: Any) -> Counter[str]:
     return Counter(one.code for one in found)
 
 
-#: What a slip of the hand does to a robot.
+#: What a mistake does to a robot.
 SLIPS = (
     (b"<origin", b"<orgin"),
     (b'link="', b'link="x'),
@@ -134,7 +134,7 @@ def _robots() -> list[Path]:
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
-def test_a_damaged_robot_is_mended_once_and_for_all(data: st.DataObject) -> None:
+def test_a_damaged_robot_is_fixed_once_and_for_all(data: st.DataObject) -> None:
     """In memory, where the files beside the robot are found as ever."""
     file = data.draw(st.sampled_from(_robots()))
     text = Source.read(file).data

@@ -91,7 +91,7 @@ def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> 
     assert {d.span.source.path for d in report.diagnostics} == {str(MODEL)}
 
 
-def test_the_missing_mesh_is_told_with_the_directories_searched(report: Report) -> None:
+def test_the_missing_mesh_is_reported_with_the_directories_searched(report: Report) -> None:
     (mesh,) = found(report, "MSH001")
     assert "package://gazebo_pkg/meshes/hokuyo.dae" in mesh.message
     assert os.path.relpath(PACKAGE / "meshes" / "hokuyo.dae") in mesh.message
@@ -119,7 +119,7 @@ def test_the_wheels_are_deep_in_the_chassis(report: Report) -> None:
     assert all("'base_link' by 45 mm" in wheel.message for wheel in wheels)
 
 
-def test_the_macro_behind_it_is_told_with_the_links(report: Report) -> None:
+def test_the_macro_behind_it_is_reported_with_the_links(report: Report) -> None:
     (macro,) = found(report, "XAC014")
     assert "6 links of 0.0001 to 8.2 kg" in macro.message
     assert [related.span.line for related in macro.related] == [31, 68, 91, 112, 133, 154]

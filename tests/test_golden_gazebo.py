@@ -48,7 +48,7 @@ def test_the_inferred_generation_is_that_of_ros1() -> None:
     assert sorted((one.code, one.span.text) for one in found("classic-ros1")) == ALWAYS
 
 
-def test_for_ros2_the_old_tags_and_the_old_laser_are_told() -> None:
+def test_for_ros2_the_old_tags_and_the_old_laser_are_reported() -> None:
     heard = found("classic-ros2")
     (laser,) = [one for one in heard if one.code == "GAZ012"]
     assert laser.severity.value == "error"

@@ -208,7 +208,7 @@ def is_github(text: str) -> None:
 
 
 def is_markdown(text: str) -> None:
-    """Tables of as many columns in each row, and neither markup, links nor pictures in a name."""
+    """Tables of as many columns in each row, and neither markup, links nor images in a name."""
     assert not _UNSAFE.search(text)
     rows = 0
     for line in text.splitlines():

@@ -92,7 +92,7 @@ def copied(robot: str, to: Path) -> list[Path]:
 
 
 def planted(plant: Plant, directory: Path) -> set[tuple[str, int]]:
-    """Plant a defect; files and lines where it may be told."""
+    """Plant a defect; files and lines where it may be reported."""
     path = directory / plant.file
     before = path.read_text(encoding="utf-8")
     start = -1

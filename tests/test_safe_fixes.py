@@ -1,4 +1,4 @@
-"""A safe fix gives back the robot as it was before a slip, or changes nothing that is read."""
+"""A safe fix gives back the robot as it was before a mistake, or changes nothing that is read."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ SLIPS = {
     "type": (r'type="(?:revolute|continuous|prismatic)"', 'type="fixed"'),
     "dollar": (r"\$\{", "{"),
 }
-#: Places of each slip that are tried.
+#: Places of each mistake that are tried.
 PLACES = 6
 
 

@@ -221,7 +221,7 @@ def test_nothing_has_changed_although_the_text_has(repository):
     assert_unchanged_since(repository.robot(mass="5"), "v1")
 
 
-def test_what_changed_in_an_included_file_of_another_package_is_told(repository):
+def test_what_changed_in_an_included_file_of_another_package_is_reported(repository):
     repository.write("parts/urdf/part.xacro", PART.replace('ixx="0.1"', 'ixx="0.2"'))
     repository.write("robot/config/sizes.yaml", "height: 0.75\n")
     assert failure(assert_unchanged_since, repository.robot(), "v1") == (

@@ -66,7 +66,7 @@ def nothing_installed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("nothing_installed")
-def test_what_is_missing_is_told_with_the_remedy(doctor: Doctor) -> None:
+def test_what_is_missing_is_reported_with_the_fix(doctor: Doctor) -> None:
     out = doctor()
     assert f"  {'pin':<21}missing       dynamics\n{'':<23}{install_command('dynamics')}\n" in out
 
@@ -106,7 +106,7 @@ def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> N
 
 
 @pytest.mark.usefixtures("gazebo_pkg")
-def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
+def test_targets_are_reported_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
     out = doctor(file)
     assert f"\n{file}: xacro\n" in out
@@ -148,7 +148,7 @@ def test_where_packages_come_from(
     ) in doctor(file)
 
 
-def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
+def test_rules_that_do_not_run_are_reported_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text("<robot")
     out = doctor("r.urdf")
     assert "  TRE003 skipped: the description cannot be read\n" in out
@@ -159,7 +159,7 @@ def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path
     assert int(out.rpartition("  rules: ")[2].split()[0]) > 0
 
 
-def test_a_directory_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
+def test_a_directory_is_reported_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "a.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     (tmp_path / "lib.xacro").write_text(
         f'{HEAD}<xacro:macro name="m"><link/></xacro:macro></robot>'

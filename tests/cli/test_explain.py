@@ -91,7 +91,7 @@ def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
     assert page.index("\n\nGood:\n") < page.index("\n\nFixed:\n")
 
 
-def test_what_a_rule_needs_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_a_rule_needs_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "SRD009"]) == 0
     needs = "Needs: a readable robot model, an SRDF of the robot, coal (extra 'dynamics')"
     assert needs in " ".join(capsys.readouterr().out.split())

@@ -29,7 +29,7 @@ def test_a_pose_moves_the_centre(capsys: pytest.CaptureFixture[str]) -> None:
     assert document["pose"] == {"shoulder": pytest.approx(1.5707963267948966)}
 
 
-def test_a_pose_beyond_the_limits_is_taken_and_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_pose_beyond_the_limits_is_taken_and_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["info", ARM, "--joint", "elbow=2"]) == 0
     captured = capsys.readouterr()
     assert captured.err == "note: joint 'elbow' at 2 rad is outside its limits -1.9 to 1.9 rad\n"
@@ -57,7 +57,7 @@ def test_many_sensors_and_plugins_are_counted_by_kind(
     assert "links       2, 0 roots\n" in page
 
 
-def test_a_name_that_occurs_often_is_told_once(
+def test_a_name_that_occurs_often_is_reported_once(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     plugins = '<plugin name="same" filename="libx.so"/><plugin name="other" filename="libx.so"/>'
@@ -115,7 +115,7 @@ def test_what_cannot_be_done_is_said(
     assert reported in captured.err
 
 
-def test_the_first_error_is_told_not_a_warning_before_it(
+def test_the_first_error_is_reported_not_a_warning_before_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "robot.xacro"
@@ -148,7 +148,7 @@ def test_instead_of_a_directory_its_robots_are_named(
         ("side:=left", ""),
     ],
 )
-def test_an_argument_that_nothing_reads_is_told(
+def test_an_argument_that_nothing_reads_is_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], given: str, note: str
 ) -> None:
     robot = tmp_path / "r.xacro"

@@ -107,7 +107,7 @@ def test_without_pinocchio_frames_are_there_and_matrices_say_what_is_missing(
 
 
 @pytest.mark.parametrize("words", [["--transform", "mount", "forarm"], ["--jacobian", "forarm"]])
-def test_an_unknown_link_is_told(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_link_is_reported(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     if "--jacobian" in words:
         pytest.importorskip("pinocchio")
     assert main(["kinematics", ARM, *words]) == 2

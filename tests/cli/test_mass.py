@@ -58,7 +58,7 @@ def test_a_pose(capsys: pytest.CaptureFixture[str]) -> None:
     assert opened[2] > closed[2]
 
 
-def test_a_robot_without_mass_is_told_in_a_line(
+def test_a_robot_without_mass_is_reported_in_a_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     visual = '<visual><geometry><box size="1 1 1"/></geometry></visual>'

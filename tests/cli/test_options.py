@@ -102,7 +102,7 @@ def values(*words: str) -> dict[str, Any]:
     return found
 
 
-def test_files_and_arguments_are_told_apart() -> None:
+def test_files_and_arguments_are_distinguished() -> None:
     found = values("a.urdf", "x:=1", "-", "y:=a=b", "x:=2", "z:=")
     assert options.files(found) == ["a.urdf", "-"]
     assert options.arguments(found) == {"x": "2", "y": "a=b", "z": ""}

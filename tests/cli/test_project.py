@@ -67,7 +67,7 @@ def test_a_directory_without_robots_cannot_be_checked(project: Project) -> None:
     assert err == "error: empty: contains no .urdf, no .xacro with a <robot> and no launch file\n"
 
 
-def test_the_nearest_configuration_counts_unless_told_otherwise(project: Project) -> None:
+def test_the_nearest_configuration_counts_unless_another_is_named(project: Project) -> None:
     project.write("inner/urdfkit.toml", 'select = ["XML"]\n')
     project.robot("inner/bad.urdf", "one")
     project.write("other.toml", 'select = ["TRE003"]\nfail-on = "error"\n')
@@ -81,7 +81,7 @@ def test_the_nearest_configuration_counts_unless_told_otherwise(project: Project
     assert project.summary("bad.urdf", "--fail-on", "warning")[0] == 1
 
 
-def test_a_slip_in_the_configuration_stops_the_check(project: Project) -> None:
+def test_a_typo_in_the_configuration_stops_the_check(project: Project) -> None:
     project.write("urdfkit.toml", "selct = []")
     code, out, err = project.check(".")
     assert (code, out) == (2, "")
@@ -127,7 +127,7 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     assert "bad.urdf:4:" in out
     assert out.endswith("1 error in 2 files (1 finding in the baseline)\n")
 
-    project.robot("bad.urdf")  # mended: the baseline holds more than there is
+    project.robot("bad.urdf")  # fixed: the baseline holds more than there is
     assert project.summary(".", "--baseline", "known.json") == (0, "no findings in 2 files")
 
 
@@ -138,7 +138,7 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
         (["--baseline", "none.json"], "none.json: file not found"),
     ],
 )
-def test_a_baseline_that_is_missing_is_told_before_the_check(
+def test_a_baseline_that_is_missing_is_reported_before_the_check(
     project: Project, monkeypatch: pytest.MonkeyPatch, words: list[str], reported: str
 ) -> None:
     monkeypatch.setattr(

@@ -1,4 +1,4 @@
-"""The render command: a picture in a file, and what cannot be drawn by name."""
+"""The render command: an image in a file, and what cannot be drawn by name."""
 
 import subprocess
 import sys
@@ -23,7 +23,7 @@ ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 SMALL = ["--size", "160x90", "--quality", "draft"]
 
 
-def test_a_picture_is_written_and_a_missing_mesh_is_named(
+def test_an_image_is_written_and_a_missing_mesh_is_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "robot.png"
@@ -122,7 +122,7 @@ def test_what_cannot_be_done_is_said(
     assert not path.exists()
 
 
-def test_a_name_that_is_no_picture_is_refused(
+def test_a_name_that_is_no_image_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["render", ARM, "-o", str(tmp_path / "robot.txt"), *SMALL]) == 2
@@ -170,7 +170,7 @@ def test_no_library_for_graphics_is_loaded(tmp_path: Path) -> None:
     assert [name for name in loaded if name.startswith(graphics)] == []
 
 
-def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_image_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["render", ARM]) == 2
     assert "-o" in capsys.readouterr().err
 
@@ -182,7 +182,7 @@ def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str])
         ('<robot name="r"><link name="a"/></robot>', "--layers frames,names"),
     ],
 )
-def test_a_picture_of_nothing_is_refused(
+def test_an_image_of_nothing_is_refused(
     content: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "r.urdf"
@@ -192,7 +192,7 @@ def test_a_picture_of_nothing_is_refused(
     assert not (tmp_path / "r.png").exists()
 
 
-def test_letters_that_no_font_has_are_told(
+def test_letters_that_no_font_has_are_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "r.urdf"

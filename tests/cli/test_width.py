@@ -9,7 +9,7 @@ import click
 import pytest
 
 from tests.conftest import MODELS, ROOT
-from urdfkit.cli import main
+from urdfkit.cli import main, output
 from urdfkit.cli.group import COMMANDS, group
 
 ROBOT = str((MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").relative_to(ROOT))
@@ -105,3 +105,11 @@ def test_usage_errors_in_the_words_of_people(
     monkeypatch.chdir(ROOT)
     assert main(words) == 2
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("columns", "expected"), [("40", 40), ("200", 200), ("0", 80), ("x", 80)])
+def test_the_width_is_that_of_the_variable(
+    columns: str, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    assert output.width() == expected

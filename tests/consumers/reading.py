@@ -67,7 +67,7 @@ def is_installed(name: str) -> bool:
 
 
 def read(name: str, text: bytes, folder: Path) -> Reading | str:
-    """What a program makes of a URDF in a folder; its error if it rejects it."""
+    """What a program makes of a URDF in a directory; its error if it rejects it."""
     with tempfile.TemporaryDirectory() as scratch:
         urdf = Path(scratch, "robot.urdf")
         urdf.write_bytes(text)

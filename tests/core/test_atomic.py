@@ -74,7 +74,7 @@ def test_a_failure_leaves_the_old_file_and_nothing_else(
     assert os.listdir(tmp_path) == ["report.json"]
 
 
-def test_what_cannot_be_written_is_said_with_the_remedy(tmp_path: Path) -> None:
+def test_what_cannot_be_written_is_said_with_the_fix(tmp_path: Path) -> None:
     with pytest.raises(UnwritableFile, match="is a directory; pass a file in it"):
         atomic.write(tmp_path, b"")
     with pytest.raises(UnwritableFile, match=r"no such directory '.*missing'; create it first"):

@@ -46,7 +46,7 @@ def test_a_name_without_what_kind_of_thing_it_is() -> None:
         ("drive1", "drive2", False),
     ],
 )
-def test_a_slip_is_one_letter_or_two_exchanged(word: str, other: str, expected: bool) -> None:
+def test_a_typo_is_one_letter_or_two_exchanged(word: str, other: str, expected: bool) -> None:
     assert is_typo(word, other) is expected
     assert is_typo(other, word) is expected
 
@@ -80,7 +80,7 @@ def test_an_endless_word_costs_little() -> None:
         ("roler_b", "roller_b"),
     ],
 )
-def test_a_sibling_is_not_a_slip(word: str, suggested: str) -> None:
+def test_a_sibling_is_not_a_typo(word: str, suggested: str) -> None:
     known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg", "roller_b"]
     assert Suggester(known).suggested(word) == suggested
 

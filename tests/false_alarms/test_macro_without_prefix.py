@@ -1,4 +1,4 @@
-"""A macro that is called without its prefix makes no link: that is told once, where it stands."""
+"""A macro that is called without its prefix makes no link: one finding, where it stands."""
 
 from pathlib import Path
 

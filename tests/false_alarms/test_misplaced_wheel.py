@@ -24,7 +24,7 @@ def test_four_wheels_in_their_corners() -> None:
 
 @pytest.mark.parametrize("odd", range(4))
 @pytest.mark.parametrize("mistake", ["y", "x", "forward", "up", "below"])
-def test_the_odd_one_is_told(odd: int, mistake: str) -> None:
+def test_the_odd_one_is_reported(odd: int, mistake: str) -> None:
     x, y, z = map(float, PLACES[odd].split())
     wrong = {
         "y": (x, -y, z),

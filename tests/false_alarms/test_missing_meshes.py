@@ -106,7 +106,7 @@ def test_a_path_that_is_absolute_by_mistake(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("directory", "severity"), [("../meshes", "info"), ("../mesh", "error"), ("", "error")]
 )
-def test_a_directory_of_meshes_that_mujoco_is_told(
+def test_a_directory_of_meshes_that_mujoco_is_reported(
     tmp_path: Path, directory: str, severity: str
 ) -> None:
     """Fetch's Freight for MuJoCo: the URDF says where its meshes are."""

@@ -50,7 +50,7 @@ def test_a_hardware_plugin_of_gazebo_classic(tmp_path: Path) -> None:
     assert codes(tmp_path, "gz_ros2_control/GazeboSimSystem") == []
 
 
-def test_a_plugin_of_gazebo_classic_is_told_once(tmp_path: Path) -> None:
+def test_a_plugin_of_gazebo_classic_is_reported_once(tmp_path: Path) -> None:
     system = "gz_ros2_control/GazeboSimSystem"
     old = '<plugin name="p3d" filename="libgazebo_ros_p3d.so"><bodyName>arm</bodyName></plugin>'
     assert codes(tmp_path, system, old) == ["GAZ012"]

@@ -18,7 +18,7 @@ ROBOT = '<robot name="r">\n{}<link name="a"/>\n</robot>\n'
         ("<!-- a\n---\nb -->", "<!-- a\n===\nb -->"),
     ],
 )
-def test_hyphens_in_a_comment_are_named_and_mended(comment: str, mended: str) -> None:
+def test_hyphens_in_a_comment_are_named_and_fixed(comment: str, mended: str) -> None:
     robot = ROBOT.format(comment).encode()
     (found,) = reported("XML001", robot)
     assert found.span.source.data[found.span.start :].startswith(b"-")

@@ -117,7 +117,7 @@ def test_clean_robots_are_green(runner: Runner) -> None:
 
 
 @needs_bash
-def test_findings_are_told_everywhere(runner: Runner) -> None:
+def test_findings_are_reported_everywhere(runner: Runner) -> None:
     done = runner.run("Check", files="gazebo_pkg\n", options="--select\nMSH001")
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith(
@@ -134,7 +134,7 @@ def test_findings_are_told_everywhere(runner: Runner) -> None:
 
 
 @needs_bash
-def test_each_robot_gets_a_report_and_a_picture(runner: Runner) -> None:
+def test_each_robot_gets_a_report_and_an_image(runner: Runner) -> None:
     pytest.importorskip("jinja2")
     pytest.importorskip("PIL")
     runner.run(
@@ -158,7 +158,7 @@ def test_each_robot_gets_a_report_and_a_picture(runner: Runner) -> None:
 
 
 @needs_bash
-def test_each_variant_gets_a_report_and_a_picture(runner: Runner) -> None:
+def test_each_variant_gets_a_report_and_an_image(runner: Runner) -> None:
     pytest.importorskip("jinja2")
     pytest.importorskip("PIL")
     (runner.workspace / "arm.urdf.xacro").write_text(
@@ -185,7 +185,7 @@ def test_each_variant_gets_a_report_and_a_picture(runner: Runner) -> None:
 
 
 @needs_bash
-def test_a_picture_that_is_missing_is_told(runner: Runner) -> None:
+def test_an_image_that_is_missing_is_reported(runner: Runner) -> None:
     pytest.importorskip("jinja2")
     (runner.workspace / "x.urdf").write_text("<robot")
     runner.run("Check", files="x.urdf")

@@ -1,4 +1,4 @@
-"""The mission's package, mended end to end."""
+"""The mission's package, fixed end to end."""
 
 import shutil
 from pathlib import Path

@@ -16,7 +16,7 @@ from tests.conftest import MODELS, ROOT
 pytest.importorskip("pygls")
 pytestmark = pytest.mark.skipif(shutil.which("nvim") is None, reason="Neovim is not installed")
 
-#: Opens the file, waits for findings, asks, mends and renames; what it saw goes to a file.
+#: Opens the file, waits for findings, asks, fixes and renames; what it saw goes to a file.
 SESSION = """
 vim.cmd("edit " .. vim.env.ROBOT)
 local buffer = vim.api.nvim_get_current_buf()

@@ -108,7 +108,7 @@ def repository(tmp_path: Path, hooks: Repository, home: Path) -> Repository:
     return repository
 
 
-def test_commits_pass_are_refused_and_pass_again_once_mended(repository: Repository) -> None:
+def test_commits_pass_are_refused_and_pass_again_once_fixed(repository: Repository) -> None:
     macros = repository.directory / "two" / "macros.xacro"
     macros.write_text(MACROS.replace("${name}", "${nam}"))
     refused = repository.commit()
@@ -157,7 +157,7 @@ def test_the_configuration_of_the_project_counts(repository: Repository) -> None
 
 @needs_corpus
 def test_real_robots(tmp_path: Path, hooks: Repository, home: Path) -> None:
-    """A file that five robots include is broken, and mended."""
+    """A file that five robots include is broken, and fixed."""
     repository = Repository(tmp_path, home)
     for name in ("linorobot2", "urdf_tutorial"):
         shutil.copytree(CORPUS / name, tmp_path / name)

@@ -182,7 +182,7 @@ def test_everything_that_can_be_set(tmp_path):
         ("a = ", ["not TOML"]),
     ],
 )
-def test_a_slip_is_an_error_that_names_file_setting_and_remedy(tmp_path, text, words):
+def test_a_typo_is_an_error_that_names_file_setting_and_fix(tmp_path, text, words):
     path = write(tmp_path, text)
     with pytest.raises(ConfigError) as error:
         load(path)

@@ -92,7 +92,7 @@ def test_nothing_to_check_is_no_mistake(repository):
     assert (report.files, report.diagnostics, report.exit_code()) == ((), (), 0)
 
 
-def test_a_library_that_nobody_includes_is_told(repository):
+def test_a_library_that_nobody_includes_is_reported(repository):
     path = write(repository, "parts/urdf/new.xacro", '<xacro:macro name="new"/>')
     found = affected([path], Config(), Resolver())
     assert found.robots == ()
@@ -179,14 +179,14 @@ def test_a_robot_that_a_launch_file_names_is_one_whatever_its_suffix(tmp_path: P
         "",
     ],
 )
-def test_what_is_no_robot_is_not_told(tmp_path: Path, text: str):
+def test_what_is_no_robot_is_not_reported(tmp_path: Path, text: str):
     write(tmp_path, "arm.urdf", '<link name="a"/>')
     for name in ("box.model", "box.gazebo"):
         (tmp_path / name).write_text(text)
     assert dict(discover(str(tmp_path), Config(), Resolver()).others) == {}
 
 
-def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
+def test_robots_that_the_configuration_does_not_name_are_reported(tmp_path: Path):
     write(tmp_path, "arm.xacro", f'{include("part.urdf")}<link name="a"/>')
     write(tmp_path, "part.urdf", '<link name="b"/>')
     write(tmp_path, "spare.urdf", '<link name="c"/>')
@@ -220,7 +220,7 @@ def test_a_directory_without_a_robot_says_what_is_there(tmp_path: Path):
     )
 
 
-def test_a_library_that_is_named_is_told_to_hold_no_robot(tmp_path: Path):
+def test_a_library_that_is_named_is_reported_to_hold_no_robot(tmp_path: Path):
     library = add_file(tmp_path / "m.xacro", xacro('<xacro:macro name="m"/>').encode())
     robot = add_file(tmp_path / "r.xacro", xacro('<link name="a"/>').encode())
     (skip,) = check(library, robot).skipped
@@ -229,3 +229,21 @@ def test_a_library_that_is_named_is_told_to_hold_no_robot(tmp_path: Path):
         str(library),
         "defines no link; check a robot that uses it",
     )
+
+
+@pytest.mark.parametrize("is_repository", [False, True])
+def test_a_robot_in_home_is_looked_for_nowhere_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_repository: bool
+) -> None:
+    """An editor would wait until all of home is walked, which dotfiles may make a repository."""
+    monkeypatch.setenv("HOME", str(tmp_path))
+    if is_repository:
+        (tmp_path / ".git").mkdir()
+    write(tmp_path, "arm.urdf.xacro", '<link name="a"/>')
+    write(tmp_path, "elsewhere/more.urdf.xacro", include("../arm.urdf.xacro"))
+    resolver = Resolver()
+    found = affected([str(tmp_path / "arm.urdf.xacro")], Config(), resolver)
+    assert names(found) == ["arm.urdf.xacro"]
+    assert names(affected([str(tmp_path / "notes.yaml")], Config(), resolver)) == []
+    inside = affected([str(tmp_path / "elsewhere" / "more.urdf.xacro")], Config(), resolver)
+    assert names(inside) == ["more.urdf.xacro"]

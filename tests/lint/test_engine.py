@@ -46,7 +46,7 @@ def robots(tmp_path: Path) -> Path:
 SELECT = ["TRE003", "XAC004"]
 
 
-def test_the_defect_of_a_shared_file_is_told_once(robots: Path) -> None:
+def test_the_defect_of_a_shared_file_is_reported_once(robots: Path) -> None:
     report = check(robots / "two.xacro", robots / "one.xacro", select=SELECT)
     assert found(report) == [
         ("one.xacro", "XAC004", 3),

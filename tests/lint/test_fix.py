@@ -270,7 +270,7 @@ def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
     assert [one.code for one in alone.applied] == ["XAC002"]
 
 
-def test_the_same_slip_in_an_element_that_a_fix_reveals_does_not_forbid_it(
+def test_the_same_typo_in_an_element_that_a_fix_reveals_does_not_forbid_it(
     tmp_path: Path,
 ) -> None:
     body = """\

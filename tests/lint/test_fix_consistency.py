@@ -40,7 +40,7 @@ def test_a_file_of_several_robots_is_edited_once(fleet: Path) -> None:
 
 
 def test_what_another_robot_needs_is_kept(tmp_path: Path) -> None:
-    """'arm_lnk' is a slip in one robot, which has 'arm_link', and right in the other."""
+    """'arm_lnk' is a typo in one robot, which has 'arm_link', and right in the other."""
     joint = '<joint name="j" type="fixed"><parent link="base"/><child link="arm_lnk"/></joint>\n'
     write(tmp_path, "shared.xacro", f'<link name="base"/>\n{joint}', XACRO)
     include = '<xacro:include filename="shared.xacro"/>\n'

@@ -17,11 +17,11 @@ def links(number: int, tag: str = "<tint/>") -> str:
     return "".join(f'<link name="l{i}">\n  {tag}\n</link>\n' for i in range(number))
 
 
-def test_a_few_that_are_alike_are_told_one_by_one() -> None:
+def test_a_few_that_are_alike_are_reported_one_by_one() -> None:
     assert len(shown("URD001", links(MAX_SINGLE))) == MAX_SINGLE
 
 
-def test_many_that_are_alike_are_told_as_the_first() -> None:
+def test_many_that_are_alike_are_reported_as_the_first() -> None:
     (finding,) = shown("URD001", links(MAX_SINGLE + 1))
     assert (
         finding.message
@@ -65,14 +65,14 @@ def test_tags_of_one_link_are_moved_once() -> None:
     assert fixed("URD008", pairs).count("<mu1>") == 10
 
 
-def test_the_places_that_are_told_are_bounded() -> None:
+def test_the_places_that_are_reported_are_bounded() -> None:
     (finding,) = shown("URD001", links(60))
     assert "and 59 more like this" in finding.message
     assert len(finding.related) == MAX_NOTES
 
 
 @pytest.mark.parametrize("other", ["<hue/>", "<glow/>"])
-def test_other_slips_are_told_beside_them(other: str) -> None:
+def test_other_typos_are_reported_beside_them(other: str) -> None:
     found = shown("URD001", links(5) + links(5, other).replace('"l', '"k'))
     assert [one.message.split(":")[0] for one in found] == ["link 'l0'", "link 'k0'"]
 

@@ -66,7 +66,7 @@ def test_trust_lifts_the_fence(tmp_path: Path) -> None:
     assert load(tmp_path / "robot" / "r.xacro", trust=True).links[0].name == "secret_base"
 
 
-def test_every_reason_is_told_with_its_place() -> None:
+def test_every_reason_is_reported_with_its_place() -> None:
     broken = ARGUED.replace(b"$(arg side)_base", b"${one}${two}")
     broken = broken.replace(b"</robot>", b'  <link name="${three}"/>\n</robot>')
     for call in (load, expand):
@@ -80,7 +80,7 @@ def test_every_reason_is_told_with_its_place() -> None:
         assert len(error.value.problems) == 3
 
 
-def test_broken_xml_is_told_with_its_place() -> None:
+def test_broken_xml_is_reported_with_its_place() -> None:
     with pytest.raises(UnreadableRobot, match=r"^r\.urdf:1:8: "):
         load(Source("r.urdf", b"<robot>"))
 

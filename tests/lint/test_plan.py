@@ -70,7 +70,7 @@ def test_what_a_launch_file_of_another_package_gives_is_enough(tmp_path):
     assert report.files == (str(launch),)
 
 
-def test_a_directory_is_checked_and_the_library_is_told(package):
+def test_a_directory_is_checked_and_the_library_is_reported(package):
     report = check(package)
     assert len(report.files) == 2
     assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
@@ -173,7 +173,7 @@ def test_a_urdf_without_a_robot_is_no_reason_for_a_green_report(
     assert code in {found.code for found in report.diagnostics if found.severity.value == "error"}
 
 
-def test_what_cannot_be_opened_is_told(tmp_path: Path) -> None:
+def test_what_cannot_be_opened_is_reported(tmp_path: Path) -> None:
     write(tmp_path, "good.urdf", CART)
     (tmp_path / "lost.urdf").symlink_to(tmp_path / "nowhere")
     (skipped,) = [one for one in check(tmp_path).skipped if not one.code]

@@ -197,7 +197,7 @@ def test_what_cannot_be_used_is_an_error_that_names_it(
     assert text.startswith("error: ")
 
 
-def test_a_slip_in_the_name_is_told_with_the_nearest(place: Place) -> None:
+def test_a_typo_in_the_name_is_reported_with_the_nearest(place: Place) -> None:
     place.install()
     assert (
         "'acne', neither installed nor as a module; did you mean 'acme'?"
@@ -205,7 +205,7 @@ def test_a_slip_in_the_name_is_told_with_the_nearest(place: Place) -> None:
     )
 
 
-def test_a_rule_that_fails_is_told_as_its_own_bug(place: Place) -> None:
+def test_a_rule_that_fails_is_reported_as_its_own_bug(place: Place) -> None:
     source = (OWN_RULE / "acme_rules" / "acm001_joint_too_fast.py").read_text()
     place.install(
         code=source.replace("for joint in context", "raise ValueError\n    for joint in context")
@@ -262,6 +262,6 @@ def test_the_tests_of_the_example_pass(tmp_path: Path) -> None:
     assert "3 passed" in done.stdout
 
 
-def test_unknown_names_are_told_in_the_library() -> None:
+def test_unknown_names_are_reported_in_the_library() -> None:
     with pytest.raises(RuleError, match="no rule package is installed as 'nothing_such'"):
         rule_packages.add(["nothing_such"], modules=False)

@@ -129,7 +129,7 @@ def test_all_calls_suppressed_leave_nothing():
     assert codes(run(text)) == []
 
 
-def test_a_comment_that_hits_nothing_is_told_at_its_place():
+def test_a_comment_that_hits_nothing_is_reported_at_its_place():
     (finding,) = [
         d
         for d in run(PLAIN.format(comment="<!-- urdfkit: ignore[TRE003] -->")).diagnostics
@@ -138,7 +138,7 @@ def test_a_comment_that_hits_nothing_is_told_at_its_place():
     assert (finding.code, finding.span.line, finding.span.column) == ("CFG001", 4, 3)
 
 
-def test_an_unknown_code_is_told_with_the_nearest():
+def test_an_unknown_code_is_reported_with_the_nearest():
     report = run(PLAIN.format(comment="<!-- urdfkit: ignore[JNT0200] -->"))
     assert codes(report) == ["CFG002", "JNT020"]
     assert "JNT020" in report.diagnostics[0].message

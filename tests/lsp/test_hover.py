@@ -1,4 +1,4 @@
-"""What is told about a place."""
+"""What is reported about a place."""
 
 import sys
 from pathlib import Path

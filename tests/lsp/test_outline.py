@@ -78,7 +78,7 @@ def robot(*joints: tuple[str, str]) -> str:
     )
 
 
-def test_loops_and_two_parents_are_told_once(tmp_path: Path) -> None:
+def test_loops_and_two_parents_are_reported_once(tmp_path: Path) -> None:
     reported = shape(
         Edited(tmp_path / "r.urdf", robot(("a", "b"), ("b", "c"), ("c", "b"), ("x", "x")))
     )

@@ -1,4 +1,4 @@
-"""Which robots are checked when a text changes, and what is told of them."""
+"""Which robots are checked when a text changes, and what is reported of them."""
 
 import os
 import shutil
@@ -103,7 +103,7 @@ def test_a_file_that_is_not_on_disk(tmp_path: Path) -> None:
     assert [d.code for found in checked.diagnostics.values() for d in found] == ["XML001"]
 
 
-def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None:
+def test_the_configuration_counts_and_its_mistakes_are_reported(tmp_path: Path) -> None:
     (tmp_path / "urdfkit.toml").write_text('ignore = ["TRE001"]\n')
     file = Edited(tmp_path / "r.urdf", '<robot name="r"></robot>')
     assert codes(file.workspace.check(file.path), tmp_path / "r.urdf") == []

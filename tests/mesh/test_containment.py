@@ -94,7 +94,7 @@ def test_each_triangle_is_cut_into_four() -> None:
     assert len(points) == 12
 
 
-def test_both_distances_are_told() -> None:
+def test_both_distances_are_reported() -> None:
     large, small = (as_mesh(trimesh.creation.box(size)) for size in ((2, 2, 3), (1.6, 1.6, 2.6)))
     assert protrusion(large, small) == pytest.approx(0.2 * 3**0.5)
     assert missing(large, small) == 0

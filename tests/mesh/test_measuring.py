@@ -291,6 +291,6 @@ def test_a_cavity_is_no_overlap() -> None:
     assert measure(Mesh((box(), hole))).overlap == 0
 
 
-def test_what_looks_inwards_as_a_whole_is_told_otherwise() -> None:
+def test_what_looks_inwards_as_a_whole_is_reported_differently() -> None:
     cubes = Mesh((inverted(box()), inverted(box(at=(0.5, 0, 0)))))
     assert measure(cubes).overlap == 0

@@ -78,7 +78,9 @@ def test_a_position(robot: Context, joint: str, text: str | float, position: flo
         ),
     ],
 )
-def test_what_is_no_position_is_told(robot: Context, given: dict[str, str], reported: str) -> None:
+def test_what_is_no_position_is_reported(
+    robot: Context, given: dict[str, str], reported: str
+) -> None:
     with pytest.raises(PoseError) as error:
         pose(robot, given)
     assert str(error.value) == reported
@@ -118,7 +120,7 @@ def test_a_file(robot: Context, tmp_path: Path, text: str) -> None:
         ('{"elbow": 1, "elbow": 2}', "joint 'elbow' is given twice"),
     ],
 )
-def test_a_file_that_is_no_pose_is_told(
+def test_a_file_that_is_no_pose_is_reported(
     robot: Context, tmp_path: Path, text: str, reported: str
 ) -> None:
     (tmp_path / "pose.yaml").write_text(text)
@@ -138,7 +140,7 @@ def test_a_state_of_the_srdf(robot: Context) -> None:
     assert pose(robot, {"slide": "0"}, "ready") == {"turn": 0.5, "slide": 0.0}
 
 
-def test_an_unknown_state_is_told_with_those_there_are(robot: Context) -> None:
+def test_an_unknown_state_is_reported_with_those_there_are(robot: Context) -> None:
     with pytest.raises(PoseError, match=r"did you mean 'folded'\?"):
         pose(robot, name="fodled")
     with pytest.raises(
@@ -147,7 +149,7 @@ def test_an_unknown_state_is_told_with_those_there_are(robot: Context) -> None:
         pose(robot, name="xyz")
 
 
-def test_what_leaves_the_limits_is_told(robot: Context) -> None:
+def test_what_leaves_the_limits_is_reported(robot: Context) -> None:
     assert outside_limits(robot.tree, {"turn": 2.0, "slide": 0.0}) == []
     assert outside_limits(robot.tree, {"turn": 2.5, "slide": -0.01}) == [
         "joint 'turn' at 2.5 rad is outside its limits -1 to 2 rad",

@@ -60,7 +60,7 @@ def test_paths_start_at_the_test_then_at_the_root(project: Project) -> None:
 
 
 @pytest.mark.parametrize("fixture", ["urdf", "check_urdf"])
-def test_an_unknown_path_is_told_without_a_traceback(project: Project, fixture: str) -> None:
+def test_an_unknown_path_is_reported_without_a_traceback(project: Project, fixture: str) -> None:
     text = outcome(
         project.test(f"def test_it({fixture}):\n    {fixture}('urdf/arn.xacro')"), failed=1
     )
@@ -68,7 +68,7 @@ def test_an_unknown_path_is_told_without_a_traceback(project: Project, fixture: 
     assert "pytest_plugin/__init__.py" not in text
 
 
-def test_an_unknown_path_in_a_marker_is_told_without_a_traceback(project: Project) -> None:
+def test_an_unknown_path_in_a_marker_is_reported_without_a_traceback(project: Project) -> None:
     text = outcome(
         project.test("@pytest.mark.urdf('arn.xacro')\ndef test_it(robot_model): pass"), errors=1
     )

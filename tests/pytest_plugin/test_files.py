@@ -56,7 +56,7 @@ def test_the_severity_that_fails_a_file_is_set(project: Project) -> None:
         ("urdf_fail_on = fatal", "urdf_fail_on: 'fatal' is not one of error, warning, info"),
     ],
 )
-def test_a_slip_in_a_setting_is_told(project: Project, setting: str, message: str) -> None:
+def test_a_typo_in_a_setting_is_reported(project: Project, setting: str, message: str) -> None:
     project.write("pytest.ini", f"[pytest]\n{setting}\n")
     result = project.run()
     assert result.ret == pytest.ExitCode.USAGE_ERROR

@@ -143,12 +143,12 @@ def test_no_value_is_no_test(project: Project) -> None:
         ("", "takes a path, args, variant and variants"),
     ],
 )
-def test_a_wrong_marker_is_told(project: Project, marker: str, message: str) -> None:
+def test_a_wrong_marker_is_reported(project: Project, marker: str, message: str) -> None:
     result = project.test(f"@pytest.mark.urdf({marker})\ndef test_it(robot_model): pass")
     assert f"@pytest.mark.urdf {message}\n" in outcome(result, errors=1)
 
 
-def test_a_missing_marker_is_told(project: Project) -> None:
+def test_a_missing_marker_is_reported(project: Project) -> None:
     result = project.test("def test_it(robot_model): pass")
     assert 'mark the test with its model: @pytest.mark.urdf("path")' in outcome(result, errors=1)
 

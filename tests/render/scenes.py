@@ -1,4 +1,4 @@
-"""Robots for pictures, and what can be measured in one."""
+"""Robots for images, and what can be measured in one."""
 
 import numpy as np
 
@@ -42,7 +42,7 @@ def scene(*links: str) -> Scene:
 
 
 def alone(of: Scene, camera: Camera, quality: str = "draft") -> Bytes:
-    """A picture of nothing but the robot: alpha is what it covers."""
+    """An image of nothing but the robot: alpha is what it covers."""
     return draw(of, camera, quality=quality, background=None, floor=False, threads=1)
 
 
@@ -53,7 +53,7 @@ def colour_at(pixels: Bytes, x: float, y: float) -> str:
 
 
 def corners(camera: Camera, points: list[tuple[float, float, float]]) -> np.ndarray:
-    """Where points of the world are in a picture, (n, 2): written out, as an oracle."""
+    """Where points of the world are in an image, (n, 2): written out, as an oracle."""
     found = []
     axes = np.array(camera.axes)
     for point in points:

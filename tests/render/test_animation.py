@@ -1,4 +1,4 @@
-"""Moving pictures: what moves, what stays, and how they are saved."""
+"""Animations: what moves, what stays, and how they are saved."""
 
 from math import pi
 from pathlib import Path
@@ -88,9 +88,7 @@ def test_what_does_not_sweep_is_said(joint: str) -> None:
 
 
 @pytest.mark.parametrize("suffix", ["gif", "webp", "apng"])
-def test_an_animation_has_its_pictures_and_the_same_bytes_twice(
-    suffix: str, tmp_path: Path
-) -> None:
+def test_an_animation_has_its_images_and_the_same_bytes_twice(suffix: str, tmp_path: Path) -> None:
     robot = read(ARM)
     scenes = list(sweep(build(robot), robot, "elbow", frames=4))
     reported: list[tuple[int, int]] = []

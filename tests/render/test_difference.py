@@ -1,4 +1,4 @@
-"""The difference of two states in a picture."""
+"""The difference of two states in an image."""
 
 import pytest
 
@@ -16,7 +16,7 @@ SIZE = (600, 200)
 
 
 def kinds(*pair: tuple[str, ...]) -> dict[str, int]:
-    """How many pixels of the third picture are of each colour."""
+    """How many pixels of the third image are of each colour."""
     before, after = (scene(*links) for links in pair)
     picture = difference(before, after, "left", size=SIZE)
     pixels = np.asarray(picture)[30:-30, 400:].astype(int)  # without the words

@@ -1,4 +1,4 @@
-"""Truths of geometry that a picture must show."""
+"""Truths of geometry that an image must show."""
 
 from itertools import product
 
@@ -49,7 +49,7 @@ def test_the_silhouette_of_a_box_is_the_hull_of_its_corners(view: str, orthograp
     assert abs(alpha.sum() - expected.sum()) / 255 < 1.5 * sum(SIZE) * 0.05
 
 
-def test_auto_framing_fills_the_picture_and_cuts_nothing() -> None:
+def test_auto_framing_fills_the_image_and_cuts_nothing() -> None:
     for view, size in product(("iso", "top", "left"), ((320, 200), (100, 300))):
         box = scene(link("a", BOX, "1 2 3"), link("b", '<sphere radius="0.1"/>', "0 0 0"))
         alpha = alone(box, place_camera(box.points(), view, size=size))[..., 3]
@@ -103,7 +103,7 @@ def test_perspective_shrinks_what_is_far_and_parallel_rays_do_not() -> None:
     assert near > 1.3 * far
 
 
-def test_left_of_the_robot_is_left_in_the_picture_from_behind() -> None:
+def test_left_of_the_robot_is_left_in_the_image_from_behind() -> None:
     of = scene(
         link("left", '<box size="0.2 0.2 0.2"/>', "0 1 0", "0 1 0 1"),
         link("right", '<box size="0.2 0.2 0.2"/>', "0 -1 0", "1 0 0 1"),
@@ -188,7 +188,7 @@ def test_shadows_fall_away_from_the_sun_and_darken_the_ground() -> None:
     assert rows.mean() > np.nonzero(alpha.any(1))[0].mean()  # and the shadow lies at the foot
 
 
-def test_an_empty_robot_is_an_empty_picture() -> None:
+def test_an_empty_robot_is_an_empty_image() -> None:
     of = build(robot('<link name="a"/>'))
     pixels = draw(of, place_camera(of.points(), size=SIZE))
     assert np.ptp(pixels[100].astype(int), axis=0).max() <= 1  # the background is dithered

@@ -1,4 +1,4 @@
-"""Findings in a picture: the links that they concern stand out."""
+"""Findings in an image: the links that they concern stand out."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Names of any script in pictures: in a font that has their letters, or escaped."""
+"""Names of any script in images: in a font that has their letters, or escaped."""
 
 import pytest
 from PIL import Image, ImageFont
@@ -38,7 +38,7 @@ def test_letters_that_a_font_of_the_system_has_are_drawn() -> None:
 
 
 @pytest.mark.parametrize("name", ["激光雷达", "🤖", "колесо", "é", "\ud800", "a\x00b", ""])
-def test_no_name_stops_a_picture(name: str) -> None:
+def test_no_name_stops_an_image(name: str) -> None:
     context = robot(link("a", '<box size="1 1 1"/>'))
     scene = build(context)
     scene = explained(scene, context, ["names"], {})

@@ -42,7 +42,7 @@ def drawn(name: str) -> Image.Image:
 
 
 def apart(one: Image.Image, other: Image.Image) -> tuple[float, float]:
-    """The mean difference of two pictures, and the largest of what the eye takes in at once.
+    """The mean difference of two images, and the largest of what the eye takes in at once.
 
     Both in steps of 255; the second after a blur, so that a pixel at an edge counts for little.
     """
@@ -54,7 +54,7 @@ def apart(one: Image.Image, other: Image.Image) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("name", PICTURES)
-def test_pictures_look_as_they_did(name: str) -> None:
+def test_images_look_as_they_did(name: str) -> None:
     with Image.open(DIRECTORY / f"{name}.png") as golden:
         mean, largest = apart(drawn(name), golden)
     assert mean < 0.3

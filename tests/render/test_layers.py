@@ -38,7 +38,7 @@ def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
     assert np.ptp(own, axis=0) == pytest.approx((x, y, z), rel=1e-4)
 
 
-def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
+def test_a_box_of_inertia_larger_than_the_robot_is_reported_and_not_drawn() -> None:
     light = (
         '<inertial><mass value="0.01"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" '
         'izz="{0}"/></inertial>'

@@ -202,19 +202,19 @@ HOSTILE = [
 
 
 @pytest.mark.parametrize("shape", HOSTILE)
-def test_no_shape_stops_a_picture(shape: str) -> None:
+def test_no_shape_stops_an_image(shape: str) -> None:
     scene = build(robot(link("a", shape), link("b", '<box size="1 1 1"/>', "1e3 0 0")))
     assert alone(scene, place_camera(scene.points(), size=(64, 64))).shape == (64, 64, 4)
 
 
 @pytest.mark.parametrize("xyz", ["1e30 0 0", "1e300 1e300 0", "nan 0 0"])
-def test_no_place_stops_a_picture(xyz: str) -> None:
+def test_no_place_stops_an_image(xyz: str) -> None:
     scene = build(robot(link("a", '<box size="1 1 1"/>', xyz), link("b", '<box size="1 1 1"/>')))
     assert alone(scene, place_camera(scene.points(), size=(64, 64))).any()
 
 
 @pytest.mark.parametrize("size", [1e-45, 1e-12, 1e38, 1e300])
-def test_no_size_stops_a_picture(size: float) -> None:
+def test_no_size_stops_an_image(size: float) -> None:
     """Nor warns, nor makes placeholders of that size."""
     mesh = '<link name="{}"><visual><geometry><mesh filename="no.stl"/></geometry></visual></link>'
     joint = (
@@ -228,7 +228,7 @@ def test_no_size_stops_a_picture(size: float) -> None:
     assert pixels.shape == (64, 64, 4)
 
 
-def test_links_in_a_loop_and_islands_do_not_stop_a_picture() -> None:
+def test_links_in_a_loop_and_islands_do_not_stop_an_image() -> None:
     box = '<box size="1 1 1"/>'
     loop = "".join(
         f'<joint name="{a}{b}" type="fixed"><parent link="{a}"/><child link="{b}"/></joint>'
@@ -287,7 +287,7 @@ def test_the_effect_and_the_unit_of_a_collada_file_count(tmp_path: Path) -> None
     assert np.ptp(points, axis=0) == pytest.approx((0, 1, 1))
 
 
-def test_roots_that_share_a_place_are_told_of() -> None:
+def test_roots_that_share_a_place_are_reported() -> None:
     """Nothing says how they stand to one another; what is not drawn does not matter."""
     ball = '<visual><geometry><sphere radius="1"/></geometry></visual>'
     two = f'<link name="a">{ball}</link><link name="b">{ball}</link>'

@@ -72,7 +72,7 @@ def test_a_slide_goes_to_the_end_that_is_farther() -> None:
     assert found.pose["j1"] == -0.7
 
 
-def test_of_two_arms_the_longer_one_is_told() -> None:
+def test_of_two_arms_the_longer_one_is_reported() -> None:
     """An arm may be longer by what it slides alone, which must not be left out."""
     slide = '<axis xyz="1 0 0"/><limit lower="0" upper="5" effort="1" velocity="1"/>'
     long = chain(("continuous", "0 0 0", Z), ("prismatic", "0.1 0 0", slide))
@@ -124,7 +124,7 @@ def test_arms_of_data_sheets(ur_type: str, data_sheet: float) -> None:
         "anymal_c_simple_description/urdf/anymal.urdf",
     ],
 )
-def test_no_sampled_pose_reaches_farther_and_the_one_told_does(path: str) -> None:
+def test_no_sampled_pose_reaches_farther_and_the_one_reported_does(path: str) -> None:
     robot = read(CORPUS / path).tree
     found = reach(robot)
     assert found is not None

@@ -94,11 +94,11 @@ def test_numbers_that_are_no_mirror_images(other: tuple[float, float, float]) ->
     assert numbered_pairs({"wheel_1": (0.1, 0.13, 0.0), "mast_2": (0.1, -0.13, 0.0)}) == []
 
 
-def test_a_place_on_the_plane_has_no_twin() -> None:
+def test_a_place_on_the_plane_has_no_counterpart() -> None:
     assert numbered_pairs({"mast_1": (0.1, 0.0, 0.0), "mast_2": (0.1, 0.0, 0.0)}) == []
 
 
-def test_rounding_noise_does_not_part_twins() -> None:
+def test_rounding_noise_does_not_part_counterparts() -> None:
     assert numbered_pairs({"w1": (0.3, 0.1 + 0.2, 0.0), "w2": (0.3, -0.3, 0.0)}) == [("w1", "w2")]
 
 
@@ -114,7 +114,7 @@ def test_endless_names_take_no_long_time() -> None:
     assert numbered_pairs({names[0]: (0.0, 1.0, 0.0), names[1]: (0.0, -1.0, 0.0)}) == []
 
 
-def test_what_hangs_on_one_another_are_no_twins() -> None:
+def test_what_hangs_on_one_another_are_no_counterparts() -> None:
     parents = {"link_s": "base", "link_l": "link_s", "link_u": "link_l", "link_r": "link_u"}
     assert apart([("link_l", "link_r")], parents) == []
     assert apart([("link_r", "link_l")], parents) == []
@@ -123,7 +123,7 @@ def test_what_hangs_on_one_another_are_no_twins() -> None:
     assert apart(found, fork) == found
 
 
-def test_links_without_a_tree_are_no_twins() -> None:
+def test_links_without_a_tree_are_no_counterparts() -> None:
     assert apart([("l", "r")], {}) == []
     assert apart([("l", "r")], {"l": "r", "r": "l"}) == []
     assert apart([("l", "r")], {"l": "base", "r": "r"}) == []

@@ -1,4 +1,4 @@
-"""Files that cannot be read: the reason and the remedy."""
+"""Files that cannot be read: the reason and the fix."""
 
 import os
 from pathlib import Path
@@ -19,7 +19,7 @@ from urdfkit.text.source import Source
         ("", "is a directory; name a file in it"),
     ],
 )
-def test_a_missing_file_is_told_with_the_one_that_was_meant(
+def test_a_missing_file_is_reported_with_the_one_that_was_meant(
     tmp_path: Path, word: str, reason: str
 ) -> None:
     for name in ("robot.urdf", "bin.urdf"):

@@ -13,14 +13,14 @@ from urdfkit.text.xml_errors import MAX_TAGS, syntax_mistakes
 
 
 def mistakes(text: str) -> list[tuple[int, int, str]]:
-    """Line, column and message of every slip."""
+    """Line, column and message of every mistake."""
     data = text.encode()
     source = Source("robot.urdf", data)
     return [(*source.position(mistake.start), mistake.message) for mistake in syntax_mistakes(data)]
 
 
 def one(text: str) -> tuple[str, str]:
-    """The text that the only slip marks, and its message; ``|`` where something is missing."""
+    """The text that the only mistake marks, and its message; ``|`` where something is missing."""
     data = text.encode()
     (mistake,) = syntax_mistakes(data)
     return data[mistake.start : mistake.end].decode() or "|", mistake.message
@@ -50,7 +50,7 @@ class TestAttributes:
             ('<link name="a & b"/>', "&", "'&' must be written '&amp;'"),
         ],
     )
-    def test_slip(self, tag: str, marked: str, message: str) -> None:
+    def test_mistake(self, tag: str, marked: str, message: str) -> None:
         assert one(inside(tag)) == (marked, message)
 
     def test_given_twice(self) -> None:
@@ -80,7 +80,7 @@ class TestText:
             ("< link/>", "< link", "no space may stand between '<' and 'link'"),
         ],
     )
-    def test_slip(self, text: str, marked: str, message: str) -> None:
+    def test_mistake(self, text: str, marked: str, message: str) -> None:
         assert one(inside(text)) == (marked, message)
 
     @pytest.mark.parametrize("text", ["&lt;&gt;&amp;&quot;&apos;", "&#228;", "&#x1F916;", "a > b"])
@@ -99,7 +99,7 @@ class TestComments:
     def test_a_third_dash_at_the_end(self) -> None:
         assert mistakes(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
 
-    def test_a_row_of_dashes_is_one_slip(self) -> None:
+    def test_a_row_of_dashes_is_one_mistake(self) -> None:
         assert one(inside("<!---------->"))[1] == "'--' is not allowed inside a comment"
 
     def test_without_an_end_hides_the_rest_and_nothing_follows_from_it(self) -> None:
@@ -149,7 +149,7 @@ class TestTags:
         assert data[start:end] == b'<link name="a"/>'
         assert note == "<link .../> closes itself: its '/' is one too many"
 
-    def test_closed_in_the_wrong_order_is_one_slip(self) -> None:
+    def test_closed_in_the_wrong_order_is_one_mistake(self) -> None:
         assert mistakes("<robot><a><b></a></b></robot>") == [
             (1, 11, "<b> is not closed before </a>")
         ]
@@ -184,7 +184,7 @@ class TestTheWholeFile:
         ]
 
     @pytest.mark.parametrize("end", ["<link", '<link name="a"', "<link name=", '<link name="a'])
-    def test_cut_off_inside_a_tag_is_one_slip(self, end: str) -> None:
+    def test_cut_off_inside_a_tag_is_one_mistake(self, end: str) -> None:
         ((line, column, _),) = mistakes(f"<robot>\n  {end}")
         assert (line, column >= 3) == (2, True)
 
@@ -229,7 +229,7 @@ class TestTheWholeFile:
     def test_is_something_else(self, text: str, message: str) -> None:
         assert mistakes(text) == [(1, 1, message)]
 
-    def test_binary_is_one_slip(self) -> None:
+    def test_binary_is_one_mistake(self) -> None:
         (mistake,) = syntax_mistakes(b"<robot>" + bytes(range(32)) * 9)
         assert mistake.message == "not a text file: it holds 261 control characters"
 
@@ -257,7 +257,7 @@ class TestPlaces:
         text = end.join(["<robot>", "  <link>", "</robot>", ""])
         assert mistakes(text) == [(2, 3, "<link> is not closed before </robot>")]
 
-    def test_all_slips_are_told_in_the_order_of_the_file(self) -> None:
+    def test_all_mistakes_are_reported_in_the_order_of_the_file(self) -> None:
         text = inside('\n<link name=a/>\n<!-- -- -->\n<b c="1"d="2"/>\n& <x>')
         assert [(line, column) for line, column, _ in mistakes(text)] == [
             (2, 12),
@@ -306,7 +306,7 @@ def refused_by_expat(data: bytes) -> bool:
 
 
 @needs_corpus
-def test_no_slip_is_found_where_expat_finds_none() -> None:
+def test_no_mistake_is_found_where_expat_finds_none() -> None:
     files = [path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".xacro", ".xml")]
     accepted = [path for path in files if not refused_by_expat(path.read_bytes())]
     assert len(accepted) > 300
@@ -323,7 +323,7 @@ PIECES = [b"<", b">", b'"', b"&", b"/", b"--", b"</link>", b"<link>", b"]]>", b"
     st.integers(0, 40),
     st.sampled_from([b"", *PIECES]),
 )
-def test_slips_are_found_exactly_where_expat_refuses(at: int, length: int, piece: bytes) -> None:
+def test_mistakes_are_found_exactly_where_expat_refuses(at: int, length: int, piece: bytes) -> None:
     data = MODEL[:at] + piece + MODEL[at + length :]
     found = syntax_mistakes(data)
     assert bool(found) == refused_by_expat(data)

@@ -30,7 +30,7 @@ from urdfkit.viewer import server
 BASE = MODELS / "good" / "mobile_base"
 
 
-#: The command, with small pictures: they are drawn anew after every change.
+#: The command, with small images: they are drawn anew after every change.
 VIEW = """
 import sys
 from urdfkit.cli import main
@@ -299,7 +299,7 @@ def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
         (ValueError("boom"), "internal error: ValueError: boom"),
     ],
 )
-def test_what_fails_is_told_once_and_does_not_end_the_viewer(
+def test_what_fails_is_reported_once_and_does_not_end_the_viewer(
     error: Exception, reported: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = str(MODELS / "good" / "gripper.urdf")

@@ -27,7 +27,7 @@ def test_a_file_is_found_by_its_exact_name(tmp_path: Path) -> None:
         assert directories.find(str(tmp_path), wrong) is None, wrong
 
 
-def test_case_is_told_apart(tmp_path: Path) -> None:
+def test_case_is_distinguished(tmp_path: Path) -> None:
     add_file(tmp_path / "meshes" / "Arm.STL")
     directories = Directories()
     assert directories.find_ignoring_case(str(tmp_path), "MESHES/arm.stl") == "meshes/Arm.STL"

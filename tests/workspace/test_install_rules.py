@@ -59,7 +59,7 @@ def test_no_build_file(tmp_path: Path) -> None:
     assert shipping.installs("meshes/a.stl")
 
 
-def test_the_remedy(tmp_path: Path) -> None:
+def test_the_fix(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_text("")
     assert InstallRules(str(tmp_path), "arm").advice("urdf") == (
         "add the files of urdf to data_files in setup.py"

@@ -289,7 +289,7 @@ def test_strange_names_are_no_packages(tmp_path: Path, name: str) -> None:
     assert first(finder(), name, near) is None
 
 
-def test_what_was_searched_is_told(tmp_path: Path) -> None:
+def test_what_was_searched_is_reported(tmp_path: Path) -> None:
     add_file(tmp_path / "repo" / ".git" / "HEAD")
     near = add_package(tmp_path / "repo" / "arm", "arm") / "urdf" / "arm.urdf"
     environment = {"AMENT_PREFIX_PATH": f"/opt/a{os.pathsep}/opt/b"}

@@ -1,4 +1,4 @@
-"""Small xacro models with errors, and what is told of them, in short."""
+"""Small xacro models with errors, and what is reported of them, in short."""
 
 from pathlib import Path
 

@@ -48,7 +48,7 @@ def test_all_errors_of_a_file(tmp_path: Path) -> None:
     assert messages[11] == f"file not found: {tmp_path}/none.xacro"
 
 
-def test_a_property_that_fails_is_told_once_with_its_uses(tmp_path: Path) -> None:
+def test_a_property_that_fails_is_reported_once_with_its_uses(tmp_path: Path) -> None:
     xacro = run(
         tmp_path,
         '<xacro:property name="p" value="${x}"/>\n'
@@ -108,7 +108,7 @@ def test_definitions_of_the_names_are_related(tmp_path: Path) -> None:
         "<a b=\"${dict(a=x)['a']}\"/>",
     ],
 )
-def test_what_follows_from_an_error_is_not_told(body: str, tmp_path: Path) -> None:
+def test_what_follows_from_an_error_is_not_reported(body: str, tmp_path: Path) -> None:
     xacro = run(tmp_path, body)
     assert {one.message.partition(" in ")[0] for one in xacro.problems} == {
         "name 'x' is not defined"
@@ -150,7 +150,7 @@ def test_after_a_missing_include_nothing_is_missed(tmp_path: Path) -> None:
     ]
 
 
-def test_a_name_that_only_contains_a_lost_one_is_told(tmp_path: Path) -> None:
+def test_a_name_that_only_contains_a_lost_one_is_reported(tmp_path: Path) -> None:
     body = '<xacro:property name="a" value="1" default="2"/><a b="${arm}" c="${a}"/>'
     assert [one.span.text for one in run(tmp_path, body).problems] == ["xacro:property", "${arm}"]
 
@@ -219,7 +219,7 @@ def test_a_long_message_is_cut(tmp_path: Path) -> None:
     assert len(problem.message) == 1000
 
 
-def test_many_errors_are_told_in_bounded_number(tmp_path: Path) -> None:
+def test_many_errors_are_reported_in_bounded_number(tmp_path: Path) -> None:
     body = "".join(f'<a b="${{x{number}}}"/>' for number in range(2000))
     assert len(run(tmp_path, body).problems) == 500
     body = "".join(f"<xacro:x{number}/>" for number in range(200))
@@ -251,7 +251,7 @@ def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path)
         ("<xacro:property name='w' value='5 cm'/><a b='${-w}'/>", "a value in it is text"),
     ],
 )
-def test_what_was_meant_is_told(tmp_path: Path, body: str, help: str) -> None:
+def test_what_was_meant_is_reported(tmp_path: Path, body: str, help: str) -> None:
     (problem,) = run(tmp_path, body).problems
     assert help in problem.help
 

@@ -30,7 +30,7 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 
 #: Wanted: what stock xacro says, and what urdfkit says instead. A package that is not found is
-#: not told as a Python error; ``name`` in ur.urdf.xacro has a default that stands after its use.
+#: not reported as a Python error; ``name`` in ur.urdf.xacro has a default that comes after its use.
 WANTED = (
     (r"<class 'LookupError'>: (\w+) \w+", r"package '{0}' not found; searched: "),
     (r"Undefined substitution argument name", r"\[Errno 2\] No such file .*/ur5x/visual"),

@@ -1,4 +1,4 @@
-"""Each error is told at its very expression, with the calls and includes that led there."""
+"""Each error is reported at its very expression, with the calls and includes that led there."""
 
 from pathlib import Path
 
@@ -101,7 +101,7 @@ def test_calls_that_do_not_fit_name_the_macro(tmp_path: Path) -> None:
     assert {tuple(related(one)) for one in xacro.problems} == {("2:1 macro 'm' is defined here",)}
 
 
-def test_an_error_in_a_macro_is_told_for_every_call(tmp_path: Path) -> None:
+def test_an_error_in_a_macro_is_reported_for_every_call(tmp_path: Path) -> None:
     xacro = run(
         tmp_path,
         '<xacro:macro name="m" params="v">\n<a b="${v + 1}"/>\n</xacro:macro>\n'
@@ -119,7 +119,7 @@ def test_the_engine_folds_the_calls(tmp_path: Path) -> None:
     assert len(diagnostic.calls) == 5
 
 
-def test_the_default_of_a_parameter_is_told_at_its_macro(tmp_path: Path) -> None:
+def test_the_default_of_a_parameter_is_reported_at_its_macro(tmp_path: Path) -> None:
     xacro = run(
         tmp_path, '<xacro:macro name="m" params="a:=${x} b:=${x}"/>\n<xacro:m/>\n<xacro:m b="1"/>'
     )

@@ -39,7 +39,7 @@ def _script() -> str:
 
 
 def _quick_xacro(_: Any, xml: Any, cli: list[str] | None = None, **options: Any) -> Any:
-    """What xacro makes of a text, told by the subject's output, exit code and standard error."""
+    """What xacro makes of a text, as its output, exit code and standard error."""
     import xacro
 
     text = xml if isinstance(xml, str) else xml.read()

@@ -1,6 +1,8 @@
 """``urdfkit importers``: what simulators and dynamics libraries make of a robot."""
 
-from collections.abc import Iterator
+import csv
+from collections.abc import Iterable, Iterator
+from io import StringIO
 from itertools import groupby
 from typing import Any
 
@@ -13,7 +15,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.ros.importers.changes import changes
 from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, chosen
-from urdfkit.ros.importers.imported import Imported, ImportedBody
+from urdfkit.ros.importers.imported import Imported, ImportedBody, ImportedJoint
 from urdfkit.ros.importers.index_map import IndexMap, index_map
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span, shown
@@ -245,32 +247,26 @@ def _placed(span: Span) -> dict[str, Any]:
 
 
 def _csv(robots: list[Imported]) -> Iterator[str]:
-    from csv import writer
-    from io import StringIO
+    header = ("importer", "joint", "type", "q", "nq", "v", "nv", "file", "line")
+    yield _csv_text(header, (_row(one, joint) for one in robots for joint in one.joints))
 
-    text = StringIO()
-    rows = writer(text, lineterminator="\n")
-    rows.writerow(["importer", "joint", "type", "q", "nq", "v", "nv", "file", "line"])
-    for one in robots:
-        for joint in one.joints:
-            at = joint.joint.at.span
-            place = shown(at.source.path), at.line
-            kind = joint.joint.kind
-            numbers = joint.q, joint.nq, joint.v, joint.nv
-            rows.writerow([one.facts.name, joint.joint.name, kind, *numbers, *place])
-    yield text.getvalue()
+
+def _row(robot: Imported, one: ImportedJoint) -> tuple[object, ...]:
+    at, numbers = one.joint.at.span, (one.q, one.nq, one.v, one.nv)
+    place = shown(at.source.path), at.line
+    return (robot.facts.name, one.joint.name, one.joint.kind, *numbers, *place)
 
 
 def _map_csv(found: IndexMap) -> Iterator[str]:
-    from csv import writer
-    from io import StringIO
+    names = (joint.joint.name for joint in found.joints)
+    rows = zip(names, range(len(found.joints)), found.indices, strict=True)
+    yield _csv_text(("joint", found.target, found.source), rows)
 
+
+def _csv_text(header: Iterable[object], rows: Iterable[Iterable[object]]) -> str:
     text = StringIO()
-    rows = writer(text, lineterminator="\n")
-    rows.writerow(["joint", found.target, found.source])
-    for index, (joint, place) in enumerate(zip(found.joints, found.indices, strict=True)):
-        rows.writerow([joint.joint.name, index, place])
-    yield text.getvalue()
+    csv.writer(text, lineterminator="\n").writerows((header, *rows))
+    return text.getvalue()
 
 
 def _map_line(found: IndexMap) -> str:

@@ -247,6 +247,17 @@ class Context(DescriptionFile):
 
         return find(self)
 
+    @property
+    def required_srdf(self) -> Srdf:
+        """The SRDF of the robot, for rules about nothing else.
+
+        Raises:
+            NotApplicable: there is none.
+        """
+        if self.srdf is None:
+            raise NotApplicable("no SRDF")
+        return self.srdf
+
     @cached_property
     def other_variant(self) -> str:
         """What is wrong if the SRDF is for another variant of the robot; empty if it is not."""

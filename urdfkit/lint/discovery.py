@@ -108,7 +108,11 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
     robots: list[RobotEntry] = []
     libraries: list[str] = []
     for directory, here in sorted(changed.items()):
-        entry_points = _entry_points(directory, config, resolver)
+        if resolver.packages.is_shared(directory):  # all of it would be walked: of home, or /tmp
+            files = [file for file in here if file.lower().endswith(_INCLUDED)]
+            entry_points = EntryPoints(IncludeGraph(files, resolver), ())
+        else:
+            entry_points = _entry_points(directory, config, resolver)
         found, graph = entry_points.contents(), entry_points.graph
         known = [robot for robot in config.robots if is_within(robot.file, directory)]
         # A configuration names the robots below itself; it knows nothing of those in siblings.
@@ -131,7 +135,7 @@ def _repository(file: str, resolver: Resolver) -> str:
     while not disk.is_directory(directory):  # the file is gone, with its directory
         directory = os.path.dirname(directory)
     for above in upwards(directory):
-        if disk.exists(os.path.join(above, ".git")):
+        if disk.exists(os.path.join(above, ".git")) and not resolver.packages.is_shared(above):
             return above
     package = resolver.packages.enclosing(os.path.join(directory, "x"))
     return package[1] if package else directory

@@ -196,6 +196,8 @@ class _Walk:
         """Report unknown attributes; returns what of ``missing`` none of them misspells."""
         for name, attribute in element.attributes.items():
             if name in grammar.attributes or name == "xmlns" or ":" in name:
+                if intended := extensions.intended_of_drake(name, "attributes"):
+                    self._add("URD002", element, attribute, suggested=intended)
                 continue
             if extensions.has_attribute(element.tag, name):
                 continue

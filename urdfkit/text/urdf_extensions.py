@@ -56,12 +56,14 @@ def attributes_of(tag: str) -> frozenset[str]:
     return frozenset(name for place, name in _read("attributes") if place == tag)
 
 
-def intended_of_drake(tag: str) -> str:
-    """What a misspelt or former element of Drake should be; empty for others."""
-    prefix, _, name = tag.partition(":")
+def intended_of_drake(written: str, kind: str = "elements") -> str:
+    """What a misspelt or former element or attribute of Drake should be; empty for others."""
+    prefix, _, name = written.partition(":")
+    if prefix != "drake":
+        return ""
     facts = _data()["drake"]
-    known = facts["elements"].split()
-    if prefix != "drake" or name in known:
+    known = facts[kind].split()
+    if name in known:
         return ""
     intended = facts["former"].get(name) or nearest(name, known, _TYPO)
     return f"drake:{intended}" if intended else ""

@@ -147,6 +147,10 @@ class Packages:
                     if prefixed and not prefix:
                         yield directory, relative
 
+    def is_shared(self, directory: str) -> bool:
+        """True of home, /tmp and the like, which hold more than one project's things."""
+        return directory in self._roots.too_wide
+
     def name_of(self, directory: str) -> str | None:
         """The name of the package whose directory this is; None if it is no package's."""
         return self._packages.name_of(directory)

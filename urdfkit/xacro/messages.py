@@ -37,6 +37,7 @@ _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
+_NAMESPACE = re.compile(rb"""\sns\s*=\s*["']([\w.]+)""")
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
 
@@ -191,7 +192,21 @@ def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
             f"'{name}' is defined at {place}, but the <xacro:{within}> around it does not hold, or "
             "comes after the use"
         )
+    if include := _include_of(defined, span.source.path):
+        if _innermost(include.string[: include.start()]) == "macro":
+            return f"'{name}' is defined at {place}, and known in the macro that includes it only"
+        if kind == "macro" and (found := _NAMESPACE.search(include[0])):
+            namespace = found[1].decode()
+            return f'its file is included with ns="{namespace}": write <xacro:{namespace}.{name}>'
     return f"'{name}' is defined further down, at {place}: move its definition above the use"
+
+
+def _include_of(defined: Definitions, path: str) -> re.Match[bytes] | None:
+    """The tag that includes a file; None without one."""
+    file = re.escape(os.path.basename(path)).encode()
+    included = re.compile(rb"""<xacro:include\b[^>]*%s["'][^>]*>""" % file)
+    found = (included.search(source.data) for source in defined.sources.values())
+    return next(filter(None, found), None)
 
 
 def _definitions(defined: Definitions, kind: str) -> Iterator[tuple[Span, str]]:

@@ -39,5 +39,5 @@ def test_rules_that_were_not_run_are_not_missed():
     )
 
 
-def test_an_unknown_code_is_not_told_twice():
+def test_an_unknown_code_is_not_reported_twice():
     assert [code for code, _ in findings("TRE999")] == ["CFG002"]

@@ -65,7 +65,7 @@ def test_a_part_that_comes_out_is_not_swallowed(reach: float, reported: int) -> 
     assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == reported
 
 
-def test_what_holds_several_is_told_once() -> None:
+def test_what_holds_several_is_reported_once() -> None:
     balls = [f"ball_{n}" for n in range(7)]
     parts = [link(name, sphere(0.02)) for name in balls]
     joints = [

@@ -49,3 +49,19 @@ def test_beside_a_transmission() -> None:
 )
 def test_driven_once(text: str) -> None:
     assert reported("GAZ028", ARM + text) == []
+
+
+@pytest.mark.parametrize(
+    ("number", "topic", "count"), [("1", "speed", 0), ("0", "speed", 1), ("0", "tilt", 0)]
+)
+def test_motors_of_a_drone(number: str, topic: str, count: int) -> None:
+    def motor(joint: str, number: str, topic: str) -> str:
+        tags = (
+            f"<jointName>{joint}_joint</jointName><linkName>{joint}</linkName>"
+            f"<commandSubTopic>{topic}</commandSubTopic><actuator_number>{number}</actuator_number>"
+        )
+        return plugin("gz-sim-multicopter-motor-model-system", tags, name=joint)
+
+    drone = BASE + child("front") + child("rear")
+    found = messages("GAZ028", drone + motor("front", "0", "speed") + motor("rear", number, topic))
+    assert [one.endswith("and follow one command") for one in found] == [True] * count

@@ -206,7 +206,7 @@ def test_a_radius_of_a_plugin() -> None:
     assert message.endswith(": <wheel_radius> is 0.2 m, but the wheels have a radius of 0.1 m")
 
 
-def test_wheels_that_slip_may_have_a_larger_separation() -> None:
+def test_wheels_that_typo_may_have_a_larger_separation() -> None:
     names = [f"{side}{end}" for side in ("left", "right") for end in ("Front", "Rear")]
     joints = "".join(f"<{n}Joint>{n[: -4 if n[-1] == 'r' else -5]}_joint</{n}Joint>" for n in names)
     tags = "<wheelSeparation>{}</wheelSeparation><wheelDiameter>0.2</wheelDiameter>"

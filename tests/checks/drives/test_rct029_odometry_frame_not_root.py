@@ -19,7 +19,7 @@ def test_a_frame_that_is_no_link(tmp_path: Path) -> None:
     assert place(found) == ("c.yaml", 11, "base_link")
 
 
-def test_a_frame_that_hangs_on_another(tmp_path: Path) -> None:
+def test_a_frame_that_is_a_child_of_another(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: left"))
     assert found.message.endswith("'left' is a child of 'base'; a frame has one parent")
     assert found.help == "name the root link 'base'"
@@ -83,7 +83,7 @@ def test_a_transform_that_is_not_sent(switch: str, count: int) -> None:
     assert len(reported_of("RCT029", WHEELS + plugin(DIFF, frame + switch))) == count
 
 
-def test_in_ros2_the_drive_must_be_told_to_send_it() -> None:
+def test_in_ros2_the_drive_must_be_set_to_send_it() -> None:
     tags = "<robot_base_frame>left</robot_base_frame><left_joint>left_joint</left_joint>"
     assert reported_of("RCT029", WHEELS + plugin(DIFF, tags)) == []
     on = tags + "<publish_odom_tf>true</publish_odom_tf>"

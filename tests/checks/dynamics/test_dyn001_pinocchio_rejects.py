@@ -43,7 +43,7 @@ def test_nobody_asks_unless_the_robot_is_for_pinocchio() -> None:
     assert reported("DYN001", robot(NO_EFFORT), targets=("ros2",)) == []
 
 
-def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(
+def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_reported(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)

@@ -62,7 +62,7 @@ def test_good_values(tag: str) -> None:
     assert reported("GAZ004", BASE + block(tag)) == []
 
 
-def test_a_switch_on_the_wrong_kind_is_told_by_gaz005() -> None:
+def test_a_switch_on_the_wrong_kind_is_reported_by_gaz005() -> None:
     robot = BASE + block("<implicitSpringDamper>3</implicitSpringDamper>")
     assert messages("GAZ004", robot) == []
     assert len(messages("GAZ005", robot)) == 1

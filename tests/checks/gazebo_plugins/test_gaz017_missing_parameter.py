@@ -48,7 +48,7 @@ def test_one_of_two() -> None:
     assert reported("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
 
 
-def test_tags_of_the_other_generation_are_told_elsewhere() -> None:
+def test_tags_of_the_other_generation_are_reported_elsewhere() -> None:
     tags = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
     assert reported("GAZ017", WHEELS + plugin(DRIVE, tags), targets=("classic-ros2",)) == []
 

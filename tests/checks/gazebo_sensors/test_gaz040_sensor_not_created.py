@@ -30,11 +30,11 @@ def test_a_type_that_a_foreign_plugin_brings_is_its_own_affair():
     ("type", "library"),
     [
         ("acme_sonar", "libgazebo_ros_ray_sensor.so"),  # known, and it brings no type
-        ("gpu_lidr", "libacme_sonar.so"),  # a slip, whatever the plugin
+        ("gpu_lidr", "libacme_sonar.so"),  # a typo, whatever the plugin
         ("", "libacme_sonar.so"),
     ],
 )
-def test_other_types_are_told_with_a_plugin_too(type, library):
+def test_other_types_are_reported_with_a_plugin_too(type, library):
     assert len(findings("GAZ040", type, SONAR.format(library))) == 1
 
 
@@ -85,7 +85,7 @@ def test_forces_are_measured_in_a_joint() -> None:
     assert found.help == 'write reference="tip_joint"'
 
 
-def test_pictures_are_taken_from_a_link() -> None:
+def test_images_are_taken_from_a_link() -> None:
     assert messages("GAZ040", ROBOT + sensor("camera", "", "tip_joint")) == [
         "sensor 's' of type 'camera' is on joint 'tip_joint', but must be on a link"
     ]

@@ -8,7 +8,7 @@ import pytest
 from tests.sensing import findings, scan
 
 
-def test_the_last_angle_is_the_place_and_the_better_one_is_told():
+def test_the_last_angle_is_the_place_and_the_better_one_is_reported():
     (finding,) = findings("GAZ045", "ray", scan(-3.1415926, 3.1415926, 720))
     assert finding.span.text.startswith("<max_angle>")
     assert finding.span.line == 11

@@ -21,7 +21,7 @@ def test_the_names_are_those_after_the_conversion(reference, name, count):
     assert len(findings("GAZ051", "contact", inner, reference=reference)) == count
 
 
-def test_the_nearest_is_told():
+def test_the_nearest_is_reported():
     inner = "<contact><collision>base_colision</collision></contact>"
     (finding,) = findings("GAZ051", "contact", inner)
     assert finding.message.endswith("did you mean 'base_collision'?")
@@ -34,7 +34,7 @@ def test_nothing_is_suggested_where_nothing_is_alike():
 
 
 @pytest.mark.parametrize("name", ["end", "end_collision", "tip_collision"])
-def test_what_gazebo_calls_it_is_told(name):
+def test_what_gazebo_calls_it_is_reported(name):
     inner = f"<contact><collision>{name}</collision></contact>"
     (finding,) = findings("GAZ051", "contact", inner, reference="tip")
     assert finding.message.endswith(

@@ -32,7 +32,7 @@ def test_an_unknown_element_is_named_with_its_owner() -> None:
         ('<dynamic damping="1" >\n </dynamic >', '<dynamics damping="1" >\n </dynamics >'),
     ],
 )
-def test_a_slip_is_corrected_at_both_ends(written: str, suggested: str) -> None:
+def test_a_typo_is_corrected_at_both_ends(written: str, suggested: str) -> None:
     assert fixed("URD001", JOINT.format(written)) == (
         f'<robot name="example">\n{JOINT.format(suggested)}\n</robot>\n'
     )
@@ -82,7 +82,7 @@ def test_dialects_of_other_readers_are_known(robot: str) -> None:
     assert reported("URD001", robot) == []
 
 
-def test_a_macro_body_is_one_finding_with_its_calls_and_can_be_mended() -> None:
+def test_a_macro_body_is_one_finding_with_its_calls_and_can_be_fixed() -> None:
     robot = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:macro name="part" params="name">
@@ -133,7 +133,7 @@ def test_a_macro_without_its_prefix_is_another_finding() -> None:
         ),
     ],
 )
-def test_where_it_belongs_is_told(robot: str, message: str) -> None:
+def test_where_it_belongs_is_reported(robot: str, message: str) -> None:
     assert messages("URD001", robot) == [message]
 
 

@@ -31,7 +31,7 @@ def test_the_name_alone_is_changed(written: str, suggested: str) -> None:
     )
 
 
-def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
+def test_an_attribute_that_is_like_none_is_reported_without_a_guess() -> None:
     robot = LIMIT.format('velocity="2" colour="red"')
     assert messages("URD002", robot) == [
         "joint 'j': unknown attribute 'colour' in <limit> (ignored)"
@@ -58,13 +58,13 @@ def test_namespaces_and_other_readers_attributes_are_known(robot: str) -> None:
     assert reported("URD002", robot) == []
 
 
-def test_the_attribute_that_was_needed_is_not_told_twice() -> None:
+def test_the_attribute_that_was_needed_is_not_reported_twice() -> None:
     robot = '<link name="a"><visual><geometry><sphere radiu="1"/></geometry></visual></link>'
     assert reported("URD002", robot) == []
     assert len(reported("URD003", robot)) == 1
 
 
-def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> None:
+def test_an_attribute_of_another_program_is_reported_once_for_all_that_have_it() -> None:
     robot = "".join(
         f'<joint name="j{i}" type="fixed"><parent link="a"/><child link="b{i}"/>'
         f'<dynamics stiff="1"/></joint>\n<link name="b{i}"/>\n'
@@ -98,3 +98,17 @@ def test_a_long_list_of_attributes_is_cut() -> None:
     assert finding.message == (
         "link 'a': unknown attributes 'A', 'B', 'C', 'D', 'E' and 3 more in <link> (ignored)"
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("drake:acceleration", 0), ("drake:aceleration", 1), ("drake:own", 0)]
+)
+def test_attributes_of_drake(name: str, count: int) -> None:
+    joint = (
+        '<link name="a"/><link name="b"/><joint name="j" type="revolute"><parent link="a"/>'
+        '<child link="b"/><limit xmlns:drake="http://drake.mit.edu" lower="0" upper="1" '
+        f'effort="1" velocity="1" {name}="2"/></joint>'
+    )
+    assert ["did you mean 'drake:acceleration'" in one for one in messages("URD002", joint)] == [
+        True
+    ] * count

@@ -59,7 +59,7 @@ def test_what_bullet_needs() -> None:
     assert messages("URD003", robot) == ["link 'a': <damping> has no 'value'"]
 
 
-def test_all_that_is_missing_is_told() -> None:
+def test_all_that_is_missing_is_reported() -> None:
     robot = '<link name="a"><inertial><mass/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>'
     assert sorted(messages("URD003", robot)) == [
         "link 'a': <inertia> has no 'ixy'",
@@ -81,7 +81,7 @@ def test_what_has_a_default_may_be_missing(complete: str) -> None:
     assert messages("URD003", complete) == []
 
 
-def test_another_name_for_it_is_offered_as_the_remedy() -> None:
+def test_another_name_for_it_is_offered_as_the_fix() -> None:
     robot = '<link name="a"><visual><geometry><mesh file="a.stl"/></geometry></visual></link>'
     assert messages("URD003", robot) == [
         "link 'a': <mesh> has no 'filename', but an unknown attribute 'file'"

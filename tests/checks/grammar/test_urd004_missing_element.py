@@ -35,7 +35,7 @@ def test_the_place_is_the_element_that_lacks_it() -> None:
         '<link name="a"><visual><geomtry/></visual></link>',  # URD001
     ],
 )
-def test_what_is_not_missing_or_told_by_another_rule(robot: str) -> None:
+def test_what_is_not_missing_or_reported_by_another_rule(robot: str) -> None:
     assert reported("URD004", robot) == []
 
 

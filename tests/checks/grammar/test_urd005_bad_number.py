@@ -54,7 +54,7 @@ def test_what_urdfdom_reads_is_a_number(text: str) -> None:
         ("a b c", None),
     ],
 )
-def test_commas_and_white_space_are_mended_where_that_is_enough(
+def test_commas_and_white_space_are_fixed_where_that_is_enough(
     text: str, better: str | None
 ) -> None:
     robot = BALL.format(text, "1")
@@ -66,7 +66,7 @@ def test_commas_and_white_space_are_mended_where_that_is_enough(
         )
 
 
-def test_a_tab_between_numbers_is_told_where_it_stands() -> None:
+def test_a_tab_between_numbers_is_reported_where_it_stands() -> None:
     robot = BALL.format("1\t2 3", "1")
     assert messages("URD005", robot) == [
         (
@@ -113,7 +113,7 @@ RIGHT = ('xyz="0 0 0"', 'scale="1 1 1"', 'rgba="1 1 1 1"')
         ),
     ],
 )
-def test_count_and_bound_are_told(place: int, written: str, message: str) -> None:
+def test_count_and_bound_are_reported(place: int, written: str, message: str) -> None:
     parts = list(RIGHT)
     parts[place] = written
     assert messages("URD005", VISUAL.format(*parts)) == [message]

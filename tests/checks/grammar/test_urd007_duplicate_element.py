@@ -5,7 +5,7 @@ from tests.reported import messages, places, reported
 SPHERE = '<geometry><sphere radius="1"/></geometry>'
 
 
-def test_the_second_is_told_and_the_first_is_shown() -> None:
+def test_the_second_is_reported_and_the_first_is_shown() -> None:
     robot = (
         '<link name="a">\n<visual><origin xyz="0 0 1"/>'
         f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
@@ -18,7 +18,7 @@ def test_the_second_is_told_and_the_first_is_shown() -> None:
     ]
 
 
-def test_every_surplus_element_is_told() -> None:
+def test_every_surplus_element_is_reported() -> None:
     limit = '<limit lower="0" upper="1" effort="1" velocity="1"/>\n'
     robot = f'<link name="a"/><joint name="j" type="revolute">\n{limit * 3}</joint>'
     assert [line for line, _ in places("URD007", robot)] == [4, 5]

@@ -45,7 +45,7 @@ def test_text_of_others_is_calm(text: str) -> None:
     assert reported("URD017", text) == []
 
 
-def test_text_of_an_included_file_is_told_there(tmp_path: Path) -> None:
+def test_text_of_an_included_file_is_reported_there(tmp_path: Path) -> None:
     head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
     (tmp_path / "colours.xacro").write_text(f"{head}>\nrgb(1,2,3)\n</robot>")
     include = '<xacro:include filename="colours.xacro"/>'

@@ -66,7 +66,7 @@ def test_what_goes_with_it_is_named() -> None:
         + link("hand", HEAVY)
         + joint("arm", "hand"),  # what is fixed to it has the mass
         BASE + link("tip") + joint("base", "tip", "continuous"),  # a frame without a shape
-        link("dummy") + BASE + joint("dummy", "base"),  # the usual remedy for KDL
+        link("dummy") + BASE + joint("dummy", "base"),  # the usual fix for KDL
         link("world") + BASE + joint("world", "base", "floating"),
         BASE + link("arm", inertial(0, (1, 1, 1)), VISUAL) + joint("base", "arm", "revolute"),
     ],

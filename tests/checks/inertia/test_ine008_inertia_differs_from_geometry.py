@@ -37,7 +37,7 @@ def test_what_can_be_meant(robot: str) -> None:
     assert messages("INE008", robot) == []
 
 
-def test_a_diameter_for_a_radius_is_told() -> None:
+def test_a_diameter_for_a_radius_is_reported() -> None:
     (found,) = reported("INE008", part("ball", 1, (0.016, 0.016, 0.016), BALL))
     assert found.help == (
         "the tensor was computed with twice the size, as of a diameter for a radius: write "

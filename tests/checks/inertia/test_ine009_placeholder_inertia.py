@@ -39,7 +39,7 @@ def test_all_links_with_it_are_one_finding_the_worst_first() -> None:
     assert len(found.related) == 5
 
 
-def test_what_the_shape_tells_better_is_not_told_here() -> None:
+def test_what_the_shape_reports_better_is_not_reported_here() -> None:
     assert messages("INE009", part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)) == []
 
 
@@ -56,7 +56,7 @@ MACRO = (
 
 
 @pytest.mark.parametrize(("masses", "found"), [((1, 1), 1), ((1, 2), 0)])
-def test_a_macro_for_links_of_different_mass_is_told_by_xac014(
+def test_a_macro_for_links_of_different_mass_is_reported_by_xac014(
     masses: tuple[int, ...], found: int
 ) -> None:
     links = "".join(

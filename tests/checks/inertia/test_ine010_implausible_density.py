@@ -54,7 +54,7 @@ def test_what_is_not_judged(robot: str) -> None:
     assert messages("INE010", robot) == []
 
 
-def test_a_tensor_out_of_all_bounds_is_told_instead() -> None:
+def test_a_tensor_out_of_all_bounds_is_reported_instead() -> None:
     robot = part("box", 0.1, (5, 5, 5), BOX)
     assert messages("INE010", robot) == []
     assert len(messages("INE006", robot)) == 1
@@ -76,7 +76,7 @@ def chain(*masses: float) -> str:
     )
 
 
-def test_a_slip_of_the_whole_robot_is_told_once() -> None:
+def test_a_typo_of_the_whole_robot_is_reported_once() -> None:
     (found,) = reported("INE010", chain(6000, 5000, 4000, 3))
     assert found.message.endswith("have 20 to 12000 (also 'p1' and 'p2': most links of the robot)")
     assert found.help.startswith("the masses are probably in g")
@@ -95,7 +95,7 @@ def test_a_slip_of_the_whole_robot_is_told_once() -> None:
         ((0.006, 0.005, 0.004), 1),
     ],
 )
-def test_when_links_are_told_one_by_one(masses: tuple[float, ...], number: int) -> None:
+def test_when_links_are_reported_one_by_one(masses: tuple[float, ...], number: int) -> None:
     assert len(messages("INE010", chain(*masses))) == number
 
 

@@ -16,7 +16,7 @@ def hand(left: str, right: str) -> str:
     )
 
 
-def test_a_slip_of_a_digit() -> None:
+def test_a_typo_of_a_digit() -> None:
     robot = hand(inertial(0.015, MOMENTS), inertial(0.15, MOMENTS))
     (found,) = reported("INE012", robot)
     assert found.message == (

@@ -23,7 +23,7 @@ LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
         ("", None),
     ],
 )
-def test_an_unknown_type_is_told_and_mended_if_it_is_a_slip(
+def test_an_unknown_type_is_reported_and_fixed_if_it_is_a_typo(
     kind: str, suggested: str | None
 ) -> None:
     text = robot(joint("j", kind, LIMIT))

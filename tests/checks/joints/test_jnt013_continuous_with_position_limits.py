@@ -68,7 +68,7 @@ def test_another_call_of_a_macro_may_need_the_limits() -> None:
     assert [found.fix for found in reported("JNT013", text, "robot.xacro")] == [None]
 
 
-def test_outside_of_macros_a_xacro_is_mended() -> None:
+def test_outside_of_macros_a_xacro_is_fixed() -> None:
     text = of_xacro(robot(joint("j", "continuous", limit("${-2*pi}", "3"))))
     mended = fixed("JNT013", text, "robot.xacro")
     assert '<limit effort="10" velocity="1"/>' in mended

@@ -143,7 +143,7 @@ def wheels(left: str, right: str, rpy: str = "0 0 0") -> str:
         ("0.1 -0.2 0.05", "is mirrored in y and also in z from"),
     ],
 )
-def test_a_slip_of_a_sign(right: str, reason: str) -> None:
+def test_a_typo_of_a_sign(right: str, reason: str) -> None:
     assert messages("JNT025", wheels("0.1 0.2 -0.05", right)) == [
         f"joint 'right_joint' at {right} m {reason} its counterpart 'left_joint' at 0.1 0.2 -0.05 m"
     ]

@@ -30,7 +30,7 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
         ("-1.5708 0 0", "to the left"),
     ],
 )
-def test_other_ways_are_told_and_mended(rpy: str, way: str) -> None:
+def test_other_ways_are_reported_and_fixed(rpy: str, way: str) -> None:
     (message,) = messages("JNT030", robot(rpy))
     assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} from 'camera_link'")
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))

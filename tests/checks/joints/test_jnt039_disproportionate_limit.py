@@ -43,7 +43,7 @@ def test_one_of_four_is_odd(odd: Limits, said: str, place: int) -> None:
     assert messages("JNT039", arm(*limits)) == [f"joint 'j{place}': {said} of the other joints"]
 
 
-def test_it_is_told_where_the_number_stands() -> None:
+def test_it_is_reported_where_the_number_stands() -> None:
     ((_, text),) = places("JNT039", arm(*REST, ("9e9", "3")))
     assert text == "9e9"
 

@@ -41,5 +41,5 @@ def test_damping_that_takes_all_of_the_effort() -> None:
         arm('friction="500"', more=mimic("k")) + joint("k", "continuous"),
     ],
 )
-def test_what_moves_or_is_told_elsewhere(sound: str) -> None:
+def test_what_moves_or_is_reported_elsewhere(sound: str) -> None:
     assert messages("JNT041", sound) == []

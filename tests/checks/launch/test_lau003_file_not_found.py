@@ -102,3 +102,18 @@ def test_a_world_outside_of_the_workspace_is_not_read(tmp_path: Path) -> None:
     assert found.message.endswith(
         "is outside the workspace and the packages of this model: not read"
     )
+
+
+@pytest.mark.parametrize(
+    ("image", "help"),
+    [("hall.pgm", None), ("hall.png", "write hall.pgm"), ("other.png", "create the file")],
+)
+def test_the_image_of_a_map(tmp_path: Path, image: str, help: str | None) -> None:
+    program = (
+        "from launch_ros.actions import Node\n"
+        "Node(package='nav2_map_server', executable='map_server', "
+        f"parameters=[{{'yaml_filename': '{tmp_path}/arm/maps/hall.yaml'}}])\n"
+    )
+    files = {"maps/hall.yaml": f"image: {image}\nresolution: 0.05\n", "maps/hall.pgm": "P2"}
+    found = reported(tmp_path / "arm", "LAU003", "a.launch.py", program, files)
+    assert [one.help.startswith(help or "") for one in found] == [True] * bool(help)

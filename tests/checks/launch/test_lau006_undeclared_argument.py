@@ -14,7 +14,7 @@ LaunchConfiguration({used!r}{more})
 """
 
 
-def test_a_slip_in_xml(tmp_path: Path) -> None:
+def test_a_typo_in_xml(tmp_path: Path) -> None:
     text = '<arg name="speed" default="1"/>\n' + NODE.format("sped")
     (found,) = reported(tmp_path, "LAU006", "a.launch", text)
     assert found.message == "no argument 'sped' is declared; did you mean 'speed'?"
@@ -55,7 +55,7 @@ def test_a_file_that_others_include_may_get_it_there(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU006", "a.launch", NODE.format("x"), outer) == []
 
 
-def test_a_slip_in_python(tmp_path: Path) -> None:
+def test_a_typo_in_python(tmp_path: Path) -> None:
     text = PYTHON.format(declared="use_sim_time", used="use_simtime", more="")
     (found,) = reported(tmp_path, "LAU006", "a.launch.py", text)
     assert found.message.endswith("did you mean 'use_sim_time'?")

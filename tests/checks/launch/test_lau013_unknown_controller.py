@@ -102,6 +102,6 @@ def test_ros_2_is_calm(tmp_path: Path, spawn: str) -> None:
 
 
 @pytest.mark.parametrize(("name", "count"), [("arm_controler", 1), ("grip", 0)])
-def test_without_a_file_of_its_own_only_slips(tmp_path: Path, name: str, count: int) -> None:
+def test_without_a_file_of_its_own_only_typos(tmp_path: Path, name: str, count: int) -> None:
     text = SPAWN_2.format(repr(name))
     assert len(reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count

@@ -244,3 +244,32 @@ def test_what_move_group_is_handed(tmp_path: Path, settings: str, given: str, sa
     }
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
     assert [said in one.message for one in found] == [True] * bool(said)
+
+
+@pytest.mark.parametrize(
+    ("server", "plugin", "help"),
+    [
+        ("planner_server", "nav2_navfn_planner/NavfnPlanner", ""),
+        ("planner_server", "nav2_navfn_planner::NavfnPlanner", ""),
+        (
+            "planner_server",
+            "nav2_navfn_planner/NavfnPlaner",
+            "write nav2_navfn_planner/NavfnPlanner",
+        ),
+        ("controller_server", "dwb_core::DWBLocalPlaner", "write dwb_core::DWBLocalPlanner"),
+        ("controller_server", "my_planner::Own", ""),
+    ],
+)
+def test_plugins_of_servers(tmp_path: Path, server: str, plugin: str, help: str) -> None:
+    yaml = f"{server}:\n  ros__parameters:\n    mine:\n      plugin: {plugin}\n"
+    node = CONTROLLER.replace("controller_server", server)
+    text = PROGRAM.format(node, f'"{server}"')
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.yaml": yaml})
+    assert [one.help for one in found] == [help] * bool(help)
+
+
+@pytest.mark.parametrize(("width", "count"), [("3", 0), ("3.0", 1), ("$(var width)", 0)])
+def test_the_size_of_a_costmap(tmp_path: Path, width: str, count: int) -> None:
+    yaml = f"local_costmap:\n  local_costmap:\n    ros__parameters:\n      width: {width}\n"
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert ["is declared as an integer" in one for one in found] == [True] * count

@@ -58,7 +58,7 @@ def test_a_scheme_without_a_slash_or_the_colon(robot: str, start: str) -> None:
     assert 'filename="package://arm/meshes/forearm.stl"' in fixed(CODE, text, robot)
 
 
-def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
+def test_the_nearest_name_is_offered_and_fixed(robot: str) -> None:
     text = mesh_link("package://arm/meshes/forarm.stl")
     (found,) = reported(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
@@ -68,7 +68,7 @@ def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
     assert reported(CODE, fixed(CODE, text, robot), robot) == []
 
 
-def test_a_name_that_is_only_alike_is_offered_but_not_mended(robot: str) -> None:
+def test_a_name_that_is_only_alike_is_offered_but_not_fixed(robot: str) -> None:
     text = mesh_link("package://arm/meshes/forearm_cad.stl")
     (found,) = reported(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
@@ -82,7 +82,7 @@ def test_the_absolute_path_of_another_machine(robot: str) -> None:
     assert reported(CODE, fixed(CODE, text, robot), robot) == []
 
 
-def test_every_place_is_told(robot: str) -> None:
+def test_every_place_is_reported(robot: str) -> None:
     text = mesh_link("a.stl", "a.stl", "../meshes/forearm.stl")
     assert [place for place, _ in places(CODE, text, robot)] == [3, 4]
 
@@ -97,7 +97,7 @@ def test_every_place_is_told(robot: str) -> None:
         "package://arm/meshes/${name}.stl",  # XAC003
     ],
 )
-def test_what_another_rule_tells(robot: str, reference: str) -> None:
+def test_what_another_rule_reports(robot: str, reference: str) -> None:
     assert reported(CODE, mesh_link(reference), robot) == []
 
 

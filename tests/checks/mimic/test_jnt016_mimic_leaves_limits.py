@@ -41,7 +41,7 @@ def test_the_unit_of_a_prismatic_joint() -> None:
     )
 
 
-def test_a_sign_that_would_do_is_told() -> None:
+def test_a_sign_that_would_do_is_reported() -> None:
     (found,) = reported("JNT016", pair(("0", "0.8"), ("-0.8", "0"), ""))
     assert found.help == (
         'if it turns the right way, write lower="0" upper="0.8"; else multiplier -1'

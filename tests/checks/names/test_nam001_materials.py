@@ -15,7 +15,7 @@ def link(*materials: str) -> str:
     return f'<link name="a">{visuals}</link>'
 
 
-def test_the_colour_that_is_lost_is_told_with_the_one_that_wins() -> None:
+def test_the_colour_that_is_lost_is_reported_with_the_one_that_wins() -> None:
     (found,) = reported("NAM001", link(material(WHITE), material(RED)))
     assert found.message == (
         "link 'a': material 'm' is 1 0 0 1 here and 1 1 1 1 before; parsers keep the first"

@@ -73,7 +73,7 @@ def test_an_expression_is_another_finding() -> None:
     assert len(messages("XAC003", ROBOT.format("${prefix}base_link", "arm_link"))) == 1
 
 
-def test_a_computed_name_is_told_and_not_edited() -> None:
+def test_a_computed_name_is_reported_and_not_edited() -> None:
     robot = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:property name="base" value="base_lnk"/>

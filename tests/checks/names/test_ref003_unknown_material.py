@@ -12,7 +12,7 @@ def link(name: str, *materials: str) -> str:
     return f'<link name="{name}">{visuals}</link>\n'
 
 
-def test_every_name_is_told_once_with_all_its_uses() -> None:
+def test_every_name_is_reported_once_with_all_its_uses() -> None:
     robot = link("a", BARE, BARE) + link("b", BARE, '<material name="red"/>')
     assert messages("REF003", robot) == [
         "link 'a': material 'blue' has no colour in 3 visuals; it is not defined",

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import codes, marked, reported, told_of, write
+from tests.xacros import codes, marked, reported, told_of, write, xacro
 from urdfkit import check
 
 MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
@@ -133,7 +133,19 @@ def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> N
     assert found.help.startswith(help)
 
 
-def test_all_errors_are_told_each_at_its_place() -> None:
+def test_a_macro_of_a_file_that_another_macro_includes(tmp_path: Path) -> None:
+    """A mobile base: <xacro:kmr_base/> includes a file with omni_steering, which comes next."""
+    (tmp_path / "base.xacro").write_text(xacro('<xacro:macro name="steering"/>'))
+    robot = tmp_path / "robot.xacro"
+    include = '<xacro:include filename="base.xacro"/>'
+    robot.write_text(
+        xacro(f'<xacro:macro name="base">{include}</xacro:macro><xacro:base/><xacro:steering/>')
+    )
+    (found,) = check(robot, select=["XAC001"]).diagnostics
+    assert found.help.endswith("and known in the macro that includes it only")
+
+
+def test_all_errors_are_reported_each_at_its_place() -> None:
     body = (
         '<link name="${a}"/>\n<xacro:nope/>\n<xacro:property name="p" scope="parent" value="1"/>\n'
         '<xacro:if value="${b}"/>\n<xacro:include filename="none.xacro"/>'
@@ -186,7 +198,7 @@ class TestMissingFiles:
         directory = tmp_path / "config"
         assert found.help == f"directory 'ur5x' not found in {directory}; did you mean 'ur5e'?"
 
-    def test_what_lacks_because_of_it_is_not_told(self) -> None:
+    def test_what_lacks_because_of_it_is_not_reported(self) -> None:
         body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'
         assert codes(body) == ["XAC001"]
 
@@ -241,3 +253,17 @@ def test_an_include_that_cannot_be_opened(tmp_path: Path) -> None:
     (found,) = check(robot, select=["XAC001"]).diagnostics
     assert found.message == f"{tmp_path / 'parts.xacro'}: is a directory"
     assert found.help == "name a file in it"
+
+
+def test_a_macro_of_a_file_with_a_namespace(tmp_path: Path) -> None:
+    namespace = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    (tmp_path / "leg.xacro").write_text(
+        f'<robot {namespace}><xacro:macro name="leg"><link name="a"/></xacro:macro></robot>'
+    )
+    robot = tmp_path / "dog.xacro"
+    robot.write_text(
+        f'<robot name="dog" {namespace}><xacro:include filename="leg.xacro" ns="legs"/>'
+        "<xacro:leg/></robot>"
+    )
+    (found,) = check(robot, select=["XAC001"]).diagnostics
+    assert found.help == 'its file is included with ns="legs": write <xacro:legs.leg>'

@@ -22,12 +22,12 @@ def test_the_help_names_the_others_with_their_defaults() -> None:
     assert found.help == "pass it: prefix:=VALUE; the others: side (default left)"
 
 
-def test_a_slip_in_what_was_given_is_named() -> None:
+def test_a_typo_in_what_was_given_is_named() -> None:
     (found,) = reported("XAC010", '<link name="$(arg prefix)a"/>', prefx="b_", other="c")
     assert found.help == "pass it: prefix:=VALUE, not prefx:="
 
 
-def test_what_follows_from_it_is_not_told() -> None:
+def test_what_follows_from_it_is_not_reported() -> None:
     body = (
         '<xacro:property name="c" value="${xacro.load_yaml(\'$(arg config)/arm.yaml\')}"/>\n'
         "<link name=\"a\"/><origin xyz=\"${c['x']} ${c['y']} 0\"/>\n"

@@ -10,7 +10,7 @@ ROBOT = b"""<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro
 """
 
 
-def test_the_first_use_is_told_and_the_rest_is_checked():
+def test_the_first_use_is_reported_and_the_rest_is_checked():
     report = check(Source("arm.xacro", ROBOT), select=["XAC", "TRE"])
     (finding,) = report.diagnostics
     assert (finding.code, finding.severity.value) == ("XAC020", "error")

@@ -6,7 +6,7 @@ from tests.reported import reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
 
-# What is said of each slip, and where, is tests/test_malformed.py.
+# What is said of each mistake, and where, is tests/test_malformed.py.
 
 
 def test_the_tag_that_is_not_closed_is_the_place_and_its_end_is_related() -> None:
@@ -18,7 +18,7 @@ def test_the_tag_that_is_not_closed_is_the_place_and_its_end_is_related() -> Non
     assert found.help == "close every tag and quote; write < as &lt; and & as &amp;"
 
 
-def test_every_slip_is_told_and_nothing_that_follows_from_it() -> None:
+def test_every_typo_is_reported_and_nothing_that_follows_from_it() -> None:
     robot = (
         '<robot name="r">\n  <link name=a/>\n  <!-- a -- b -->\n  <joint name="j" & />\n</robot>'
     )
@@ -69,7 +69,7 @@ def test_text_before_the_declaration_which_urdfdom_refuses() -> None:
     assert [one.span.line for one in reported("XML001", robot)] == [1, 2]
 
 
-def test_what_only_expat_refuses_is_told_in_its_words() -> None:
+def test_what_only_expat_refuses_is_reported_in_its_words() -> None:
     (found,) = reported("XML001", '<robot name="r"><link\u00d7/></robot>')
     assert found.message == "not well-formed (invalid token)"
     assert (found.span.line, found.span.column) == (1, 22)

@@ -11,7 +11,7 @@ BOMB = (
 )
 
 
-def test_each_declaration_is_told() -> None:
+def test_each_declaration_is_reported() -> None:
     robot = (
         '<!DOCTYPE robot [\n  <!ENTITY base "b">\n  <!ENTITY arm SYSTEM "/etc/passwd">\n]>\n'
         '<robot name="r"><link name="&base;"/></robot>'

@@ -8,7 +8,7 @@ from urdfkit.lint import engine
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
-def test_every_prefix_is_told_once_at_its_first_use() -> None:
+def test_every_prefix_is_reported_once_at_its_first_use() -> None:
     robot = (
         f'<robot name="r" {XACRO}>\n  <gz:link name="b"/>\n  <gz:link name="c"/>\n'
         '  <link name="d" drake:acceleration="1"/>\n</robot>'

@@ -99,7 +99,7 @@ def test_a_misspelt_joint(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (4, "shuolder")
 
 
-def test_limits_of_another_robot_are_told_once(tmp_path: Path) -> None:
+def test_limits_of_another_robot_are_reported_once(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "a", "b", "c")
     assert "'a'" in found.message
 

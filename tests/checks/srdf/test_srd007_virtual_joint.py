@@ -23,7 +23,7 @@ GOOD = [
 
 
 @pytest.mark.parametrize(("text", "message"), BAD)
-def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
+def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
     assert message_of(tmp_path, text, "SRD007") == message
 
 

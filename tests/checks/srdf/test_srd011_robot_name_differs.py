@@ -6,7 +6,7 @@ from tests.srdfs import findings
 from urdfkit.text.diagnostic import Severity
 
 
-def test_both_names_are_told(tmp_path: Path) -> None:
+def test_both_names_are_reported(tmp_path: Path) -> None:
     (finding,) = findings(tmp_path, "", "SRD011", name="other")
     assert finding.message == "robot name 'other' in the SRDF differs from 'r' in the URDF"
     assert (finding.span.line, finding.span.text) == (1, "other")

@@ -64,7 +64,7 @@ def test_another_robot_of_the_package_has_the_names(
     )
 
 
-def test_an_outdated_srdf_is_told_in_groups(tmp_path: Path) -> None:
+def test_an_outdated_srdf_is_reported_in_groups(tmp_path: Path) -> None:
     found = about_srdf(write(tmp_path, with_complete=False))
     assert [one.code for one in found].count("SRD001") == 2
 

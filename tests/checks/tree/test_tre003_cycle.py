@@ -22,7 +22,7 @@ def test_a_loop_that_hangs_on_the_robot() -> None:
     assert places("TRE003", model) == [(7, "a")]
 
 
-def test_a_loop_that_hangs_on_nothing() -> None:
+def test_a_loop_that_has_no_parent() -> None:
     assert len(reported("TRE003", robot("root a b", "a b", "b a"))) == 1
 
 

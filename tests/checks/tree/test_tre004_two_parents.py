@@ -4,7 +4,7 @@ JOINT = '<joint name="{0}" type="fixed"><parent link="{1}"/><child link="{2}"/><
 LINKS = '<link name="a"/><link name="b"/><link name="c"/>\n'
 
 
-def test_every_further_joint_is_told_with_the_first() -> None:
+def test_every_further_joint_is_reported_with_the_first() -> None:
     robot = LINKS + JOINT.format("i", "a", "c") + JOINT.format("j", "b", "c")
     (found,) = reported("TRE004", robot)
     assert found.message == "link 'c' is the child of joint 'j' and of joint 'i'"

@@ -38,6 +38,6 @@ def test_others_are_calm(inside: str) -> None:
     assert messages("XAC021", robot, "r.urdf.xacro") == []
 
 
-def test_it_is_mended() -> None:
+def test_it_is_fixed() -> None:
     robot = f'{HEAD}<xacro:property name="p" value="1"/><link name="{{p}}_link"/></robot>'
     assert '<link name="${p}_link"/>' in fixed("XAC021", robot, "r.urdf.xacro")

@@ -72,7 +72,7 @@ def test_a_corner_that_is_not_finite(bad: float, triangle: int, corner: int, axi
     assert judged(bytes(data)) == (None, reported)
 
 
-def test_the_first_of_several_is_told() -> None:
+def test_the_first_of_several_is_reported() -> None:
     data = bytearray(SOUND)
     for triangle, number in ((3, 0), (1, 8), (1, 5), (2, 0)):
         struct.pack_into("<f", data, 84 + 50 * triangle + 12 + 4 * number, nan)
@@ -94,7 +94,7 @@ def test_a_part_of_a_file_can_be_not_finite_too() -> None:
 
 
 @given(st.lists(st.tuples(*[st.floats(width=32)] * 9), min_size=1, max_size=20))
-def test_exactly_what_is_not_finite_is_told(rows: list[tuple[float, ...]]) -> None:
+def test_exactly_what_is_not_finite_is_reported(rows: list[tuple[float, ...]]) -> None:
     data = made.binary_stl([(row[0:3], row[3:6], row[6:9]) for row in rows])
     finite = all(number - number == 0 for row in rows for number in row)
     assert (judged(data)[1] == "") is finite

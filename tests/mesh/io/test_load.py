@@ -49,7 +49,7 @@ def test_the_name_of_a_solid_is_no_corner(tmp_path: Path) -> None:
     assert bounds(mesh) == ((0, 0, 0), (1, 1, 1))
 
 
-def test_corners_that_are_not_finite_are_told(tmp_path: Path) -> None:
+def test_corners_that_are_not_finite_are_reported(tmp_path: Path) -> None:
     far = ((0.0, 0.0, 0.0), (NAN, 0.0, 0.0), (0.0, 1.0, 0.0))
     mesh = load(write(tmp_path, "a.stl", made.binary_stl([*made.TETRAHEDRON, far])))
     assert mesh.losses == ("1 triangle with a coordinate that is no finite number",)

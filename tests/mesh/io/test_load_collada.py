@@ -185,7 +185,7 @@ ALL_INPUTS = """<triangles material="symbol" count="2">
 
 def test_corners_with_normals_and_texture_coordinates(tmp_path: Path) -> None:
     (part,) = square(tmp_path, surface=ALL_INPUTS, nodes=nodes("<rotate>1 0 0 90</rotate>")).parts
-    assert len(part.vertices) == 5  # the first corner has two places in the picture
+    assert len(part.vertices) == 5  # the first corner has two places in the image
     assert part.normals is not None
     assert part.uv is not None
     assert part.normals.tolist() == [pytest.approx([0, -1, 0], abs=1e-12)] * 5

@@ -182,7 +182,7 @@ def test_turned_nodes_are_where_trimesh_has_them() -> None:
     assert np.asarray(found) == pytest.approx(expected)
 
 
-def test_what_is_no_triangle_is_told() -> None:
+def test_what_is_no_triangle_is_reported() -> None:
     content = floats()
     lines = {"attributes": {"POSITION": 0}, "mode": 1}
     content["meshes"][0]["primitives"].append(lines)

@@ -180,7 +180,7 @@ def still_whole(form: str, data: bytes, cut: int) -> bool:
 
 
 @pytest.mark.parametrize(("form", "suffix"), made.SOUND)
-def test_a_mesh_cut_off_anywhere_is_told(form: str, suffix: str) -> None:
+def test_a_mesh_cut_off_anywhere_is_reported(form: str, suffix: str) -> None:
     data = made.SOUND[form, suffix]
     for cut in range(len(data)):
         facts = sniff(data[:cut], suffix)
@@ -188,7 +188,7 @@ def test_a_mesh_cut_off_anywhere_is_told(form: str, suffix: str) -> None:
 
 
 @pytest.mark.parametrize("order", ["<", ">"])
-def test_a_binary_ply_cut_off_anywhere_is_told(order: str) -> None:
+def test_a_binary_ply_cut_off_anywhere_is_reported(order: str) -> None:
     data = made.binary_ply(order)
     assert sniff(data, ".ply") == MeshFacts("PLY", len(data))
     for cut in range(len(data)):

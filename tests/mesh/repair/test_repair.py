@@ -85,7 +85,7 @@ def test_repairing_twice_is_repairing_once() -> None:
         assert again.mesh is done.mesh
 
 
-def test_what_it_did_is_told_with_the_distance_both_ways() -> None:
+def test_what_it_did_is_reported_with_the_distance_both_ways() -> None:
     ball = trimesh.creation.icosphere(3, 0.1)
     fin = np.vstack([ball.vertices, [[0, 0, 0.2]]])
     mesh = Mesh((MeshPart(fin, np.vstack([ball.faces, [[*ball.faces[0, :2], 642]]])),))

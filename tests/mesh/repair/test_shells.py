@@ -1,4 +1,4 @@
-"""Sheets with two sides, and shells that overlap or are nested: told, and repaired when asked."""
+"""Sheets with two sides, and shells that overlap or are nested: reported, repaired on request."""
 
 import pytest
 

@@ -125,7 +125,7 @@ def test_what_cannot_be_written_is_said() -> None:
         encode(lost, "a.dae")
 
 
-def test_what_a_format_cannot_hold_is_told() -> None:
+def test_what_a_format_cannot_hold_is_reported() -> None:
     assert losses(PARTS, "a.stl") == ["materials"]
     assert losses(PARTS, "a.ply") == ["materials", "the division into parts"]
     assert losses(PARTS, "a.dae") == losses(PARTS, "a.obj") == losses(PARTS, "a.glb") == []

@@ -190,7 +190,9 @@ def test_mujoco_loads_it(robot: Path, tmp_path: Path, written: str) -> None:
     assert model.body_mass[1:].sum() == pytest.approx(2)  # MuJoCo welds the root
 
 
-def test_why_a_program_rejects_it_is_told_where_it_was_written(robot: Path, tmp_path: Path) -> None:
+def test_why_a_program_rejects_it_is_reported_where_it_was_written(
+    robot: Path, tmp_path: Path
+) -> None:
     robot.write_bytes(robot.read_bytes().replace(b'izz="1"', b'izz="3"', 1))
     _, (rejection,) = bundle(robot, tmp_path / "out", consumer="mujoco")
     assert (rejection.code, rejection.span.source.path) == ("INE003", str(robot))
@@ -207,7 +209,7 @@ def test_a_package_for_ros_is_found_by_its_name(robot: Path, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("file", ["package://arm/c.yaml", "/home/me/my ws/arm/c.yaml"])
-def test_what_still_leads_elsewhere_is_told(robot: Path, tmp_path: Path, file: str) -> None:
+def test_what_still_leads_elsewhere_is_reported(robot: Path, tmp_path: Path, file: str) -> None:
     plugin = f'<gazebo><plugin name="p"><parameters>{file}</parameters></plugin></gazebo></robot>'
     robot.write_bytes(robot.read_bytes().replace(b"</robot>", plugin.encode()))
     made, _ = bundle(robot, tmp_path / "out")

@@ -65,7 +65,7 @@ def test_the_same_robot_does_not_differ(pair: Path) -> None:
     assert as_text.render(found).splitlines() == ["a/arm.urdf -> b/arm.urdf", "no differences"]
 
 
-def test_progress_is_told_in_steps(pair: Path) -> None:
+def test_progress_is_reported_in_steps(pair: Path) -> None:
     reported: list[tuple[int, int]] = []
     compare("a/arm.urdf", "b/arm.urdf", progress=lambda done, total: reported.append((done, total)))
     assert reported == [(0, 3), (1, 3), (2, 3)]
@@ -327,7 +327,7 @@ def test_html_is_whole_and_escaped(pair: Path) -> None:
     assert "src=" not in page.replace('src="data:', "")
 
 
-def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
+def test_images_show_what_is_gone_and_what_is_new(pair: Path) -> None:
     """A red box in the state before, where the state after has a green one."""
     np = pytest.importorskip("numpy")
     image = pytest.importorskip("PIL.Image")
@@ -346,7 +346,7 @@ def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
     assert shown == [(True, False), (False, True)]
 
 
-def test_a_rename_is_told_in_chinese(pair: Path) -> None:
+def test_a_rename_is_reported_in_chinese(pair: Path) -> None:
     pytest.importorskip("jinja2")
     (pair / "b" / "arm.urdf").write_text(ARM.replace("tool", "hand"))
     page = as_html.render(compare("a/arm.urdf", "b/arm.urdf"), language="zh")

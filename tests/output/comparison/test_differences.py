@@ -114,7 +114,7 @@ def test_the_same_robot_said_otherwise_does_not_differ(old, new):
     assert found(old, new) == []
 
 
-def test_rounding_of_a_turned_tensor_is_not_told():
+def test_rounding_of_a_turned_tensor_is_not_reported():
     """A quarter of a turn leaves 1e-17 where nothing is."""
     old = (
         'rpy="0 0 0"/>\n      <mass value="2"/>\n      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2"'

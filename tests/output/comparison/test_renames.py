@@ -47,7 +47,7 @@ def test_a_renamed_link_is_no_other_difference() -> None:
     ]
 
 
-def test_what_else_became_of_a_renamed_link_is_told_under_its_new_name() -> None:
+def test_what_else_became_of_a_renamed_link_is_reported_under_its_new_name() -> None:
     after = GRIPPER.replace('"palm"', '"hand"').replace('<mass value="0.5"/>', '<mass value="1"/>')
     sentences = texts(model(GRIPPER), model(after))
     assert "link 'palm': renamed to 'hand'" in sentences  # its place and children are as before

@@ -78,7 +78,7 @@ def test_notes_and_a_fix() -> None:
     ]
 
 
-def test_a_fix_that_the_help_describes_is_told_once() -> None:
+def test_a_fix_that_the_help_describes_is_reported_once() -> None:
     at = span(PLAIN, "arm")
     found = diagnostic(at, help="write 'leg'", fix=Fix("write 'leg'", (Edit(at, "leg"),)))
     text = render(report(found))

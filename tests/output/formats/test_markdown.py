@@ -91,7 +91,7 @@ def test_nothing_found_is_a_heading() -> None:
     assert render(report()) == "### urdfkit: no findings in 1 file\n"
 
 
-def test_a_crash_is_told_as_a_bug_of_urdfkit() -> None:
+def test_a_crash_is_reported_as_a_bug_of_urdfkit() -> None:
     crash = Crashed("ABC003", "one.urdf", "ValueError: boom")
     assert "ABC003 crashed on one.urdf: ValueError: boom." in read(report(crashed=(crash,))).outside
 

@@ -180,7 +180,7 @@ def test_the_table_has_the_rules_that_ran_with_their_help() -> None:
     assert run["tool"]["driver"]["version"] == urdfkit.__version__
 
 
-def test_what_did_not_run_is_told() -> None:
+def test_what_did_not_run_is_reported() -> None:
     run = run_of(
         skipped=(Skipped("ABC001", "a.urdf", "why not"),),
         crashed=(Crashed("ABC003", "a.urdf", "ValueError: boom", "Traceback ..."),),

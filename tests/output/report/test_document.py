@@ -146,7 +146,7 @@ def test_an_excerpt_shows_what_steers_a_screen() -> None:
     assert excerpt(Span(source, 0, 1))[0]["after"] == "\\x1b[31m\\u202eb"
 
 
-def test_a_robot_that_cannot_be_read_has_its_findings_told(tmp_path: Path) -> None:
+def test_a_robot_that_cannot_be_read_has_its_findings_reported(tmp_path: Path) -> None:
     robot = tmp_path / "robot.urdf"
     robot.write_text("<robot><link")
     document, *_ = describe(str(robot))

@@ -100,7 +100,7 @@ def test_the_same_robot_gives_the_same_page() -> None:
     assert report(arm)[0] == report(arm)[0]
 
 
-def test_pictures_are_inside() -> None:
+def test_images_are_inside() -> None:
     text, _ = report(MISSION)
     assert len(re.findall(r'<img class="picture" src="data:image/webp;base64,', text)) == 2
     text, _ = report(MISSION, quick=True)

@@ -125,7 +125,7 @@ def test_what_no_joint_binds_is_not_compared() -> None:
     assert collisions(robot(link("a", ball), link("b"), joint("a", "b")), jobs=1).parts == ()
 
 
-def test_the_parts_of_a_robot_are_told() -> None:
+def test_the_parts_of_a_robot_are_reported() -> None:
     from urdfkit.cli.collisions import shown
 
     found = collisions(robot(link("a", sphere(1)), link("b", sphere(1))), samples=0, jobs=1)
@@ -192,7 +192,7 @@ def test_two_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
     assert first == second
 
 
-def test_progress_is_told_from_nothing_to_all() -> None:
+def test_progress_is_reported_from_nothing_to_all() -> None:
     reported: list[tuple[int, int]] = []
     arm = spheres(0.1, 1.0, 0.5)
     collisions(

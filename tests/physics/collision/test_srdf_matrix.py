@@ -132,7 +132,7 @@ def compared(text: str) -> tuple[list[str], list[str], int]:
     )
 
 
-def test_what_differs_is_told() -> None:
+def test_what_differs_is_reported() -> None:
     assert compared(OLD) == (["ad"], ["ac"], 2)
     assert compared('<robot name="r"/>') == ([], ["ab", "ac"], 0)
 

@@ -36,7 +36,7 @@ def test_what_is_no_robot_is_refused(text: bytes) -> None:
     assert pinocchio_reading.opinion(text).refusal
 
 
-def test_a_mass_that_is_no_number_drops_the_inertial_and_is_told() -> None:
+def test_a_mass_that_is_no_number_drops_the_inertial_and_is_reported() -> None:
     inertia = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
     text = (
         f'<robot name="r"><link name="a"><inertial><mass value="nan"/>{inertia}</inertial></link>'

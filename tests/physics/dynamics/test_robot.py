@@ -282,7 +282,7 @@ def test_too_many_joints_are_refused_before_pinocchio_has_them(
         dynamics(text)
 
 
-def test_an_unknown_link_is_told() -> None:
+def test_an_unknown_link_is_reported() -> None:
     arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
     with pytest.raises(UnknownLink, match="no link 'foream'; did you mean 'forearm'"):
         arm.jacobian("foream", {})

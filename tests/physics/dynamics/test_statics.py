@@ -35,7 +35,7 @@ def test_a_two_link_arm_stretched_as_far_out_as_its_limits_let_it() -> None:
     assert elbow.worst == pytest.approx(G * 0.7 * 0.125, rel=1e-10)
 
 
-def test_a_payload_exceeds_the_effort_and_what_would_suffice_is_told() -> None:
+def test_a_payload_exceeds_the_effort_and_what_would_suffice_is_reported() -> None:
     found = statics(Dynamics(ARM.tree, {"forearm": 5.0}))
     shoulder = found.loads[0]
     expected = G * ((1.5 * 0.15 + 5.7 * 0.36) * sin(1.5) + 0.7 * 0.125)

@@ -86,7 +86,7 @@ def test_the_missing_lidar_of_the_mission_is_made_and_then_nothing_is_missing(
     assert generate_missing(read(file)) == ((), ())
 
 
-def test_what_is_wrong_with_each_broken_file_is_told_apart() -> None:
+def test_what_is_wrong_with_each_broken_file_is_distinguished() -> None:
     found = generate_missing(read(MODELS / "bad" / "broken_meshes.urdf"))
     defects = {Path(one.path).name: one.defect for one in found.generated}
     assert defects["empty.dae"] == "is empty"

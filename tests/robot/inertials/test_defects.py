@@ -69,7 +69,7 @@ def test_many_equal_stand_ins_are_unlikely() -> None:
     assert defects("".join(links)) == {"placeholder": ["l0", "l1", "l2"]}
 
 
-def test_a_stand_in_that_another_rule_tells_is_not_told_twice() -> None:
+def test_a_stand_in_that_another_rule_reports_is_not_reported_twice() -> None:
     by_shape = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
     by_number = link("grip", shape("visual", MESH), inertial(0.01, (0.1,) * 3))
     assert defects(by_shape + by_number) == {"too large": ["wheel"]}
@@ -122,14 +122,14 @@ def test_implausible_densities(mass: float, geometry: str, density: float | None
         (1000, (50, 25, 65), '<box size="20 20 20"/>', ""),  # too light, and far from 1e-9 of it
     ],
 )
-def test_slips_of_the_unit(
+def test_typos_of_the_unit(
     mass: float, moments: tuple[float, ...], geometry: str, unit: str
 ) -> None:
     (found,) = masses(part("a", mass, moments, geometry)).inertias
     assert unit_mistake(found) == unit
 
 
-def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
+def test_a_typo_of_the_unit_comes_before_what_follows_from_it() -> None:
     assert defects(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"density": ["a"]}
     small = part("a", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>')
     assert defects(small) == {"density": ["a"]}

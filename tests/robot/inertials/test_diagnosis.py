@@ -159,13 +159,13 @@ def test_products_of_inertia_with_the_opposite_sign() -> None:
     assert diagnosis.tensor == Tensor(1, -0.4, -0.4, 1, -0.4, 1)
 
 
-def test_a_slip_of_a_digit() -> None:
+def test_a_typo_of_a_digit() -> None:
     diagnosis = impossible((0.001, 0, 0, 0.001, 0, 0.012))
     assert diagnosis.cause == "has izz ten times too large"
     assert diagnosis.tensor == pytest.approx((0.001, 0, 0, 0.001, 0, 0.0012))
 
 
-def test_the_twin_is_possible() -> None:
+def test_the_counterpart_is_possible() -> None:
     symmetric_pairs = (
         link("hip")
         + link("left_leg", inertial(1, (0.01, 0.002, 0.001, 0.02, 0.003, 0.025)))

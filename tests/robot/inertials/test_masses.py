@@ -41,7 +41,7 @@ def test_the_moments_of_a_body_and_what_matters() -> None:
     assert not found.matters(body, 0.0239)
 
 
-def test_a_twin_hangs_where_its_twin_hangs() -> None:
+def test_a_counterpart_hangs_where_its_counterpart_hangs() -> None:
     arms = "".join(
         part(f"{side}_{name}", 1, BALANCED, BALL)
         for side in ("left", "right")
@@ -60,7 +60,7 @@ def test_a_twin_hangs_where_its_twin_hangs() -> None:
     assert names(odd) == [("left_arm", "right_arm")]
 
 
-def test_numbered_links_are_twins_if_they_mirror_each_other() -> None:
+def test_numbered_links_are_counterparts_if_they_mirror_each_other() -> None:
     robot = link("base") + "".join(
         part(f"wheel_{i}", 1, BALANCED, BALL) + joint("base", f"wheel_{i}", "continuous", xyz)
         for i, xyz in enumerate(("0.1 0.2 0", "0.1 -0.2 0", "0.1 -0.3 0"))

@@ -203,7 +203,7 @@ def test_one_link_and_none_of_that_name(tmp_path: Path) -> None:
         propose(context, links=["wheel_5"])
 
 
-def test_impossible_tensors_are_told_apart(tmp_path: Path) -> None:
+def test_impossible_tensors_are_distinguished(tmp_path: Path) -> None:
     shape = collision('<box size="1 1 1"/>')
     for wrong in ('izz="3"', 'izz="-1"'):
         one = only(robot(tmp_path, shape, INERTIAL.replace('izz="1"', wrong)))

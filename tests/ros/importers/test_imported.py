@@ -99,7 +99,7 @@ def test_isaac_computes_a_mass_only_where_a_body_has_none() -> None:
     assert [part.mass for part in one.imported("isaac-sim").bodies] == [2, None]
 
 
-def test_what_mujoco_is_told() -> None:
+def test_what_mujoco_is_reported() -> None:
     compiler = '<mujoco><compiler fusestatic="false" boundmass="3" discardvisual="false"/></mujoco>'
     parts = link("base"), link("arm"), joint("j", "base", "arm")
     one = robot(compiler, *parts).imported("mujoco")

@@ -1,4 +1,4 @@
-"""The launch files of real robots: what is told of each, all read by hand."""
+"""The launch files of real robots: what is reported of each, all read by hand."""
 
 from collections import Counter
 from pathlib import Path

@@ -101,7 +101,7 @@ def test_nothing_is_run(package):
 
 
 @pytest.mark.parametrize("data", [b"def (:\n", b"\x00", b"x = " + b"(" * 5000])
-def test_what_is_no_program_is_told_at_its_place(data):
+def test_what_is_no_program_is_reported_at_its_place(data):
     launch = read_launch(Source("a.launch.py", data), Resolver(environment={}))
     (problem,) = launch.problems
     assert problem.code == "LAU001"

@@ -114,7 +114,7 @@ def test_rviz_configuration(package):
     ("text", "words"),
     [("<launch><node></launch>", "not a launch file"), ("<robot/>", "root"), ("", "empty")],
 )
-def test_what_is_no_launch_file_is_told(tmp_path, text, words):
+def test_what_is_no_launch_file_is_reported(tmp_path, text, words):
     launch = read_launch(Source("a.launch", text.encode()), Resolver(environment={}))
     (problem,) = launch.problems
     assert problem.code == "LAU001"

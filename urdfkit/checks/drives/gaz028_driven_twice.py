@@ -3,6 +3,8 @@
 Both write its velocity or force in every step, and the last one wins or they fight. Usual pairs are
 a drive plugin next to ros2_control, or next to the transmissions of `libgazebo_ros_control.so`.
 
+Two motors of a drone with one number on one topic follow the same command, and the drone tips over.
+
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
     gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
@@ -10,6 +12,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.gazebo.drives import driven
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.text.document import Element
 
@@ -19,6 +22,11 @@ BAD = ARM + gazebo_xml(
     plugin_xml("gz::sim::systems::ApplyJointForce", "gz-sim-apply-joint-force-system", _JOINT),
 )
 GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
+
+
+#: What a motor of gz-sim or RotorS has: its number, and what is before it.
+_NUMBERS = ("actuator_number", "motorNumber")
+_TOPICS = ("robotNamespace", "commandSubTopic", "motorType")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="let one of them drive it")
@@ -33,6 +41,27 @@ def check(context: Context) -> Findings:
                     f"joint '{reference.name}' is driven by {use.title} and by {title}",
                     related=(Related(at.span, "also driven here"),),
                 )
+    yield from _motors(context)
+
+
+def _motors(context: Context) -> Findings:
+    """The motors of a drone that have the number of another one."""
+    first: dict[tuple[str, ...], PluginUse] = {}
+    for use in context.plugins:
+        number = next((use.at.child(tag) for tag in _NUMBERS if use.at.child(tag)), None)
+        if number is None or not number.text.strip():
+            continue
+        key = (*(use.value(name) for name in _TOPICS), number.text.strip())
+        other = first.setdefault(key, use)
+        joints = [one.value("jointName") for one in (other, use)]
+        if other is not use and joints[0] != joints[1]:
+            yield Finding(
+                number,
+                f"the motors of '{joints[0]}' and '{joints[1]}' have the same {number.tag}, "
+                f"{number.text.strip()}, and follow one command",
+                "give each motor a number of its own, from 0",
+                related=(Related(other.at.span, f"the motor of '{joints[0]}'"),),
+            )
 
 
 def _controlled(context: Context) -> dict[str, tuple[str, Element]]:

@@ -23,6 +23,23 @@ _LAYERS = (
     "BinaryFilter", "DenoiseLayer", "InflationLayer", "KeepoutFilter", "ObstacleLayer",
     "PluginContainerLayer", "RangeSensorLayer", "SpeedFilter", "StaticLayer", "VoxelLayer",
 )  # fmt: skip
+#: Plugins of the servers, as classes of C++.
+_SERVERS = {
+    "planner_server": (
+        "nav2_navfn_planner::NavfnPlanner", "nav2_smac_planner::SmacPlanner2D",
+        "nav2_smac_planner::SmacPlannerHybrid", "nav2_smac_planner::SmacPlannerLattice",
+        "nav2_theta_star_planner::ThetaStarPlanner",
+    ),
+    "controller_server": (
+        "dwb_core::DWBLocalPlanner", "nav2_controller::PoseProgressChecker",
+        "nav2_controller::PositionGoalChecker", "nav2_controller::SimpleGoalChecker",
+        "nav2_controller::SimpleProgressChecker", "nav2_controller::StoppedGoalChecker",
+        "nav2_graceful_controller::GracefulController", "nav2_mppi_controller::MPPIController",
+        "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController",
+        "nav2_rotation_shim_controller::RotationShimController",
+        "teb_local_planner::TebLocalPlannerROS",
+    ),
+}  # fmt: skip
 _KIND = r"(Layer|Filter)s?$"
 _DATA = ("LaserScan", "PointCloud2")
 
@@ -49,6 +66,19 @@ def plugins(node: NodeParameters) -> Findings:
             yield from _sources(layer)
             if node.name in COSTMAPS:
                 yield from _layer(layer)
+
+
+def misspelt_servers(node: NodeParameters) -> Findings:
+    """Planners, controllers and checkers of Nav2 that are misspelt; their parts differ by age."""
+    for section in node.values.values() if node.name in _SERVERS else ():
+        named = mapping(section).get("plugin")
+        text = named.text.replace("/", "::") if isinstance(named, Value) else ""
+        meant = nearest(text, _SERVERS[node.name], 0.9)
+        if meant and meant != text and isinstance(named, Value):
+            meant = meant.replace("::", "/") if "/" in named.text else meant
+            hint = f"unknown plugin '{named.text}'; did you mean '{meant}'?"
+            at = Location(named.span)
+            yield Finding(at, hint, f"write {meant}", severity=Severity.WARNING)
 
 
 def misplaced(node: NodeParameters) -> Findings:

@@ -5,9 +5,9 @@ file stops the launch, and Gazebo does not start without its world. What the bui
 make is not reported, nor an absolute path outside of the repository or workspace, such as
 `/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
 makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
-`PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package
-of ROS does not have is reported, too. So is `xacro.py`, which ROS has no more since Noetic; in a
-launch file of ROS 1 it is an info.
+`PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package of
+ROS does not have is reported, too, and a map of Nav2 whose image is missing. So is `xacro.py`,
+which ROS has no more since Noetic; in a launch file of ROS 1 it is an info.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -18,10 +18,13 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.contents import MAP, FileUse
 from urdfkit.ros.launch.worlds import GZ, worlds
+from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.resolve import OUTSIDE
@@ -32,6 +35,8 @@ BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
 GOOD = BAD.replace("controler", "controllers")
 FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 
+#: Of maps, as map_server reads them.
+_IMAGES = (".pgm", ".png", ".bmp")
 #: Directories of a workspace that are searched for a world without a path.
 _MAX_DIRECTORIES = 2000
 
@@ -45,8 +50,25 @@ def check(context: Context) -> Findings:
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
+        elif file.exists and file.purpose == MAP:
+            yield from _image(context, file)
     yield from _worlds(context)
     yield from reported(context, "LAU003")
+
+
+def _image(context: Context, file: FileUse) -> Findings:
+    """The image of a map that does not exist: map_server stops."""
+    try:
+        image = mapping(load(context.resolver.read(file.path))).get("image")
+    except UnreadableFile:
+        return
+    if isinstance(image, Value) and image.text:
+        path = os.path.join(os.path.dirname(file.path), image.text)
+        if not disk.exists(path) and not _may_come_from_elsewhere(context, path):
+            stem = os.path.splitext(path)[0]
+            suggested = next((kind for kind in _IMAGES if disk.is_file(stem + kind)), None)
+            hint = f"write {os.path.splitext(image.text)[0]}{suggested}" if suggested else ""
+            yield Finding(Location(image.span), f"image of the map not found: {path}", hint)
 
 
 def _outside(what: str, span: Span) -> Finding:

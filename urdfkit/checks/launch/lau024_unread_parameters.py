@@ -9,7 +9,8 @@
   `planner_plugins`.
 - A costmap's layer has a class that Nav2 does not have, or a `data_type` that it does not take.
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
-- A whole number stands for a fraction: "expected [double] got [integer]". A list is in a list.
+- A whole number stands for a fraction, or the reverse: "expected [double] got [integer]". A list
+  is in a list. A planner or controller of Nav2 is misspelt (warning).
 - `observation_sources` names a source without parameters (warning): the layer then listens to a
   topic of that name.
 - A lifecycle manager waits for a node that nothing starts, or a node of Nav2 is started that no
@@ -35,9 +36,19 @@ Sources:
 
 import re
 
-from urdfkit.checks.launch.costmap_parameters import COSTMAPS, misplaced, plugins
+from urdfkit.checks.launch.costmap_parameters import (
+    COSTMAPS,
+    misplaced,
+    misspelt_servers,
+    plugins,
+)
 from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
-from urdfkit.checks.launch.parameter_types import old_model, whole_frequency, wrong_types
+from urdfkit.checks.launch.parameter_types import (
+    old_model,
+    whole_frequency,
+    wrong_sizes,
+    wrong_types,
+)
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
@@ -94,6 +105,8 @@ def check(context: Context) -> Findings:
             yield from _configurations(one)
             yield from wrong_types(one)
             yield from old_model(one)
+            yield from wrong_sizes(one)
+            yield from misspelt_servers(one)
             if names.count(one.name) == 1:  # others would complete it
                 yield from plugins(one)
                 yield from misplaced(one)

@@ -57,6 +57,15 @@ def wrong_types(node: NodeParameters) -> Findings:
             )
 
 
+def wrong_sizes(node: NodeParameters) -> Findings:
+    """Fractions for the sizes of a costmap, which are whole metres."""
+    for key in ("width", "height") if node.name.endswith("_costmap") else ():
+        value = node.values.get(key)
+        if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
+            message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
+            yield Finding(Location(value.span), message, f"write {round(float(value.text))}")
+
+
 def whole_frequency(started: StartedProgram) -> Findings:
     """A frequency of robot_state_publisher in a launch file of ROS 2; ROS 1 takes any number."""
     value = started.parameters.values.get(FREQUENCY) or ""

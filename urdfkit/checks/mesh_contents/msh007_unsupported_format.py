@@ -3,9 +3,9 @@
 By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, Open Inventor, X3D, AMF, 3MF,
 USD), which Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another
 format: programs choose their loader by the suffix and then fail or load nothing. Export it as STL,
-COLLADA or OBJ. Where no target is known, such a file is a warning: planners such as OpenRAVE and
-Kautham read scene files. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them
-through assimp, new Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
+COLLADA or OBJ. Where no target simulates the robot, such a file is a warning: planners such as
+OpenRAVE and Kautham read scene files. PLY, glTF and FBX are not reported: RViz, MoveIt and
+Pinocchio load them through assimp, new Gazebo loads glTF and FBX, Gazebo Classic none of the three.
 
 MuJoCo loads binary STL and OBJ only, Drake OBJ and glTF: where one of them is a target, a collision
 in another format, such as COLLADA, is an error. Drake leaves out visuals that it does not load,
@@ -58,7 +58,7 @@ def check(context: Context) -> Findings:
         suffix = os.path.splitext(path)[1]
         if facts.format in _NOT_LOADED:
             message = f"{mesh.who} is of {facts.format}, which Gazebo, MuJoCo and Drake do not read"
-            severity = None if context.targets.names else Severity.WARNING
+            severity = None if context.targets.that("simulates") else Severity.WARNING
             yield Finding(mesh.at, message, severity=severity)
         elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
             message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"

@@ -76,9 +76,7 @@ _MAX_STARTED = 32
     reports_missing=True,
 )
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     elsewhere = _of_other_arguments(context, srdf) if srdf.unknown else set()
     for kind, attribute in srdf.references():
         known = srdf.known(kind)

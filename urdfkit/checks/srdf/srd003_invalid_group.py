@@ -30,9 +30,7 @@ FILES = srdf_files('<group name="g"/>', '<group name="g"><link name="arm"/></gro
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     for name, elements in srdf.groups_by_name.items():
         if not any(element.children for element in elements):
             help = "add links, joints or a chain, or delete the group"

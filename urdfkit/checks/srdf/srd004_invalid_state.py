@@ -35,7 +35,7 @@ _ROUNDING = 1e-3
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
 def check(context: Context) -> Findings:
-    states = context.srdf.states if context.srdf else ()
+    states = context.required_srdf.states
     for state in states:
         for element in state.all("joint"):
             if joint := context.model.joints_by_name.get(element.get("name") or ""):

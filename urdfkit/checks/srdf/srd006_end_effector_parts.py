@@ -28,9 +28,7 @@ FILES = srdf_files(_GROUPS.replace("</group>", '<link name="arm"/></group>', 1),
     help="let the groups share no link, and let the parent link be one of the parent group",
 )
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     for effector in srdf.end_effectors:
         name, parent = effector.get("name"), effector.get("parent_group")
         hand = srdf.links_of(effector.get("group") or "")

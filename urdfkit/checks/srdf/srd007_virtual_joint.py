@@ -32,9 +32,7 @@ _TYPES = ("fixed", "planar", "floating")
     help="attach it to the root link, with type fixed, planar or floating",
 )
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     roots = {link.name: link for link in context.tree.roots}
     for joint in srdf.virtual_joints:
         name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))

@@ -46,11 +46,10 @@ _WORK = 400_000
     help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
 )
 def check(context: Context) -> Findings:
-    if context.srdf is None:
-        return
+    srdf = context.required_srdf
     said = [
         (element, element.get("link1") or "", element.get("link2") or "")
-        for element in context.srdf.root.all("disable_collisions")
+        for element in srdf.root.all("disable_collisions")
         if (element.get("reason") or "").lower() == "never"
     ]
     known = context.model.links_by_name
@@ -64,7 +63,7 @@ def check(context: Context) -> Findings:
         if configurations.has_bodies(one[1]) and configurations.has_bodies(one[2])
     ]
     samples = min(_SAMPLES, _WORK // max(len(said), 1))
-    disables = context.srdf.disables
+    disables = srdf.disables
     pairs = [(one[1], one[2]) for one in said]
     found = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
     for (element, first, second), collision in zip(said, found, strict=True):

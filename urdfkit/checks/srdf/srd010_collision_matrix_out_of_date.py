@@ -46,9 +46,7 @@ _DEEP = 1e-4
     help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     yield from _not_adjacent(context, srdf)
     if not srdf.disabled:
         return

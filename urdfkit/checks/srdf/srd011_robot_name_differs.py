@@ -19,9 +19,7 @@ FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), help="give the SRDF the name of the robot")
 def check(context: Context) -> Findings:
-    srdf = context.srdf
-    if srdf is None:
-        return
+    srdf = context.required_srdf
     name = srdf.root.attributes.get("name")
     if name is not None and name.value != context.model.name:
         message = (

@@ -11,6 +11,8 @@ from urdfkit.text.source import Source, Span
 
 #: What a file of parameters is called in messages.
 PARAMETERS = "parameter file"
+#: And the description of a map of Nav2.
+MAP = "map"
 
 #: Launch files that include one another.
 MAX_DEPTH = 8

@@ -12,6 +12,7 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import (
+    MAP,
     PARAMETERS,
     GivenParameters,
     IncludedFile,
@@ -220,6 +221,8 @@ class _PythonReader:
         """Note the file that is the value of a parameter, or whose text is."""
         if name == "robot_description" and self.frame is None:
             self._unexpanded(value)
+        if name == "yaml_filename" and self.values.text(value):
+            self._file(value, MAP)
         if name == "config_file" and self.values.text(value):
             self._file(value, "configuration of the bridge")
 

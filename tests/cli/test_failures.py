@@ -1,0 +1,132 @@
+"""What ends a command early: bugs, Ctrl-C, and a machine that is full."""
+
+import errno
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.cli.command_line import GOOD
+from tests.conftest import MODELS, ROOT
+from urdfkit.cli import checking, main
+from urdfkit.lint import rule_index
+
+
+def test_an_exception_of_ours_asks_to_report_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise ValueError("boom")
+
+    monkeypatch.setattr(checking, "check_with", fail)
+    monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
+    assert main(["check", GOOD]) == 3
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "ValueError: boom" in captured.err
+    assert "bug in urdfkit" in captured.err
+    assert "Traceback" not in captured.err
+    monkeypatch.setenv("URDFKIT_DEBUG", "1")
+    assert main(["check", GOOD]) == 3
+    assert "Traceback" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["check", GOOD], ["check", GOOD, "--", GOOD]])
+def test_ctrl_c_exits_with_130(
+    words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """On the quick way, and on the way through click."""
+
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(checking, "check_with", stop)
+    assert main(words) == 130
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err.strip()) == ("", "")
+
+
+def busy(children: Path) -> list[str]:
+    """The processes in a file of Linux that have been working for a while."""
+    stats = {pid: Path(f"/proc/{pid}/stat").read_text() for pid in children.read_text().split()}
+    return [pid for pid, stat in stats.items() if int(stat.rpartition(")")[2].split()[11]) >= 5]
+
+
+def is_gone(group: int) -> bool:
+    """True as soon as a group has no process; on a busy machine the last one takes its time."""
+    deadline = time.monotonic() + 30
+    while time.monotonic() < deadline:
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.01)
+    return False
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs Linux's /proc")
+def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
+    """On a busy machine the first of them is, at times, the last to hear of it."""
+    robot = (MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro").read_bytes()
+    for number in range(1500):
+        (tmp_path / f"{number}.xacro").write_bytes(robot)
+    command = [sys.executable, "-m", "urdfkit", "check", str(tmp_path), "--jobs", "2"]
+    with subprocess.Popen(
+        command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+    ) as process:
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        while len(busy(children)) < 2:
+            time.sleep(0.01)
+        for pid in busy(children):
+            os.kill(int(pid), signal.SIGINT)
+        time.sleep(0.05)
+        os.killpg(process.pid, signal.SIGINT)  # processes that are new by now hear it, too
+        try:
+            said = process.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
+    assert (process.returncode, *said) == (130, b"", b"")
+    assert is_gone(process.pid)
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), "error: No space left on device\n"),
+        (MemoryError(), "error: not enough memory\n"),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), "error: not enough memory\n"),
+    ],
+    ids=["disk", "memory", "system"],
+)
+def test_a_machine_that_is_full_is_no_bug(
+    error: Exception,
+    message: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr(checking, "check_with", fail)
+    assert main(["check", GOOD]) == 2
+    assert capsys.readouterr().err == message
+
+
+def test_a_rule_that_lacks_memory_is_no_bug(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(*_: object) -> None:
+        try:
+            raise MemoryError
+        except MemoryError:
+            raise SystemError("error return without exception set") from None
+
+    monkeypatch.setattr(rule_index, "applicable", fail)
+    assert main(["check", GOOD, "--no-cache"]) == 2
+    assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)

@@ -1,0 +1,131 @@
+"""The command line as people type it: help, typos, and one line for what cannot be done."""
+
+import pytest
+
+from tests.cli.command_line import GOOD
+from urdfkit.cli import main
+from urdfkit.core.libraries import missing_for_meshes
+from urdfkit.text.source import shown
+
+
+@pytest.mark.parametrize(
+    ("word", "suggested"),
+    [("lint", "check"), ("chek", "check"), ("xacro", "expand"), ("help", "--help")],
+)
+def test_a_command_of_another_tool(
+    word: str, suggested: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([word]) == 2
+    assert f"unknown command '{word}'; did you mean '{suggested}'?" in capsys.readouterr().err
+
+
+needs_meshes = pytest.mark.skipif(bool(missing_for_meshes()), reason="it needs the extra meshes")
+MESH = pytest.param(["mesh"], marks=needs_meshes)
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["check"], MESH, pytest.param(["mesh", "hull"], marks=needs_meshes)]
+)
+def test_the_short_option_for_help(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*words, "-h"]) == 0
+    assert capsys.readouterr().out.startswith(" ".join(["Usage: urdfkit", *words]))
+
+
+def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 0
+    captured = capsys.readouterr()
+    assert all(name in captured.out for name in ("check", "explain", "rules", "--version"))
+    assert captured.err == ""
+
+
+@pytest.mark.parametrize("group", [[], MESH])
+def test_what_each_command_does_is_reported_on_one_line_of_80_columns(
+    group: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    assert main([*group, "--help"]) == 0
+    _, *lines = capsys.readouterr().out.splitlines()
+    assert [line for line in lines if line.endswith("...")] == []
+    assert max(map(len, lines)) <= 80
+
+
+@pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])
+def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*command, "--help"]) == 0
+    assert capsys.readouterr().out.startswith(" ".join(["Usage: urdfkit", *command]) + " ")
+
+
+def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", GOOD, "--ignore", "QQQ,XLM001"]) == 0
+    assert capsys.readouterr().err.splitlines() == [
+        "warning: --ignore: no rule 'QQQ'; 'urdfkit rules' lists them",
+        "warning: --ignore: no rule 'XLM001'; did you mean 'XML001'?",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["chek", "a"], "'chek'"),
+        (["--verbose"], "--verbose"),
+        (["check"], "no file to check"),
+        (["check", "a", "--slect", "MSH"], "--select"),
+        (["check", "a", "--fail-on", "fatal"], "'error', 'warning', 'info'"),
+        (["check", "a", "--select"], "--select"),
+        (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
+        (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
+        (["check", "no_such.urdf"], "no_such.urdf: file not found"),
+        (["check", ""], "'': file not found"),
+        (["check", GOOD, "no_such.urdf"], "no_such.urdf: file not found"),
+        (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
+        (["check", "/no/such/directory/robot.urdf"], "no such directory '/no/such/directory'"),
+        (["check", GOOD, "--format", "json:/no/such/r.json"], "no such directory '/no/such'"),
+        (["explain"], "RULE"),
+        (["explain", "XML0001"], "did you mean 'XML001'?"),
+        (["rules", "--format", "yaml"], "'text', 'json'"),
+    ],
+)
+def test_what_cannot_be_done_is_one_line_and_exit_2(
+    words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+    assert reason in captured.err
+
+
+def test_an_error_does_not_steer_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "no\x1b[2J\n.urdf"]) == 2
+    assert capsys.readouterr().err == "error: no\\x1b[2J .urdf: file not found\n"
+
+
+@pytest.mark.parametrize(
+    ("word", "message"),
+    [
+        ("chekc", "unknown command 'chekc'; did you mean 'check'?"),
+        (GOOD, f"unknown command '{shown(GOOD)}'; to check that file: urdfkit check {shown(GOOD)}"),
+        ("nothing", "unknown command 'nothing'"),
+    ],
+)
+def test_a_typo_in_the_name_of_a_command(
+    word: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([word]) == 2
+    assert capsys.readouterr().err == f"error: {message} (see 'urdfkit --help')\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["tree"], "missing argument 'FILE [NAME:=VALUE]...'"),
+        (["inertia", GOOD, "--mass", "heavy"], "invalid value for '--mass': 'heavy' is not a "),
+        (["inertia", GOOD, "--mass", "1", "--density", "1"], "--mass, --density and --material"),
+    ],
+)
+def test_usage_errors_begin_like_all_others(
+    words: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    assert capsys.readouterr().err.startswith(f"error: {message}")
