@@ -56,6 +56,13 @@ def test_a_plain_robot_needs_nothing_but_python() -> None:
     assert slow(modules) == set()
 
 
+@pytest.mark.parametrize("robot", [PLAIN, WITH_MESHES, XACRO], ids=lambda path: path.stem)
+def test_launch_files_and_yaml_wait_for_a_rule_that_asks_for_them(robot: Path) -> None:
+    modules = loaded("check", str(robot), "--ignore", "COL")
+    assert not {one for one in modules if one.startswith("urdfkit.ros.launch.")}
+    assert "urdfkit.text.located_yaml" not in modules
+
+
 def test_findings_and_statistics_load_no_more(tmp_path: Path) -> None:
     bad = tmp_path / "bad.urdf"
     joint = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'

@@ -96,6 +96,7 @@ READERS = {
     "lint/config_reader.py": "named by the user, or the nearest above a file",
     "lint/discovery.py": IN_PACKAGE,
     "lint/formatting.py": "Ownership",
+    "lint/settings_table.py": "config_reader, for the line of an error",
     "mesh/io/load.py": ADMITTED,
     "mesh/io/referenced_files.py": "itself",
     "mesh/io/sniff.py": ADMITTED,

@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.lint.directories import CART, write
+from tests.workspaces import add_file, add_package
+from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.lint.config import Config
 from urdfkit.lint.options import Options
@@ -48,6 +50,24 @@ def test_a_launch_file_computes_the_name_of_a_robot_with_any_suffix(tmp_path):
     assert report.skipped == ()
     launch.write_text("def generate_launch_description(): ...")
     assert [skip.path for skip in check(tmp_path).skipped] == [str(robot)]
+
+
+def test_what_a_launch_file_of_another_package_gives_is_enough(tmp_path):
+    """And what is excluded is no robot of the directory, though a launch file starts it."""
+    for name in ("arm", "bringup"):
+        add_package(tmp_path / name, name)
+    body = '<link name="$(arg side)base"/>'
+    robot = add_file(tmp_path / "arm" / "r.urdf.xacro", xacro(body).encode())
+    start = "<launch><param name='robot_description' command='xacro $(find arm)/r.urdf.xacro {}'/>"
+    launch = tmp_path / "bringup" / "a.launch"
+    for given, codes in (("side:=x", []), ("other:=x", ["CFG003"])):
+        launch.write_text(start.format(given) + "</launch>")
+        report = check(tmp_path, select=["TRE"])
+        assert [one.code for one in report.diagnostics] == codes
+        assert bool(report.skipped) == bool(codes)
+    launch.write_text(start.format("side:=x") + "</launch>")
+    report = check(tmp_path, select=["TRE"], config=Config(exclude=(f"{robot}", "*/arm/*")))
+    assert report.files == (str(launch),)
 
 
 def test_a_directory_is_checked_and_the_library_is_reported(package):

@@ -1,6 +1,7 @@
 """``urdfkit format``: one layout for URDF and xacro files."""
 
 import os
+from typing import Any
 
 import click
 
@@ -27,9 +28,8 @@ def command(
     width: int | None,
     quiet: bool,
     force: bool,
-    config: str | None,
-    isolated: bool,
     color: str,
+    **configured: Any,
 ) -> int:
     """Format URDF and xacro files without changing the model.
 
@@ -42,9 +42,9 @@ def command(
         urdfkit format urdf
         urdfkit format --check .
     """
-    values = {"config": config, "isolated": isolated, "trust": False}
     is_stdin = files == ("-",)
-    settings = options.config(values, os.curdir if is_stdin else files[0])
+    near = os.curdir if is_stdin else files[0]
+    settings = options.config({**configured, "trust": False}, near)
     width = width or (settings.width if settings else 0)
     if is_stdin:
         return _standard_input(width or WIDTH, check=check, diff=diff, color=color)

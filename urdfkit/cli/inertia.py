@@ -39,16 +39,15 @@ VERSION = 1
 @limited
 def command(
     asked: dict[str, Any],
-    source: str,
     mass: float | None,
     density: float | None,
     material: str | None,
     links: tuple[str, ...],
-    lump: bool,
     write: bool,
     diff: bool,
     color: str,
     form: str,
+    **geometry: Any,
 ) -> int:
     """Compare inertias with those of the geometry; suggest values.
 
@@ -69,9 +68,8 @@ def command(
     if material is not None:
         density = DENSITIES[material]
     with progress_bar("mesh files") as bar:
-        proposals = propose(
-            robot(asked, bar), source=source, mass=mass, density=density, links=links, lump=lump
-        )
+        context = robot(asked, bar)
+        proposals = propose(context, mass=mass, density=density, links=links, **geometry)
     chosen = [one for one in proposals if links or one.is_doubtful]
     if write or diff:
         return _write(chosen, color, is_diff=diff)

@@ -9,6 +9,7 @@ from urdfkit.core import disk
 from urdfkit.lint.finding_store import FindingStore
 from urdfkit.lint.plan import Job, Plan
 from urdfkit.lint.report import Launched, Report, Superseded
+from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.lint.runner import FileResult
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import shown
@@ -32,16 +33,20 @@ def merged_report(
     """
     merger = _Merger(plan, spills=spills)
     # That a robot is not checked as a launch file starts it is nothing to report if it is checked
-    # otherwise: what a launch file gives it is not always known without running it.
-    launched: list[Checked] = []
+    # otherwise: what a launch file gives it is not always known without running it. Nor is it that
+    # one of a directory lacks arguments by itself, which a launch file there gives it.
+    skipped: list[Checked] = []
     for job, result in checked:
-        if job.frame and _is_skipped(result):
-            launched.append((job, result))
+        is_unchecked = job.found and not all(map(_is_checked, result.diagnostics))
+        if (job.frame or is_unchecked) and _is_skipped(result):
+            skipped.append((job, result))
         else:
             merger.add(job, result)
-    for job, result in launched:
-        is_read = disk.real(job.path) in merger.read
-        merger.add(job, result._replace(diagnostics=(), skipped=()) if is_read else result)
+    for job, result in skipped:
+        kept, reasons = result.diagnostics, result.skipped
+        if disk.real(job.path) in merger.read:
+            kept, reasons = () if job.frame else tuple(filter(_is_checked, kept)), ()
+        merger.add(job, result._replace(diagnostics=kept, skipped=reasons))
     for one in unchecked:
         merger.findings.add_finding(one, [])
     return merger.report()
@@ -50,6 +55,10 @@ def merged_report(
 def _is_skipped(result: FileResult) -> bool:
     """True of a description that was skipped as a whole."""
     return any(not skip.code for skip in result.skipped)
+
+
+def _is_checked(one: Diagnostic) -> bool:
+    return one.code != NOT_CHECKED
 
 
 class _Merger:
@@ -76,7 +85,7 @@ class _Merger:
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
-        if self._notes_read and not _is_skipped(result):
+        if self._notes_read and not job.codes and not _is_skipped(result):
             self.read.add(disk.real(job.path))
         self._skipped += result.skipped
         self._crashed += result.crashed

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UrdfkitError
-from urdfkit.lint.config import ConfigError
+from urdfkit.lint.config import ConfigError, matches
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown
@@ -197,6 +197,8 @@ class Plan:
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
         codes = frozenset().union(*map(rule_index.of_family, _READ_PARAMETERS))
         for one in launch.descriptions:
+            if found and matches(self.config.relative(one.path), self.config.exclude):
+                continue
             is_new = not found or self._is_other(one)
             if not is_new and not parameters:
                 continue

@@ -19,7 +19,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.measures import Measures, from_json, to_json
 
 #: Goes up when measures change, or what they are made from.
-VERSION = 9
+VERSION = 10
 
 #: Entries in one of the 256 directories; of some 2 kB each.
 MAX_ENTRIES = 100

@@ -18,17 +18,17 @@ def test_what_was_searched_and_how_to_name_it() -> None:
 
 
 def test_what_follows_from_it_is_not_reported() -> None:
-    body = '<xacro:include filename="$(find arm)/a.xacro"/><xacro:arm/><link name="${length}"/>'
+    body = '<xacro:include filename="$(find gone)/a.xacro"/><xacro:arm/><link name="${length}"/>'
     assert codes(body) == ["XAC011"]
 
 
 def test_every_package_is_reported() -> None:
     body = (
-        '<xacro:include filename="$(find arm)/a.xacro"/>\n'
+        '<xacro:include filename="$(find shoulder)/a.xacro"/>\n'
         '<xacro:include filename="$(find hand)/h.xacro"/>\n<link name="$(find base)"/>'
     )
     assert [(one.span.line, one.span.text) for one in reported("XAC011", body)] == [
-        (2, "$(find arm)"),
+        (2, "$(find shoulder)"),
         (3, "$(find hand)"),
         (4, "$(find base)"),
     ]
@@ -51,7 +51,7 @@ def test_found_by_name_and_beside(tmp_path: Path) -> None:
 
 
 def test_a_package_that_is_used_often_is_shown_once() -> None:
-    uses = "\n".join(f'<link name="$(find arm)/{i}"/>' for i in range(7))
+    uses = "\n".join(f'<link name="$(find shoulder)/{i}"/>' for i in range(7))
     (found,) = grouped(reported("XAC011", uses))
     assert found.message.endswith("(and 6 more like this)")
     assert len(found.related) == 6

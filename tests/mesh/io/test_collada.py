@@ -49,6 +49,11 @@ def test_sound_files(data: bytes) -> None:
     [
         (made.collada(faces=0), DefectKind.EMPTY, "holds no triangles"),
         (changed("triangles", "lines"), DefectKind.EMPTY, "holds no triangles, only lines"),
+        (
+            b'\n<?xml version="1.0"?>\n<COLLADA><a></b></COLLADA>',
+            DefectKind.UNREADABLE,
+            "is not well-formed XML: mismatched tag in line 3",
+        ),
         (b"<COLLADA></COLLADA>", DefectKind.EMPTY, "holds no triangles"),
         (
             changed('<instance_geometry url="#part"/>', ""),

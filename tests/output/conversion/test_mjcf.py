@@ -287,7 +287,8 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
         (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
          "<sphere> of link 'tip' has no size that is over 0"),
-        (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')), "repeated name 'world'"),
+        (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')),
+         "r.urdf:3:1: MuJoCo rejects the robot: repeated name 'world'"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_converted_leaves_nothing(

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from urdfkit import convert, read
+from urdfkit.errors import UrdfkitError
 from urdfkit.text.source import Source
 
 mujoco = pytest.importorskip("mujoco")
@@ -308,6 +309,18 @@ def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
     assert sorted(model.geom_aabb[0, 3:].round(6)) == [0.0005, 0.5, 1]
     note = parts["link/tip/collision/geometry/mesh"]
     assert note == "approximated: its convex hull, 1 mm thick, since it is flat"
+
+
+def test_a_mesh_that_mujoco_rejects_is_named_at_its_line(tmp_path: Path) -> None:
+    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    faces = ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
+    (tmp_path / "tiny.obj").write_text("\n".join([*lines, *faces]))
+    shape = '<geometry>\n<mesh filename="tiny.obj" scale="1e-6 1e-6 1e-6"/></geometry>'
+    file = tmp_path / "arm.urdf"
+    file.write_bytes(arm(LIMIT, tip=f"{INERTIAL}<collision>{shape}</collision>").data)
+    with pytest.raises(UrdfkitError, match=r"arm\.urdf:4:1: .*too small.*; correct its scale"):
+        convert(read(file), tmp_path / "o")
 
 
 def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:

@@ -27,14 +27,15 @@ Sources:
     measured: of 671 public robots six have an opposite pair, of 1300 none has one of four
 """
 
-from collections.abc import Iterator
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
-from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.drives import (
     Wheel,
     drive_of,
@@ -48,7 +49,12 @@ from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
-from urdfkit.text.located_yaml import Value
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from urdfkit.ros.controllers import Controller
+    from urdfkit.text.located_yaml import Value
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")

@@ -150,14 +150,13 @@ def _added_joints(context: Context) -> Findings:
 
 def _lost_on_shapes(context: Context) -> Findings:
     for simulated in context.gazebo.links:
-        for kind in ("collision", "visual"):
-            shapes = simulated.collisions if kind == "collision" else simulated.visuals
-            for name, shape in shapes:
-                link = (shape.parent and shape.parent.get("name")) or ""
-                if _gets_tags(name, link, kind, is_merged=link != simulated.name):
-                    continue
-                if tags := _tags(context.model, link, _TAGS[kind]):
-                    yield _lost(shape, link, simulated.name, tags)
+        collisions = (("collision", *named) for named in simulated.collisions)
+        visuals = (("visual", *named) for named in simulated.visuals)
+        for kind, name, shape in (*collisions, *visuals):
+            link = (shape.parent and shape.parent.get("name")) or ""
+            is_lost = not _gets_tags(name, link, kind, is_merged=link != simulated.name)
+            if is_lost and (tags := _tags(context.model, link, _TAGS[kind])):
+                yield _lost(shape, link, simulated.name, tags)
 
 
 def _tags(model: RobotModel, link: str, known: tuple[str, ...]) -> list[Element]:

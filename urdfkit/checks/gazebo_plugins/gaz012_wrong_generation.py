@@ -23,7 +23,6 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.launch.robot_arguments import is_not_started
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
@@ -47,8 +46,12 @@ _NONE = "no successor is known"
 )
 def check(context: Context) -> Findings:
     found = list(_wrong_generations(context))
+    if not found:
+        return
+    from urdfkit.ros.launch.robot_arguments import is_not_started  # for few robots
+
     # Of a copy that was expanded long ago nothing follows while nobody starts it.
-    if found and (context.given_targets or not is_not_started(context.source, context.resolver)):
+    if context.given_targets or not is_not_started(context.source, context.resolver):
         yield from found
 
 

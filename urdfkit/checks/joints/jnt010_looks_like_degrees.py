@@ -169,13 +169,10 @@ def _rotations(root: Element) -> Findings:
 
 def _origins(root: Element) -> Iterator[Element]:
     """Of joints, and of the shapes and inertias of links."""
-    for part in root.children:
-        if part.tag == "joint":
-            yield from part.all("origin")
-        elif part.tag == "link":
-            for child in part.children:
-                if child.tag in ("visual", "collision", "inertial"):
-                    yield from child.all("origin")
+    in_links = (part for link in root.all("link") for part in link.children)
+    parts = (part for part in in_links if part.tag in ("visual", "collision", "inertial"))
+    for part in (*root.all("joint"), *parts):
+        yield from part.all("origin")
 
 
 @lru_cache(maxsize=1024)

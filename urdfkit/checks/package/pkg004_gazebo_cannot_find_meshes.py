@@ -20,7 +20,6 @@ from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import element_xml, visual_xml
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.ros.launch.robot_arguments import is_not_started
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 
@@ -57,6 +56,8 @@ def check(context: Context) -> Findings:
     seen = survey(packages.workspace(context.source.path), context.resolver.directories)
     if seen.is_mentioned or seen.starter is None:
         return
+    from urdfkit.ros.launch.robot_arguments import is_not_started  # for few robots
+
     if not context.given_targets and is_not_started(context.source, context.resolver):
         return
     starter = context.resolver.readable(seen.starter)

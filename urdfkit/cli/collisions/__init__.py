@@ -41,13 +41,11 @@ if TYPE_CHECKING:
 @limited
 def command(
     asked: dict[str, Any],
-    samples: int,
-    seed: int,
-    jobs: int | None,
     srdf: str | None,
     compare: str | None,
     units: str | None,
     form: str,
+    **sampling: Any,
 ) -> int:
     """Compute which links of a robot can collide with one another.
 
@@ -68,9 +66,7 @@ def command(
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
     with progress_bar() as bar:
-        matrix = context.collisions.matrix(
-            samples=samples, seed=seed, begin=begin, units=applied, jobs=jobs, progress=bar
-        )
+        matrix = context.collisions.matrix(begin=begin, units=applied, progress=bar, **sampling)
     from urdfkit.cli.collisions import shown
     from urdfkit.physics.collision.srdf_matrix import compare as compared
 

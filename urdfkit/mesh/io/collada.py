@@ -28,6 +28,8 @@ _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "sourc
 #: Errors of expat that only the end of the file explains: no element, unclosed token, partial
 #: character, unclosed CDATA section.
 _CUT_OFF = (3, 5, 6, 20)
+#: An XML declaration that is not at the start.
+_DECLARED_LATE = 17
 #: Errors that the XML parsers of Gazebo and assimp ignore: an undefined entity, an encoding.
 _TOLERATED = (11, 18, 19)
 
@@ -47,8 +49,9 @@ def validate(data: bytes) -> tuple[Defect | None, str]:
         error = content.parse(data)
     if error is not None and (forgiven := forgive(data)) != data:
         again = _Content()
-        if again.parse(forgiven) is None:
-            content, error = again, None
+        later = again.parse(forgiven)
+        if later is None or error.code == _DECLARED_LATE:
+            content, error = again, later
     if error is not None and error.code not in _TOLERATED:
         if error.code in _CUT_OFF:
             return truncated(_where_it_ends(content)), ""

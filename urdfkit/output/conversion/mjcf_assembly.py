@@ -4,6 +4,7 @@ import re
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import PurePath
 from typing import Any
 
 import mujoco
@@ -22,11 +23,13 @@ from urdfkit.text.source import shown
 
 #: What an error of MuJoCo's compiler is about.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
+_REPEATED = re.compile(r"repeated name '([^']+)'")
 #: What to do about errors of MuJoCo's compiler, by a part of their text.
 _REMEDIES = {
     "mass and inertia of moving bodies": "give it an <inertial> with a mass and moments over 0",
     "inertia must satisfy": "see 'urdfkit explain INE003'",
     "repeated name": "rename one of them",
+    "is too small": "correct its scale, or remove it",
 }
 
 
@@ -106,12 +109,20 @@ def _ignore(warning: str) -> None:
 
 
 def _explained(text: str, robot: Context) -> UrdfkitError:
-    """An error of MuJoCo's compiler, at the link or joint that it names."""
+    """An error of MuJoCo's compiler, at the link, joint or mesh that it names."""
     what = " ".join(text.split()).removeprefix("Error: ")
     what = what.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
     named = _ELEMENT.search(what)
     name = named.group(1) if named else ""
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what
+    if repeated := _REPEATED.search(what):
+        name = repeated.group(1)
+    stems = {name, re.sub(r"_\d+$", "", name)}  # of the same file, meshes have numbers
+    place = robot.model.place(name)
+    for shape in robot.model.shapes if what.startswith("mesh ") else ():
+        if shape.filename and PurePath(shape.filename.value).stem in stems:
+            place = shape.at.span
+            break
     remedy = next((remedy for part, remedy in _REMEDIES.items() if part in what), "")
     remedy = remedy or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
-    return UrdfkitError(f"{robot.model.place(name)}: MuJoCo rejects the robot: {what}; {remedy}")
+    return UrdfkitError(f"{place}: MuJoCo rejects the robot: {what}; {remedy}")

@@ -68,12 +68,10 @@ def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
         for number, body in enumerate(link.collisions):
             if body.shape is None or why_omitted(body):
                 continue
-            if body.shape.kind == "mesh":
-                if robot.files.path(body.shape) is not None:
-                    measures = robot.measures(body.shape)
-                    yield _mesh(link.name, number, body, measures, unit=unit)
-            else:
+            if body.shape.kind != "mesh":
                 yield _primitive(link.name, number, body)
+            elif robot.files.path(body.shape) is not None:
+                yield _mesh(link.name, number, body, robot.measures(body.shape), unit=unit)
 
 
 def why_omitted(body: Body) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.robot.model import Placed
@@ -82,6 +83,7 @@ class World(Record):
         return None
 
 
+@lru_cache(maxsize=8)  # the launch files of a workspace start the same few
 def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Problem]]:
     """The world in a file, None if there is none, and what is wrong with the text.
 
@@ -138,19 +140,11 @@ class Models:
     def __init__(self, resolver: Resolver, near: str) -> None:
         self._resolver = resolver
         self._near = near
-        self._directories: dict[str, list[str]] | None = None
 
     @property
     def directories(self) -> dict[str, list[str]]:
         """The directories with a model, by name."""
-        if self._directories is None:
-            self._directories = {}
-            root = self._resolver.packages.workspace(self._near)
-            for path in self._resolver.directories.files_below(root, MAX_DIRECTORIES):
-                directory, name = os.path.split(path)
-                if name in _DEFINITIONS:
-                    self._directories.setdefault(os.path.basename(directory), []).append(directory)
-        return self._directories
+        return _models(self._resolver.packages.workspace(self._near), self._resolver)
 
     def has(self, uri: str) -> bool:
         """True if a model is at hand."""
@@ -164,6 +158,17 @@ class Models:
             source = self._resolver.readable(os.path.join(directory, "model.sdf"))
             found += _filenames(source.data) if source else []
         return found
+
+
+@lru_cache(maxsize=2)
+def _models(root: str, resolver: Resolver) -> dict[str, list[str]]:
+    """The directories with a model that a workspace has, by name."""
+    found: dict[str, list[str]] = {}
+    for path in resolver.directories.files_below(root, MAX_DIRECTORIES):
+        directory, name = os.path.split(path)
+        if name in _DEFINITIONS:
+            found.setdefault(os.path.basename(directory), []).append(directory)
+    return found
 
 
 def model_name(uri: str) -> str:

@@ -2,19 +2,23 @@
 
 import ast
 from collections.abc import Iterator
+from functools import lru_cache
+
+from urdfkit.text.python_source import KEPT, nodes
 
 
-def decided_calls(tree: ast.Module) -> set[ast.Call]:
+@lru_cache(KEPT)
+def decided_calls(tree: ast.Module) -> frozenset[ast.Call]:
     """The calls that are run in one branch of the program only, or whose value is used in one."""
     within: set[ast.AST] = set(_decided(tree))
-    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     loads = [node for node in names if isinstance(node.ctx, ast.Load)]
     always = {node.id for node in loads if node not in within}
     sometimes = {node.id for node in loads} - always
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.Assign) and _names(node.targets) & sometimes:
             within.update(ast.walk(node.value))
-    return {node for node in within if isinstance(node, ast.Call)}
+    return frozenset(node for node in within if isinstance(node, ast.Call))
 
 
 def _decided(tree: ast.Module) -> Iterator[ast.AST]:

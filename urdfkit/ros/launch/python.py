@@ -66,7 +66,7 @@ class _PythonReader:
         self.frame = file.frame
         self._tree = tree
         self.values = Values(collector, file, tree)
-        self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        self.calls = [one for one in python_source.nodes(tree) if isinstance(one, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
         self._untyped: set[ast.expr] = set()
         #: Actions may be in a group whose condition decides.
@@ -80,7 +80,7 @@ class _PythonReader:
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
         #: False for a piece of a launch file, which another one completes.
         self._is_complete = any(called(call) == "LaunchDescription" for call in self.calls)
-        self._expressions = [node for node in ast.walk(tree) if isinstance(node, ast.expr)]
+        self._expressions = [one for one in python_source.nodes(tree) if isinstance(one, ast.expr)]
 
     def read(self) -> None:
         for call in self.calls:

@@ -214,7 +214,7 @@ def _of_python(source: Source) -> Iterator[_Argument]:
         tree = python_source.parse(source.data)
     except SyntaxError:
         return  # which its own check reports
-    for call in ast.walk(tree):
+    for call in python_source.nodes(tree):
         if isinstance(call, ast.Call) and called(call) == "DeclareLaunchArgument":
             choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")
             listed = choices.elts if isinstance(choices, (ast.List, ast.Tuple)) else ()

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+from functools import lru_cache
 
 from urdfkit.core.record import Record
+from urdfkit.text.python_source import KEPT, nodes
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
@@ -67,13 +69,19 @@ class Scopes:
         return scope
 
 
+@lru_cache(KEPT)
+def scopes(tree: ast.Module) -> Scopes:
+    """The names of a file, worked out once."""
+    return Scopes(tree)
+
+
 def unread(tree: ast.Module) -> set[ast.expr]:
     """The expressions that are given to names which nothing reads."""
-    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     read = {name.id for name in names if isinstance(name.ctx, ast.Load)}
     return {
         node.value
-        for node in ast.walk(tree)
+        for node in nodes(tree)
         if isinstance(node, ast.Assign)
         and all(isinstance(name, ast.Name) and name.id not in read for name in node.targets)
     }

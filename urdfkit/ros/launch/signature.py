@@ -98,7 +98,7 @@ def of_python(tree: ast.Module) -> Signature:
     optional: set[str] = set()
     imports_plainly = is_plain = _imported(tree) <= _PLAIN
     includes = False
-    for node in ast.walk(tree):
+    for node in python_source.nodes(tree):
         if not isinstance(node, ast.Call):
             continue
         name = called(node)
@@ -125,7 +125,7 @@ def declares(call: ast.Call) -> bool:
 def _imported(tree: ast.Module) -> set[str]:
     """The first parts of the names of the modules that a program imports."""
     names: set[str] = set()
-    for node in ast.walk(tree):
+    for node in python_source.nodes(tree):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):

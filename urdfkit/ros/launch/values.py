@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.contents import LaunchedFile, Word
-from urdfkit.ros.launch.scopes import Scopes
+from urdfkit.ros.launch.scopes import scopes
+from urdfkit.text import python_source
 from urdfkit.text.source import Span
 
 #: Expressions inside one another that are followed.
@@ -32,9 +33,9 @@ class Values:
         self.collector = collector
         self.source = file.source
         self.arguments: dict[str, ast.expr | str | None] = dict(file.arguments)
-        self._scopes = Scopes(tree)
+        self._scopes = scopes(tree)
         self._opened: dict[str, list[ast.expr]] = {}
-        for node in ast.walk(tree):
+        for node in python_source.nodes(tree):
             for item in node.items if isinstance(node, ast.With) else ():
                 if isinstance(item.optional_vars, ast.Name):
                     self._opened.setdefault(item.optional_vars.id, []).append(item.context_expr)

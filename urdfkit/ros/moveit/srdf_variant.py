@@ -70,11 +70,15 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
             yield path
         elif xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
-            other = description.other_robot(path, description.arguments)
-            if other.is_readable:
-                model = other.model
-                if _fits(names, {*model.links_by_name, *model.joints_by_name}):
-                    yield path
+            if _has(names, description.other_robot(path, description.arguments)):
+                yield path
+
+
+def _has(names: set[str], robot: RosDescription) -> bool:
+    """True if a robot has nearly all of some links and joints."""
+    if not robot.is_readable:
+        return False
+    return _fits(names, {*robot.model.links_by_name, *robot.model.joints_by_name})
 
 
 _NAME = re.compile(rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["']([^"'<>]*)""")
