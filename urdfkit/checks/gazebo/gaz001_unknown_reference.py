@@ -15,6 +15,7 @@ Sources:
 """
 
 import re
+from functools import lru_cache
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
@@ -23,12 +24,17 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
+from urdfkit.text.source import Source
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
 FIXED = GOOD = BAD.replace("whel", "wheel")
 
 #: What the robot lacks without the block; the rest is about a link that the robot does not have.
 _THINGS = frozenset(("sensor", "plugin"))
+#: The name of a link or joint, behind the expressions that it begins with.
+_DEFINITION = (
+    rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
+)
 
 
 @rule(
@@ -84,11 +90,14 @@ def check(context: Context) -> Findings:
 def _is_switched_off(context: Context, name: str) -> bool:
     """True if a file of the robot defines the link or joint, behind a condition that is not met."""
     expanded = context.reading.xacro
-    before = rb"""<(?:link|joint)\b[^>]*?\bname\s*=\s*["'](?:\$[({][^)}"']*[)}])*"""
-    definition = before + re.escape(name).encode() + b"[\"']"
-    return expanded is not None and any(
-        re.search(definition, blank_comments(source.data)) for source in expanded.sources
-    )
+    return expanded is not None and name in _defined(expanded.sources)
+
+
+@lru_cache(maxsize=1)  # a robot may have many unknown references
+def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
+    """The names of the links and joints in some files, without what an expression puts before."""
+    found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
+    return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
 
 
 def _unknown(context: Context, reference: Attribute, suggested: str, lost: str) -> Finding:
