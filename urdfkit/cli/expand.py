@@ -104,7 +104,7 @@ def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
         output.tell(f"{kind}{message.text}{where}")
     if error is None:
         return
-    output.tell(f"error: {error}")
+    output.tell(*f"error: {error}".split("\n"))  # on the lines of xacro
     for problem in _errors(xacro):
         output.tell(f"{problem.span}: {problem.code} {problem.message}")
         steps = problem.frame.steps() if problem.frame else ()
