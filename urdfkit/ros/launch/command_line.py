@@ -4,6 +4,9 @@ import shlex
 
 from urdfkit.core import disk
 
+#: Words of a path that are looked at; a hostile command line may have any number.
+_MOST = 16
+
 
 def command_words(text: str) -> list[str]:
     """The words, as a shell splits them, but for white space in the names of directories.
@@ -16,7 +19,7 @@ def command_words(text: str) -> list[str]:
         words = text.split()
     position = 0
     while position < len(words):
-        count = _words_of_directory(words[position:])
+        count = _words_of_directory(words[position : position + _MOST])
         if count > 1:
             words[position : position + count] = [" ".join(words[position : position + count])]
         else:
