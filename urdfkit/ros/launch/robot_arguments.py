@@ -139,7 +139,7 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
             yield workspace, package[0]
 
 
-@lru_cache(maxsize=2)  # the robots of a package are queried one after the other
+@lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
 def _descriptions(
     directory: str, mentioned: str, resolver: Resolver
 ) -> tuple[tuple[str, LaunchedDescription], ...]:
