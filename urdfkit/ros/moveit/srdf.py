@@ -17,7 +17,7 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files
+from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files, srdf_in
 
 
 class Srdf:
@@ -182,6 +182,13 @@ def find(robot: RosDescription) -> Srdf | None:
         others = other_srdf_files(path, name, resolver)
         chosen = [srdf for one in others if (srdf := read(one, robot)) and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None
+
+
+def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
+    """The other SRDFs in the directory of one."""
+    for path in srdf_in([os.path.dirname(srdf.path)], robot.resolver):
+        if path != srdf.path and (other := read(path, robot)):
+            yield other
 
 
 def read(path: str, robot: RosDescription) -> Srdf | None:
