@@ -5,7 +5,17 @@ from pathlib import Path
 import pytest
 
 from tests import driving
-from tests.controls import GZ, MOCK, ROBOT, control, driven, plugin, transmission
+from tests.controls import (
+    GZ,
+    MOCK,
+    ROBOT,
+    control,
+    controller,
+    driven,
+    plugin,
+    reported_with_file,
+    transmission,
+)
 from tests.gazebos import WHEELS, sensor
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
@@ -129,3 +139,17 @@ def test_a_robot_of_ros_1_with_hardware_of_its_own(
     )
     found = check(tmp_path / "r.launch", select=["RCT001"]).diagnostics
     assert {one.severity.value for one in found} == {severity}
+
+
+@pytest.mark.parametrize(("state", "count"), [("velocity", 0), ("effort", 1)])
+@pytest.mark.parametrize("is_first", [True, False])
+def test_a_joint_of_two_hardware_components(
+    tmp_path: Path, state: str, count: int, is_first: bool
+) -> None:
+    """A block for Gazebo and one for mock hardware: the joint offers what either lists."""
+    more = f'<state_interface name="{state}"/>'
+    blocks = [control(driven("swing", more=more), plugin=GZ), control(driven("swing"), plugin=MOCK)]
+    needs = "[position, velocity]"
+    text = controller("c", joints="[swing]", state_interfaces=needs)
+    joined = "".join(blocks if is_first else blocks[::-1])
+    assert len(reported_with_file("RCT021", tmp_path, text, joined)) == count
