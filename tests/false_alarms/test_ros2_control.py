@@ -153,3 +153,14 @@ def test_a_joint_of_two_hardware_components(
     text = controller("c", joints="[swing]", state_interfaces=needs)
     joined = "".join(blocks if is_first else blocks[::-1])
     assert len(reported_with_file("RCT021", tmp_path, text, joined)) == count
+
+
+@pytest.mark.parametrize(("radius", "count"), [("0.1", 0), ("0.2", 1)])
+def test_controllers_of_two_robots_in_one_file(tmp_path: Path, radius: str, count: int) -> None:
+    """ackermann_multiagent_ros2: a model car and a Prius, whose joints have the same names."""
+    sides = {"left_wheel_names": "[left_joint]", "right_wheel_names": "[right_joint]"}
+    kind = "diff_drive_controller/DiffDriveController"
+    car = controller("car", kind, **sides, wheel_separation="0.3", wheel_radius=radius)
+    prius = controller("prius", kind, **sides, wheel_separation="1.5", wheel_radius="0.4")
+    assert len(driving.reported(tmp_path, "RCT014", prius + car)) == count
+    assert len(driving.reported(tmp_path, "RCT014", prius)) == 2
