@@ -388,3 +388,14 @@ def test_a_path_of_pathlib(tmp_path: Path, path: str, count: int) -> None:
     files = {} if count else {"a.urdf": '<robot name="r"><link name="base"/></robot>'}
     text = f"text = open({path}).read()\n"
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(("namespace", "count"), [("/stick", 0), ("/", 1)])
+def test_joint_states_of_two_namespaces(tmp_path: Path, namespace: str, count: int) -> None:
+    """sensor_stick: its controllers, and so their topics, are in /sensor_stick."""
+    text = (
+        '<node name="j" pkg="joint_state_publisher" type="joint_state_publisher"/>'
+        f'<node name="s" pkg="controller_manager" type="spawner" ns="{namespace}" '
+        'args="joint_state_controller"/>'
+    )
+    assert len(reported(tmp_path / "arm", "LAU021", "a.launch", text)) == count
