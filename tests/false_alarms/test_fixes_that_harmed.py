@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.gazebos import block
+from tests.reported import reported
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix
 
@@ -285,3 +287,19 @@ def test_the_moments_of_a_light_link_that_carries_a_heavy_one_stay(
     found = [one for one in check(robot, select=["INE006"]).diagnostics if "steer" in one.message]
     assert [one.fix is not None for one in found] == [is_offered]
     assert is_offered or found[0].help == "give it more mass first: its joints carry 15 kg"
+
+
+@pytest.mark.parametrize(
+    ("own", "help"),
+    [
+        ("<material>Gazebo/Red</material><mu1>1</mu1>", "name a link or a joint of this robot"),
+        ("<mu1>1</mu1>", "did you mean 'hinge'?"),
+        ('<sensor name="a" type="imu"/>', "did you mean 'hinge'?"),
+    ],
+)
+def test_a_link_that_has_the_properties_is_not_suggested(own: str, help: str) -> None:
+    """cooperative_transportation_4ws: v1_front_right_joint_1, beside v1_front_right_hinge_1."""
+    other = block('<material>Gazebo/Blue</material><sensor name="b" type="imu"/>', "hinges")
+    (found,) = reported("GAZ001", '<link name="hinge"/>' + block(own, "hinge") + other)
+    assert found.help == help
+    assert (found.fix is None) is (help != "did you mean 'hinge'?")
