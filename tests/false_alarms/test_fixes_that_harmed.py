@@ -303,3 +303,51 @@ def test_a_link_that_has_the_properties_is_not_suggested(own: str, help: str) ->
     (found,) = reported("GAZ001", '<link name="hinge"/>' + block(own, "hinge") + other)
     assert found.help == help
     assert (found.fix is None) is (help != "did you mean 'hinge'?")
+
+
+HAND = """\
+<robot name="hand" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="inertial" params="mass"><inertial>
+    <mass value="${{mass}}"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial></xacro:macro>
+  <link name="base"/>
+  <link name="tip">
+    <visual><geometry><box size="0.01 0.01 0.01"/></geometry></visual>
+    {}
+  </link>
+  <joint name="roll" type="revolute">
+    <parent link="base"/><child link="tip"/><axis xyz="1 0 0"/>
+    <limit lower="-1" upper="1" effort="{}" velocity="3.14"/>
+  </joint>
+</robot>
+"""
+TIP = """<inertial><mass value="0.001"/>
+      <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/></inertial>"""
+
+
+@pytest.mark.parametrize(("effort", "is_fixed"), [("54", False), ("0.1", True)])
+def test_a_joint_with_far_too_much_effort_for_the_tensor_of_the_shape(
+    tmp_path: Path, effort: str, is_fixed: bool
+) -> None:
+    """mogi_arm's virtual links of 1 g: with the tensor of a grain, 54 N·m throw them."""
+    robot = tmp_path / "hand.urdf.xacro"
+    robot.write_text(HAND.format(TIP, effort))
+    (found,) = check(robot, select=["INE006"]).diagnostics
+    assert (found.fix is not None) is is_fixed
+    assert ("joint 'roll' has too much effort" in found.help) is not is_fixed
+
+
+@pytest.mark.parametrize(("effort", "is_fixed"), [("54", False), ("0.1", True)])
+def test_a_macro_that_gives_such_a_link_its_tensor(
+    tmp_path: Path, effort: str, is_fixed: bool
+) -> None:
+    body = '<link name="body"><visual><geometry><sphere radius="0.1"/></geometry></visual>'
+    other = f'{body}<xacro:inertial mass="1"/></link><joint name="f" type="fixed">'
+    tip = HAND.format('<xacro:inertial mass="0.001"/>', effort)
+    robot = tmp_path / "hand.urdf.xacro"
+    robot.write_text(
+        tip.replace("<joint", other + '<parent link="base"/><child link="body"/></joint><joint')
+    )
+    (found,) = check(robot, select=["XAC014"]).diagnostics
+    assert (found.fix is not None) is is_fixed
