@@ -2,7 +2,8 @@
 
 It can be rotated about that axis without effort: the equations of motion have no solution, or
 engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
-comes from a failed export, or from too few decimal places; compute it from mass and size. A single
+comes from a failed export, or from too few decimal places; compute it from mass and size, or take
+that of the left/right counterpart, with its centre of mass. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
 thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
 and so is a link of at most a gram, a stand-in for a part that a plugin of Gazebo computes, and a
