@@ -165,8 +165,10 @@ def parts_of_path(call: ast.Call) -> list[ast.expr]:
         return parts[0].elts if parts and isinstance(parts[0], (ast.List, ast.Tuple)) else []
     if name == "joinpath" and isinstance(function, ast.Attribute):
         return [function.value, *parts]
-    is_path = name in ("join", "Path") and len(parts) > 1
-    return parts if is_path or ast.unparse(function) == "os.path.join" else []
+    if name == "Path":
+        return parts if len(parts) > 1 else []
+    is_path = name == "join" and (len(parts) > 1 or ast.unparse(function) == "os.path.join")
+    return parts if is_path else []
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:
