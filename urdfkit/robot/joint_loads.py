@@ -7,7 +7,7 @@ one walk over the tree. Where it is under the effort of a joint, no pose overloa
 from collections.abc import Mapping
 from math import hypot
 
-from urdfkit.core.spatial import basis, transposed
+from urdfkit.core.spatial import basis
 from urdfkit.robot.inertia import MassProperties, rotated, shifted
 from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
@@ -44,7 +44,7 @@ def is_thrown(joint: Joint, moved: MassProperties) -> bool:
     if limit is None or force is None or joint.kind not in TURNING:
         return False
     about_joint = shifted(moved.tensor, moved.mass, moved.center)
-    moment = rotated(about_joint, transposed(basis(direction(joint)))).izz
+    moment = rotated(about_joint, basis(direction(joint))).izz
     velocity = limit.velocity.value if limit.velocity else 0.0
     return force * STEP > FASTEST * max(velocity, ROTOR) * moment
 
