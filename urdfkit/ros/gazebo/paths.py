@@ -28,7 +28,7 @@ _VARIABLES = (
     b"SDF_PATH",
 )
 #: Calls of Python, and of the shell, that give the meshes another scheme or an absolute path.
-_REPLACES = re.compile(rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]*package:""")
+_REPLACES = re.compile(rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]{0,200}package:""")
 #: Ends of the names of files that can set it: shell and build files, hooks, instructions.
 _TEXTS = (
     ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
