@@ -117,10 +117,15 @@ OTHER = (0.002, -1e-4, 3e-4, 0.007, 2e-4, 0.006)
 WRITTEN = '<origin xyz="0 0 0"/>'
 
 
-def arms(shape: str, rpy: str = "0 0 0", origin: str = WRITTEN) -> str:
+def arms(
+    shape: str,
+    rpy: str = "0 0 0",
+    origin: str = WRITTEN,
+    other: tuple[float, ...] = OTHER,
+) -> str:
     """A left arm without inertia, and a right one; ``rpy`` is the left joint's."""
     left = link("left_arm", shape, inertial(1.8, ZERO).replace("<mass", f"{origin}<mass"))
-    right = link("right_arm", shape, inertial(1.8, OTHER, "0.1 0.02 0"))
+    right = link("right_arm", shape, inertial(1.8, other, "0.1 0.02 0"))
     turn = joint("base", "left_arm", "revolute", "0 0.3 0").replace('0"/>', f'0" rpy="{rpy}"/>', 1)
     return BASE + left + right + turn + joint("base", "right_arm", "revolute", "0 -0.3 0")
 
@@ -158,6 +163,13 @@ def test_a_counterpart_elsewhere_has_no_mirrored_tensor() -> None:
     (found,) = reported("INE005", arms(BAR).replace('"0 -0.3 0"', '"0.1 -0.3 0"'))
     assert found.help.startswith("its counterpart")
     assert found.fix is None
+
+
+def test_a_counterpart_without_inertia_shows_nothing() -> None:
+    """Pepper's hands, of which one has 1e-35 kg·m²."""
+    found = reported("INE005", arms(BAR, other=(1e-35, 1e-35, 1e-35)))
+    assert found != []
+    assert not any("counterpart" in one.help for one in found)
 
 
 def test_a_shape_that_agrees_with_the_counterpart() -> None:

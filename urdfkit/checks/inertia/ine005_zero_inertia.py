@@ -104,7 +104,9 @@ def _finding(one: LinkInertia, joint: Joint, context: Context) -> Finding:
 def _of_counterpart(one: LinkInertia, context: Context) -> tuple[str, Fix | None] | None:
     """The tensor of the link on the other side, if that of the shape differs from it."""
     other = context.masses.counterpart(one)
-    if other is None or not is_possible(other.tensor) or _is_of_shape(one, other):
+    if other is None or other.is_noise or not is_possible(other.tensor):
+        return None
+    if _is_of_shape(one, other):
         return None
     image = mirror_image(one, other, frames(context.tree, {}))
     fix = image and _fix(one, along_inertial(one, image.tensor), center_edits(one, image.center))
