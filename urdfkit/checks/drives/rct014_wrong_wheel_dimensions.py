@@ -24,7 +24,6 @@ from typing import TYPE_CHECKING
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.controllers import by_file
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
@@ -60,6 +59,10 @@ def check(context: Context) -> Findings:
     for use in context.plugins:
         if kind := drive_of(use):
             yield from _of_plugin(use, kind, context)
+    if not context.controllers:
+        return
+    from urdfkit.ros.controllers import by_file  # it reads YAML, which few robots have
+
     for file, controllers in by_file(context.controllers):
         for several in _by_wheels(controllers):
             found = [list(_of_controller(controller, context)) for controller in several]

@@ -12,6 +12,8 @@ Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
