@@ -14,7 +14,7 @@ from urdfkit.core.progress import Progress
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
-from urdfkit.render.ground import Ground, ground
+from urdfkit.render.ground import Ground, ground, without_shadows
 from urdfkit.render.light import LATTICE, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
@@ -133,7 +133,7 @@ class _Drawing:
         self.kinds = [_kind(one) for one in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
-        robot = [piece for piece, kind in pieces if kind != _OVERLAY]
+        robot = [piece for piece, kind in pieces if kind != _OVERLAY] or everything.pieces
         casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
         axes = np.asarray(camera.axes, dtype=np.float32).T
         world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
@@ -143,6 +143,8 @@ class _Drawing:
         self.floor: Ground | None = None
         if floor and len(casts):
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
+        elif floor:
+            self.floor = without_shadows(lowest, highest, camera, level)
         self.screen, self.soup = self._projected(cut(everything, camera), (lowest + highest) / 2)
         kind = self._kind(self.soup)
         self.opaque, self.clear, self.overlays = (
