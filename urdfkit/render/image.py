@@ -86,9 +86,14 @@ def drawn(
     """
     image = Image.fromarray(draw(scene, camera, level=level, progress=progress, **drawing))
     write(image, scene, camera)
-    if drawing.get("background", STUDIO) is not None and drawing.get("floor", True):
+    if has_scale(drawing):
         write_scale(image, camera, level)
     return image
+
+
+def has_scale(drawing: DrawingOptions) -> bool:
+    """True if there is a ground that is not cut out."""
+    return drawing.get("background", STUDIO) is not None and drawing.get("floor", True)
 
 
 def _cameras(
