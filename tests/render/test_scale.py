@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from tests.render.scenes import link, robot, scene
-from urdfkit.render import build, draw, explained, place_camera, render_image
+from urdfkit.render import build, draw, explained, image, place_camera, render_image
 from urdfkit.render.ground import CELLS, Ground
 from urdfkit.render.scale import grid_step, write_scale
 
@@ -104,3 +104,10 @@ def test_views_of_a_sheet_have_one_scale() -> None:
     assert front > 15
     assert front == pytest.approx(top, abs=1)
     assert front == pytest.approx(left, abs=1)
+
+
+@pytest.mark.parametrize(
+    ("count", "grid"), [(1, (1, 1)), (2, (2, 1)), (3, (2, 2)), (4, (2, 2)), (7, (4, 2))]
+)
+def test_a_sheet_has_few_empty_cells(count: int, grid: tuple[int, int]) -> None:
+    assert image._grid(count) == grid

@@ -69,6 +69,7 @@ class Label(NamedTuple):
     link: str  # in whose frame the point is
     point: Vector  # what it belongs to, in m
     of_link: bool = False  # it belongs to all of the link, wherever that is seen
+    is_optional: bool = False  # omitted if the link is hidden or no place is free next to it
 
 
 class Scene(NamedTuple):
