@@ -89,7 +89,7 @@ def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
     named = set(re.findall(r"'sha256-([^']+)'", policy))
     digests = (hashlib.sha256(script.encode()).digest() for script in page.scripts)
     assert {base64.b64encode(digest).decode() for digest in digests} == named
-    assert len(named) == 7
+    assert len(named) == 8
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     assert "unsafe" not in policy.partition("style-src")[0]
     assert not any(name.startswith("on") for _, attributes in page.found for name in attributes)
@@ -163,6 +163,34 @@ def test_a_robot_of_which_little_is_known_has_a_short_page(content: str, tmp_pat
     assert 'id="model"' not in text  # and no engine, which is most of a page
     assert len(text) < 60_000
     assert text.count("the description cannot be read") <= 2
+
+
+def test_reasons_that_differ_in_names_only_are_one(tmp_path: Path) -> None:
+    """Links that are fixed to the base by joints that have the names of the links."""
+    mass = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    parts = "".join(
+        f'<link name="{name}"/><joint name="{name}" type="fixed"><parent link="base"/>'
+        f'<child link="{name}"/></joint>'
+        for name in ("left", "right", "rear")
+    )
+    robot = tmp_path / "r.urdf"
+    robot.write_text(f'<robot name="r"><link name="base">{mass}</inertial></link>{parts}</robot>')
+    text, document = report(str(robot), quick=True)
+    assert len(document["gazebo"]["rejected"]) == 3
+    shown = unescape(text)
+    assert shown.count("rejects this robot") == 1
+    assert "the frame of the merged 'left' has the name" in shown
+    assert "2 more like this: right, rear" in shown
+    assert "()" not in shown.partition('id="gazebo"')[2].partition("</section>")[0]
+
+
+def test_counts_are_singular_for_one_only() -> None:
+    text, document = report(MISSION, quick=True)
+    count = document["summary"]
+    assert count["error"] == 1
+    assert "<b>1</b>error<" in text
+    assert f"<b>{count['warning']}</b>warnings<" in text
+    assert f"warnings ({count['warning']})" in text
 
 
 def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None:
