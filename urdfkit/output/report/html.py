@@ -65,7 +65,7 @@ def render(
     inline = [*scripts, *([engine.script] if engine else [])]
     return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
         **_context(document, translator, drawings),
-        style=_safe(_read("page.css")),
+        style=_safe(_read("scene.css") + _read("page.css")),
         policy=_policy(inline, live=bool(shape)),
         shape=shape,
         scripts=[_safe(script) for script in scripts],
@@ -95,6 +95,11 @@ def render_plain(template: str, translator: Translator, **context: object) -> st
             _=translator,
         )
     )
+
+
+def render_view(translator: Translator) -> str:
+    """The elements that the scripts of the 3D view expect."""
+    return _environment().get_template("scene.html.j2").render(_=translator)
 
 
 def render_content(

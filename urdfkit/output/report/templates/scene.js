@@ -8,8 +8,9 @@
   const picked = document.getElementById("picked");
   const ACCENT = new THREE.Color(0x1f7cf2), NONE = new THREE.Color(0);
   // As in the images; what has no findings steps back.
-  const SEVERITIES = { error: new THREE.Color(0xde2121), warning: new THREE.Color(0xff9e0d) };
-  const QUIET = new THREE.Color(0xccd1d9);
+  const written = (hex) => new THREE.Color(hex).convertSRGBToLinear();
+  const SEVERITIES = { error: written(0xde2121), warning: written(0xff9e0d) };
+  const QUIET = written(0xccd1d9);
 
   let renderer;
   try {
@@ -124,7 +125,9 @@
   function measure() {
     const box = new THREE.Box3();
     for (const mesh of surfaces) box.expandByObject(mesh);
-    for (const group of groups) box.expandByPoint(new THREE.Vector3().setFromMatrixPosition(group.matrix));
+    for (const group of box.isEmpty() ? groups : []) {
+      box.expandByPoint(new THREE.Vector3().setFromMatrixPosition(group.matrix));
+    }
     const edge = box.getSize(new THREE.Vector3()).length();
     size = edge > 0 && Number.isFinite(edge) ? edge : 1;
     return box;
