@@ -209,6 +209,13 @@ def test_the_engine_carries_its_licence() -> None:
     assert "$B64GLTF" not in found.script
 
 
+def test_the_playground_has_the_engine_of_the_page() -> None:
+    """Its 3D view consists of the same scripts."""
+    package = json.loads((ROOT / "docs" / "playground" / "package.json").read_text("utf-8"))
+    revision = re.findall(r'const e="(\d+)"', engine.load().script[:1000])
+    assert package["dependencies"]["three"].split(".")[1] == revision[0]
+
+
 def test_an_unknown_engine_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "_page", lambda archive: "<script>another</script>")
     with pytest.raises(UrdfkitError, match="is not one that urdfkit knows"):
