@@ -2,6 +2,7 @@
 
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -185,9 +186,12 @@ def test_names_are_of_what_is_seen_and_the_others_are_counted(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     written: list[str] = []
-    monkeypatch.setattr(
-        labels, "writing", lambda text, size: (written.append(text), writing(text, size))[1]
-    )
+
+    def recorded(text: str, size: float) -> tuple[Any, str]:
+        written.append(text)
+        return writing(text, size)
+
+    monkeypatch.setattr(labels, "writing", recorded)
     wall = link("wall", '<box size="0.1 4 4"/>')
     hidden = [link(f"hidden{n}", '<sphere radius="0.1"/>', "-1 0 0") for n in range(3)]
     context = robot(wall, *hidden, '<link name="bare"/>')
