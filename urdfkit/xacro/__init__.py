@@ -122,7 +122,7 @@ def expand(
     """Expand a xacro file.
 
     All errors are found, not the first only: an expression that fails counts as reported and
-    the expansion goes on; a tag that fails is taken out and the expansion starts again.
+    the expansion goes on without it, as it does without a tag that fails.
 
     Args:
         source: the file.
