@@ -86,6 +86,16 @@ def state(path: str) -> os.stat_result:
     return found
 
 
+def version(path: str) -> tuple[int, ...]:
+    """Numbers that differ once a file has changed; nothing is noted, as its text is.
+
+    Raises:
+        OSError, ValueError: as of `state`.
+    """
+    found = os.stat(path)
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+
+
 def exists(path: str) -> bool:
     return _mode(path) != 0
 
