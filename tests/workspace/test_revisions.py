@@ -65,7 +65,7 @@ def test_no_program_fetches_a_missing_object(repository: Path, tmp_path: Path) -
         "protocol.ext.allow": "always",
     }.items():
         git(repository, "config", setting, value)
-    with pytest.raises(UrdfkitError, match="robot.urdf"):
+    with pytest.raises(UrdfkitError, match=r"robot\.urdf"):
         old_files(repository)
     assert not (tmp_path / "runs").exists()
 
