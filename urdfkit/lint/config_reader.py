@@ -35,7 +35,9 @@ def load(path: str, *, trusted: bool = True) -> Config:
         ConfigError: there is none, or it cannot be understood.
     """
     if not trusted and os.path.islink(path) and not _is_inside_repository(path):
-        raise ConfigError(f"{path}: a link to a file outside of the repository; name it by --config")
+        raise ConfigError(
+            f"{path}: a link to a file outside of the repository; name it by --config"
+        )
     table = _table(path)
     if table is None:
         raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
