@@ -48,7 +48,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
             add_keyframes(made, robot)
         _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
-        proof = proven(prove(model, robot), robot)
+        proof = proven(prove(model, robot, made.shapes), robot)
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)

@@ -31,7 +31,7 @@ FLAT, THICKNESS = 1e-6, 1e-3
 #: MuJoCo reads no mesh with fewer vertices.
 _LEAST_VERTICES = 4
 
-_KINDS = {
+KINDS = {
     "box": mujoco.mjtGeom.mjGEOM_BOX,
     "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
     "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
@@ -70,6 +70,8 @@ class Geoms:
         self._textures = Textures(spec, directory)
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
+        self.shapes: dict[int, list[Any]] = {}  # the geoms, by the ``id`` of their element
+        self.simpler: set[int] = set()  # the elements with simpler shapes than theirs
         self._names = FreeNames()
         self._gazebo = {
             block.get("reference"): block for block in robot.model.gazebo if block.child("material")
@@ -91,7 +93,7 @@ class Geoms:
         visuals = link.visuals if self._options.visuals else ()
         for geometry in (*visuals, *link.collisions):
             shape = geometry.shape
-            if shape is None or shape.kind not in _KINDS:
+            if shape is None or shape.kind not in KINDS:
                 continue
             size = _size(shape)
             is_visual = any(geometry is one for one in link.visuals)
@@ -113,6 +115,7 @@ class Geoms:
             else:
                 pieces = self._collided(geometry, shape, size)
                 colliding += [self._placed(body, place, one, COLLISION_GROUP) for one in pieces]
+            self.shapes[id(geometry.at)] = body.geoms[before:]
             self._name(geometry, body.geoms[before:])
         return colliding
 
@@ -128,7 +131,7 @@ class Geoms:
     def _placed(self, body: Any, frame: Transform, piece: Piece, group: int) -> Any:
         place = frame @ piece.frame
         made = body.add_geom(
-            type=_KINDS[piece.kind],
+            type=KINDS[piece.kind],
             pos=place.position,
             quat=quaternion(place.rotation),
             size=piece.size,
@@ -244,11 +247,13 @@ class Geoms:
                 self._simpler[key] = self._simplified(geometry, file)
             pieces, note = self._simpler[key]
             if pieces:
+                self.simpler.add(id(geometry.at))
                 self._losses.approximate(shape.at, note)
                 return pieces
         plate = self._plate(geometry, shape, file)
         if plate:
             note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, since it is flat"
+            self.simpler.add(id(geometry.at))
             self._losses.approximate(shape.at, note)
             return (plate,)
         self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")

@@ -12,6 +12,7 @@ from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
@@ -28,7 +29,7 @@ NARROWEST = 1e-6
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
 #: Joints that one number moves.
-_ONE_WAY = (*TURNING, *SLIDING)
+ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -67,6 +68,14 @@ class MjcfRobot:
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
+
+    @property
+    def shapes(self) -> dict[int, WrittenShape]:
+        """The geoms of visuals and collisions, by the ``id`` of the element; once compiled."""
+        return {
+            key: WrittenShape(tuple(geom.id for geom in geoms), key not in self._geoms.simpler)
+            for key, geoms in self._geoms.shapes.items()
+        }
 
     def _build(self, tree: KinematicTree, is_free: bool) -> None:
         model = tree.model
@@ -114,7 +123,7 @@ class MjcfRobot:
         keep(at, what if joint.kind != "fixed" else "body without a joint")
         for tag in ("origin", "parent", "child"):
             keep(at.child(tag), "place of the body")
-        if joint.kind in _ONE_WAY:
+        if joint.kind in ONE_WAY:
             kind = _SLIDE if joint.kind == "prismatic" else _HINGE
             made = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
@@ -213,7 +222,7 @@ class MjcfRobot:
             if mimic is None:
                 continue
             leader, factor, shift = known[joint.name]
-            if not {joint.kind, joints[leader].kind if leader else ""} <= set(_ONE_WAY):
+            if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
                 continue
             made = self.spec.add_equality(
                 name=f"{joint.name}_mimic",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, isfinite
+from math import degrees
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,15 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
+from urdfkit.output.conversion.body_inertia import (
+    difference,
+    homogeneous,
+    of_link,
+    pseudo_inertia,
+)
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction
 from urdfkit.robot.model import Joint
-from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
+from urdfkit.robot.rigid_bodies import rigid_bodies
 
 #: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
 #: precision for masses.
@@ -100,9 +106,7 @@ class Stage:
     def difference(self, prim: Any, at: Transform) -> float:
         """How far a prim is from a frame, in m or of entries of its rotation."""
         found = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        ours = np.eye(4)
-        ours[:3, :3], ours[:3, 3] = at.rotation, at.position
-        return float(np.abs(found - ours).max())
+        return float(np.abs(found - homogeneous(at)).max())
 
     def inertia(self, prim: Any) -> tuple[float, Floats, Floats]:
         """Mass in kg, (3,) centre in m and (3, 3) tensor about that, in the frame of a prim."""
@@ -147,35 +151,12 @@ def prove(stage: Stage, robot: Context) -> UsdProof:
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
     """How much the inertia of links that are fixed together differs, as a part of it."""
     for group in rigid_bodies(robot.tree):
-        ours = sum(_about_top(link, frame) for link, frame in group.links)
+        ours = sum((of_link(*one) for one in group.links), np.zeros((4, 4)))
         theirs = np.zeros((4, 4))
         for link, frame in group.links:
             if link.name in stage.links:
-                mass, center, tensor = stage.inertia(stage.links[link.name])
-                theirs = theirs + _pseudo(mass, center, tensor, frame)
-        largest = max(float(np.abs(ours).max()), 1e-9)
-        difference = float(np.abs(ours - theirs).max()) / largest
-        yield difference if isfinite(difference) else float("inf"), group.top.name
-
-
-def _about_top(link: Any, frame: Transform) -> Floats:
-    mass, center, tensor = properties_of(link, Transform())
-    return _pseudo(mass, np.array(center), np.array(tensor.rows), frame)
-
-
-def _pseudo(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:
-    """The pseudo-inertia in another frame, (4, 4), of which bodies have the sum.
-
-    Its blocks are the second moments, the first moments and the mass.
-    """
-    second = np.trace(tensor) / 2 * np.eye(3) - tensor + mass * np.outer(center, center)
-    found = np.block(
-        [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
-    )
-    moved = np.eye(4)
-    moved[:3, :3], moved[:3, 3] = frame.rotation, frame.position
-    result: Floats = moved @ found @ moved.T
-    return result
+                theirs = theirs + pseudo_inertia(*stage.inertia(stage.links[link.name]), frame)
+        yield difference(ours, theirs), group.top.name
 
 
 def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
