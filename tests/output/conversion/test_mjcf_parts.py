@@ -312,15 +312,65 @@ def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
 
 
 def test_a_mesh_that_mujoco_rejects_is_named_at_its_line(tmp_path: Path) -> None:
-    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
-    lines = [f"v {x} {y} {z}" for x, y, z in corners]
-    faces = ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
-    (tmp_path / "tiny.obj").write_text("\n".join([*lines, *faces]))
-    shape = '<geometry>\n<mesh filename="tiny.obj" scale="1e-6 1e-6 1e-6"/></geometry>'
+    shape = pyramid(tmp_path / "tiny.obj").replace("<mesh", '\n<mesh scale="1e-6 1e-6 1e-6"')
     file = tmp_path / "arm.urdf"
     file.write_bytes(arm(LIMIT, tip=f"{INERTIAL}<collision>{shape}</collision>").data)
     with pytest.raises(UrdfkitError, match=r"arm\.urdf:4:1: .*too small.*; correct its scale"):
         convert(read(file), tmp_path / "o")
+
+
+def pyramid(path: Path, height: float = 1, faces: int = 4) -> str:
+    """A mesh file; its element."""
+    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, height))
+    sides = ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
+    lines = [*(f"v {x} {y} {z}" for x, y, z in corners), *sides[:faces]]
+    path.write_text("\n".join(lines))
+    return f'<geometry><mesh filename="{path.name}"/></geometry>'
+
+
+def test_meshes_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    """A mesh that is a visual and a collision is two; the second one was called like a file."""
+    first, second = (
+        pyramid(tmp_path / name, 1 + at) for at, name in enumerate(("p.obj", "p_2.obj"))
+    )
+    tip = f"{INERTIAL}<visual>{first}</visual>" + "".join(
+        f"<collision>{one}</collision>" for one in (first, second)
+    )
+    file = tmp_path / "arm.urdf"
+    file.write_bytes(arm(LIMIT, tip=tip).data)
+    model, _ = loaded(file, tmp_path / "o")
+    assert [model.mesh(number).name for number in range(3)] == ["p", "p_2", "p_2_2"]
+
+
+def test_joints_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    hand = (
+        HAND.split("<ros2_control", maxsplit=1)[0]
+        .replace("grip", "turn[1]")
+        .replace('<mimic joint="turn" multiplier="2"/>', "")
+    )
+    model, _ = loaded(arm(kind="planar", more=hand), tmp_path / "o")
+    names = [model.joint(number).name for number in range(model.njnt)]
+    assert names == ["turn[0]", "turn[1]_2", "turn[2]", "turn[1]"]
+
+
+def test_rays_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    sensors = "".join(
+        f'<sensor name="{name}" type="gpu_lidar"><lidar/></sensor>' for name in ("a", "a_0", "A")
+    )
+    tag = f'<gazebo reference="tip">{sensors}</gazebo>'
+    model, _ = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    assert len({model.sensor(number).name for number in range(model.nsensor)}) == 3
+
+
+def test_a_visual_of_one_triangle_is_lost(tmp_path: Path) -> None:
+    shape = pyramid(tmp_path / "t.obj", faces=1)
+    file = tmp_path / "arm.urdf"
+    tip = f"{INERTIAL}<visual>{shape}</visual><collision>{shape}</collision>"
+    file.write_bytes(arm(LIMIT, tip=tip).data)
+    model, parts = loaded(file, tmp_path / "o")
+    assert model.ngeom == 1
+    why = "lost: MuJoCo reads no mesh with fewer than 4 vertices"
+    assert parts["link/tip/visual"] == why
 
 
 def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
         exclude_neighbours(made, robot)
         if options.exclude == "computed":
             exclude_computed(made, robot)
-        with rejections(robot):
+        with rejections(robot, made.mesh_places):
             add_keyframes(made, robot)
         _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
@@ -88,7 +88,7 @@ def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     compiled(made, robot)
     _write_all_digits()
     atomic.make_directory(os.path.dirname(path))  # of a robot without files
-    with rejections(robot):
+    with rejections(robot, made.mesh_places):
         atomic.write(path, made.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)
 

@@ -17,7 +17,12 @@ from urdfkit.output.conversion.body_inertia import (
     of_link,
     pseudo_inertia,
 )
-from urdfkit.output.conversion.mjcf_geoms import COLLISION_GROUP, KINDS, VISUAL_GROUP
+from urdfkit.output.conversion.mjcf_geoms import (
+    COLLISION_GROUP,
+    KINDS,
+    VISUAL_GROUP,
+    has_few_vertices,
+)
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.mjcf_robot import NARROWEST, ONE_WAY
 from urdfkit.output.conversion.text_reading import TextReading
@@ -146,7 +151,8 @@ def _shape(
     assert shape is not None
     extents = shape.half_extents
     if found is None:
-        return 0.0 if extents is not None and min(extents) <= 0 else WHOLE
+        is_empty = min(extents) <= 0 if extents else has_few_vertices(robot, shape)
+        return 0.0 if is_empty and body.at.tag == "visual" else WHOLE
     geoms, back = list(found.geoms), np.linalg.inv(place)
     group = VISUAL_GROUP if body.at.tag == "visual" else COLLISION_GROUP
     if set(model.geom_group[geoms]) != {group}:

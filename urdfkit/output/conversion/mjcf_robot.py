@@ -1,6 +1,6 @@
 """A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import Any
 
 import mujoco
@@ -22,6 +22,7 @@ from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.source import Span
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
 NARROWEST = 1e-6
@@ -62,12 +63,20 @@ class MjcfRobot:
         self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
         self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
         self.devices = FreeNames()  # of sites, sensors and cameras
+        self._joint_names = FreeNames()
+        for joint in tree.model.joints:
+            self._joint_names.take(joint.name)
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
+
+    @property
+    def mesh_places(self) -> dict[str, Span]:
+        """Where the meshes of the specification are written, by name."""
+        return self._geoms.places
 
     @property
     def shapes(self) -> dict[int, WrittenShape]:
@@ -91,7 +100,7 @@ class MjcfRobot:
             else:
                 self.bodies[name] = self._body(link, joint)
             if joint is None and is_free:
-                self.bodies[name].add_freejoint(name=f"{name}_free")
+                self.bodies[name].add_freejoint(name=self._joint_names.take(f"{name}_free"))
             self._fill(link)
 
     def _merge(self, link: Link, joint: Joint) -> None:
@@ -130,19 +139,23 @@ class MjcfRobot:
             self._limits(made, joint)
             self._damping(made, joint)
         elif joint.kind == "floating":
-            for number, axis in enumerate(_AXES):
-                body.add_joint(name=f"{joint.name}[{number}]", type=_SLIDE, axis=axis)
-            body.add_joint(name=f"{joint.name}[3]", type=_BALL)
+            motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
+            self._several(body, joint, motions)
         elif joint.kind == "planar":
             first, second, normal = _plane(direction(joint))
-            for number, (kind, axis) in enumerate(
-                ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
-            ):
-                body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
+            motions = ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
+            self._several(body, joint, motions)
             keep(at.child("axis"), "axes")
         else:
             for tag in ("axis", "limit", "dynamics"):
                 self.losses.lose(at.child(tag), "a fixed joint does not move")
+
+    def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
+        """The joints of MuJoCo that make one of several coordinates."""
+        for at, (kind, axis) in enumerate(motions):
+            made = body.add_joint(name=self._joint_names.take(f"{joint.name}[{at}]"), type=kind)
+            if axis is not None:
+                made.axis = axis
 
     def _limits(self, made: Any, joint: Joint) -> None:
         limit = joint.limit

@@ -65,7 +65,10 @@ def _measured(
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
     for what, kind in kinds:
         made.spec.add_sensor(
-            name=f"{name}_{what}", type=kind, objtype=_OBJECT.mjOBJ_SITE, objname=name
+            name=made.devices.take(f"{name}_{what}"),
+            type=kind,
+            objtype=_OBJECT.mjOBJ_SITE,
+            objname=name,
         )
     made.losses.keep(sensor.at, "site and sensors")
     made.losses.keep(sensor.at.parent, "body")
@@ -113,7 +116,7 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     for number, (up, turn) in enumerate(product(rows, columns)):
         way = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
         rotation = multiply(at.rotation, transposed(basis(way)))
-        ray = f"{name}_{number}"
+        ray = made.devices.take(f"{name}_{number}")
         body.add_site(name=ray, pos=at.position, quat=quaternion(rotation), group=_HIDDEN)
         found = made.spec.add_sensor(
             name=ray, type=_SENSOR.mjSENS_RANGEFINDER, objtype=_OBJECT.mjOBJ_SITE, objname=ray
