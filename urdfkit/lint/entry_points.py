@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.lint.config import RobotEntry
-from urdfkit.lint.include_graph import INCLUDE, ROBOT, IncludeGraph, is_description
+from urdfkit.lint.include_graph import INCLUDE, OTHER_MODELS, ROBOT, IncludeGraph, is_description
 from urdfkit.text.comments import without_comments
 
 #: A macro without an end goes on to that of the file.
@@ -22,6 +22,7 @@ _NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PART = "a part of a robot that no file includes"
+_OF_OTHERS = "defines no link, and what includes it is not a robot"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _CONTENT = re.compile(
     rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
@@ -72,14 +73,20 @@ class EntryPoints:
         unusual = [
             name
             for path, name in self.graph.names.items()
-            if path not in included and not is_description(name) and self._is_robot(path)
+            if path not in included
+            and not is_description(name)
+            and not name.lower().endswith(OTHER_MODELS)
+            and self._is_robot(path)
         ]
         started = self._launched(unusual)
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
         others |= dict.fromkeys(parts, _PART)
-        return DirectoryContents(named, libraries, tuple(self.graph.closed), others)
+        used = [path for path in libraries if disk.real(path) in included]
+        others |= dict.fromkeys(used, _OF_OTHERS)
+        unused = tuple(path for path in libraries if path not in used)
+        return DirectoryContents(named, unused, tuple(self.graph.closed), others)
 
     def _parts(self, roots: Iterable[str]) -> list[str]:
         """The xacros that are not whole: without a name, or with their include commented out."""
