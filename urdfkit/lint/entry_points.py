@@ -38,6 +38,7 @@ class DirectoryContents(Record):
     closed: tuple[str, ...] = ()
     #: Files that look like robots and are none of these, by why they are left out.
     others: Mapping[str, str] = {}
+    launches: tuple[str, ...] = ()  # the changed launch files, if it was asked about changed files
 
 
 class EntryPoints:

@@ -66,10 +66,8 @@ class _Merger:
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
         self.findings = FindingStore(spills=spills)  # all of them
-        #: The real paths of the descriptions that were not skipped, if launch files start robots.
-        self.read: set[str] = set()
+        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
         self._plan = plan
-        self._notes_read = any(job.frame for job in plan.jobs)
         self._spills = spills
         self._skipped = list(plan.skipped)
         self._crashed = list(plan.crashed)
@@ -85,7 +83,7 @@ class _Merger:
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
-        if self._notes_read and not job.codes and not _is_skipped(result):
+        if not job.codes and not _is_skipped(result):
             self.read.add(disk.real(job.path))
         self._skipped += result.skipped
         self._crashed += result.crashed
