@@ -49,7 +49,7 @@ def changed(*paths: Path) -> Report:
 @pytest.mark.parametrize(
     "checked",
     [
-        lambda package: check(package),
+        check,
         lambda package: check(package / "arm.xacro"),
         lambda package: changed(package / "arm.xacro"),
         lambda package: changed(package / "launch" / "bad.launch"),

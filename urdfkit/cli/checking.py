@@ -166,10 +166,10 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
     plan, read = planned(options.files(values), resolver, chosen), reader(chosen, resolver)
     sets = [(one, context) for job in plan.jobs for one, context in as_launched(job, read)]
     lines = [
-        " ".join((job.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
+        " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job, _ in sets
     ]
-    lines += [f"not checked: {skip.path}: {skip.reason}" for skip in plan.skipped]
+    lines += [f"not checked: {shown(skip.path)}: {skip.reason}" for skip in plan.skipped]
     lines += [
         f"not checked: {shown(path)}: included, but not with these arguments"
         for path in unread_files(context for _, context in sets)

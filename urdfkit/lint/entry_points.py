@@ -9,12 +9,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.lint.config import RobotEntry
-from urdfkit.lint.include_graph import INCLUDE, ROBOT, IncludeGraph, is_description
+from urdfkit.lint.include_graph import INCLUDE, ROBOT, SUFFIXES, IncludeGraph, is_description
 from urdfkit.text.comments import without_comments
 
 #: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
-_LINK = re.compile(rb"<link[\s>]")
 _LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
 _PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
@@ -73,7 +72,7 @@ class EntryPoints:
         unusual = [
             name
             for path, name in self.graph.names.items()
-            if path not in included and not is_description(name) and self._is_robot(path)
+            if path not in included and not name.lower().endswith(SUFFIXES) and self._is_robot(path)
         ]
         started = self._launched(unusual)
         robots = sorted({*outer, *self._within(outer), *started})
@@ -114,9 +113,9 @@ class EntryPoints:
         return bool(missing) and not any(b"$" in name for name in links)
 
     def _is_robot(self, path: str) -> bool:
-        """True for a file with the root ``<robot>`` that has links outside of macros."""
+        """True for a file with the root ``<robot>`` that is no library."""
         data = without_comments(self.graph.text(path))
-        return bool(ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
+        return bool(ROOT.match(data)) and not self._is_library(path)
 
     def _launched(self, files: list[str]) -> list[str]:
         """The files whose name stands in a launch file."""
