@@ -14,9 +14,19 @@ IN_MEMORY = 100
 #: Files whose findings a report holds in memory.
 MAX_REPORTED = 500
 
-#: Findings of a file by what distinguishes them, each with the robots that it is found in: path
-#: and variant.
-_OfFile = dict[tuple[object, ...], tuple[Diagnostic, list[tuple[str, str]]]]
+
+class _Place:
+    """The findings of one rule at one place, by message."""
+
+    def __init__(self) -> None:
+        #: Each with the robots that it is found in: path and variant.
+        self.found: dict[str, tuple[Diagnostic, list[tuple[str, str]]]] = {}
+        self.last = ""  # the description that was added last
+        self.of_last: list[str] = []  # the messages with which its findings are kept
+
+
+#: The findings of a file, by the code of the rule and the place: first and last byte.
+_OfFile = dict[tuple[str, int, int], _Place]
 
 
 class FindingStore:
@@ -45,27 +55,47 @@ class FindingStore:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
+        """Add what is found in a description with one set of arguments."""
         if variant:
             self._variants.setdefault(path, set()).add(variant)
+        places: dict[tuple[object, ...], list[Diagnostic]] = {}
         for one in diagnostics:
-            self.add_finding(one, [(path, variant)])
+            places.setdefault((one.code, one.span.source.path, *one.span[1:]), []).append(one)
+        for found in places.values():
+            self._add_at_place(found, path, [(path, variant)] if path else [])
         while self._spills and len(self._memory) > IN_MEMORY:
             self._spill(next(iter(self._memory)))
 
-    def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        file, name = self._real_and_shown(one.span.source.path)
+    def _add_at_place(
+        self, found: list[Diagnostic], description: str, found_in: list[tuple[str, str]]
+    ) -> None:
+        """Add the findings of one rule at one place.
+
+        With another set of arguments a description has other names, and the same defects. What is
+        found with other words than before is the same finding, once more.
+        """
+        file, name = self._real_and_shown(found[0].span.source.path)
         of_file = self._memory[file] = self._of_file(file)
-        key = (one.code, *one.span[1:], one.message)
-        if key in of_file:
-            first, others = of_file[key]
-            if one.severity.rank < first.severity.rank:  # with other arguments it is an error
+        place = of_file.setdefault((found[0].code, *found[0].span[1:]), _Place())
+        is_same = place.last == description
+        messages = {one.message for one in found}
+        others = [one for one in place.of_last if one not in messages] if is_same else []
+        kept = place.of_last if is_same else []
+        for one in found:
+            message = one.message
+            if message not in place.found and others:
+                message = others.pop(0)
+            if message in place.found:
+                first, known_in = place.found[message]
+                worst = _together(first, one)
+                place.found[message] = (worst, known_in + found_in)
                 self.counts[first.severity] -= 1
+                self.counts[worst.severity] += 1
+            else:
+                place.found[message] = (one, found_in)
                 self.counts[one.severity] += 1
-                first = one
-            of_file[key] = (first, others + found_in)
-            return
-        of_file[key] = (one, found_in)
-        self.counts[one.severity] += 1
+            kept.append(message)
+        place.last, place.of_last = description, list(dict.fromkeys(kept))
         files = self._files.get(name, ())
         if file not in files:
             self._files[name] = (*files, file)
@@ -84,7 +114,8 @@ class FindingStore:
     def in_order(self) -> Iterator[Diagnostic]:
         """As ``diagnostics``, one after another."""
         for name, files in sorted(self._files.items()):
-            found = [pair for file in files for pair in self._peek(file).values()]
+            places = (place for file in files for place in self._peek(file).values())
+            found = [pair for place in places for pair in place.found.values()]
             names = {one.span.source.path: "" for one, _ in found}
             names = {path: shown(path) for path in names}
             found = [pair for pair in found if names[pair[0].span.source.path] == name]
@@ -143,6 +174,15 @@ class StoredFindings(Sequence[Diagnostic]):
             numbers = index.indices(len(self))
             return tuple(islice(self, *numbers))
         return next(islice(self, range(len(self))[index], None))
+
+
+def _together(first: Diagnostic, other: Diagnostic) -> Diagnostic:
+    """One finding in two robots: the worse one, with the calls of the other, if they differ."""
+    if other.severity.rank < first.severity.rank:  # with other arguments it is an error
+        first, other = other, first
+    known = {call.message for call in first.calls}
+    calls = tuple(call for call in other.calls if call.message not in known)
+    return first._replace(calls=first.calls + calls) if calls else first
 
 
 def _partial(found_in: list[tuple[str, str]], variants: Mapping[str, set[str]]) -> tuple[str, ...]:

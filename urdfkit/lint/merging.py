@@ -47,8 +47,7 @@ def merged_report(
         if disk.real(job.path) in merger.read:
             kept, reasons = () if job.frame else tuple(filter(_is_checked, kept)), ()
         merger.add(job, result._replace(diagnostics=kept, skipped=reasons))
-    for one in unchecked:
-        merger.findings.add_finding(one, [])
+    merger.findings.add("", "", unchecked)
     return merger.report()
 
 
