@@ -1,32 +1,39 @@
-"""What stops urdfkit itself. A defect of a robot is never an exception: it is a Diagnostic."""
+"""Exceptions of urdfkit. A defect of a robot is never an exception, but a Diagnostic."""
 
 
 class UrdfkitError(Exception):
-    """The job cannot be done: the command line prints the message and exits with 2."""
+    """Usage or input error: the command line prints the message and exits with 2."""
 
 
 class NotEnoughMemory(UrdfkitError):
-    """The process has no memory left, or may take no more."""
+    """The process has reached its memory limit, or the machine has no memory left."""
 
 
 class Cancelled(UrdfkitError):
-    """Nobody waits for the result any more."""
+    """The result is no longer needed."""
 
 
 class UnreadableFile(UrdfkitError):
-    """A file named by the user does not exist, is a directory, or may not be opened."""
+    """A file that the user named does not exist, is a directory, or cannot be opened."""
 
 
 class UnwritableFile(UrdfkitError):
     """An output cannot be written."""
 
 
+class FileChanged(UnwritableFile):
+    """A file has changed since it was read."""
+
+    def __init__(self, path: str) -> None:
+        super().__init__(f"{path}: the file changed meanwhile; run the command again")
+
+
 class UnknownRule(UrdfkitError):
-    """No rule has that code, beginning of a code, or name."""
+    """No rule has this code, prefix of a code, or name."""
 
     def __init__(self, word: str, hint: str = "") -> None:
         super().__init__(f"no rule '{word}'{hint}")
-        self.word = word  # what was asked for
+        self.word = word  # as given by the user
 
 
 class RuleError(UrdfkitError):
@@ -34,10 +41,10 @@ class RuleError(UrdfkitError):
 
 
 class UnreadableRobot(UrdfkitError):
-    """A file is not XML, or a xacro that does not expand.
+    """A file is not XML, or its xacro cannot be expanded.
 
     Attributes:
-        problems: every reason, each with its place (``urdfkit.text.diagnostic.Problem``).
+        problems: the reasons, with their places (``urdfkit.text.diagnostic.Problem``).
     """
 
     def __init__(self, message: str, problems: tuple[object, ...] = ()) -> None:
@@ -46,13 +53,13 @@ class UnreadableRobot(UrdfkitError):
 
 
 class PackageNotFound(UrdfkitError):
-    """No directory is known for a ROS package."""
+    """A ROS package cannot be found."""
 
     def __init__(self, name: str, searched: tuple[str, ...]) -> None:
         super().__init__(f"package '{name}' not found; searched: {', '.join(searched)}")
-        self.name = name  # the package that was asked for
-        self.searched = searched  # what was looked through, in order, in words a user can check
+        self.name = name  # of the package
+        self.searched = searched  # descriptions of the places searched, in order
 
 
 class MissingLibrary(UrdfkitError, ImportError):
-    """A library that this needs is not installed; the message says how to install it."""
+    """A required library is not installed; the message contains the command to install it."""

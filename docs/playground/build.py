@@ -9,8 +9,14 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from urdfkit.output.report.html import render_view
+from urdfkit.output.report.translations import Translator
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+#: Of the report, whose 3D view is that of the page.
+TEMPLATES = ROOT / "urdfkit" / "output" / "report" / "templates"
+SCRIPTS = ("surfaces.js", "joints.js", "overlays.js", "camera.js", "scene.js")
 
 #: Robots to start from, below ``models``.
 EXAMPLES = ("gazebo_pkg", "good/mobile_base", "good/two_link_arm")
@@ -42,7 +48,8 @@ def build(site: Path) -> None:
         return
     with tempfile.TemporaryDirectory() as scratch:
         work = Path(scratch)
-        for source in (*HERE.glob("*.js"), *HERE.glob("*.json")):
+        scripts = (TEMPLATES / name for name in SCRIPTS)
+        for source in (*HERE.glob("*.js"), *HERE.glob("*.json"), *scripts):
             shutil.copy(source, work)
         bundle = [
             *(npm, "exec", "--", "esbuild", "playground.js", "worker.js", "--bundle", "--minify"),
@@ -56,6 +63,10 @@ def build(site: Path) -> None:
         (site / "pyodide").mkdir(exist_ok=True)
         for name in PYODIDE:
             shutil.copy(work / "node_modules" / "pyodide" / name, site / "pyodide")
+    page = (HERE / "index.html").read_text(encoding="utf-8")
+    view = render_view(Translator())
+    (site / "index.html").write_text(page.replace("<!-- the 3D view -->", view), encoding="utf-8")
+    shutil.copy(TEMPLATES / "scene.css", site)
     _write_zip(site / "python.zip", _python())
     (site / "examples").mkdir(exist_ok=True)
     for example in EXAMPLES:

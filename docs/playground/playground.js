@@ -2,32 +2,18 @@
 import { xml } from "@codemirror/lang-xml";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { basicSetup, EditorView } from "codemirror";
-import { robotView } from "./view.js";
+import { ask, failed } from "./python.js";
+import { view } from "./view.js";
 
 const EXAMPLES = ["gazebo_pkg", "mobile_base", "two_link_arm"];
 const PAUSE = 400; // ms without a key before the robot is checked
+const LONGEST = 100_000; // letters of a link
 
 const element = (id) => document.getElementById(id);
 const status = (text) => (element("status").textContent = text);
 status("loading Python (8 MB)");
 
-// --- the worker
-
-const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
-const waiting = new Map();
-worker.onmessage = ({ data: { id, answer, error } }) => {
-  const { resolve, reject } = waiting.get(id);
-  waiting.delete(id);
-  if (error === undefined) resolve(answer);
-  else reject(new Error(error));
-};
-worker.onerror = ({ message }) => status(message ?? "the worker cannot be loaded");
-let asked = 0;
-const ask = (what, words) =>
-  new Promise((resolve, reject) => {
-    waiting.set(++asked, { resolve, reject });
-    worker.postMessage({ id: asked, ask: what, ...words });
-  });
+failed(status);
 
 // --- the files: their texts by path, and the one in the editor
 
@@ -36,6 +22,7 @@ let shown = "";
 let report = { diagnostics: [] };
 let checked = {}; // the texts that the report is about
 let robot; // the file of the robot that is drawn
+let drawing = Promise.resolve(); // of one robot after the other
 
 const editor = new EditorView({
   parent: element("editor"),
@@ -64,13 +51,14 @@ function show(path) {
 async function open(words) {
   clearTimeout(pause);
   texts = await ask("open", words);
+  view.forget();
   const paths = Object.keys(texts);
   if (!paths.length) throw new Error("the file holds no robot");
   element("file").replaceChildren(...paths.map((path) => new Option(path)));
   report = { diagnostics: [] };
-  show(paths.find((path) => /\.(urdf|xacro)$/.test(path)) ?? paths[0]);
+  show(words.shown ?? paths.find((path) => /\.(urdf|xacro)$/.test(path)) ?? paths[0]);
   await check();
-  if (robot in texts && !report.summary.files.includes(shown)) await turnTo(robot);
+  if (!words.shown && robot in texts && !report.summary.files.includes(shown)) await turnTo(robot);
 }
 
 function turnTo(path) {
@@ -83,20 +71,29 @@ async function check() {
   const before = { ...texts };
   const path = shown;
   const started = performance.now();
-  const { report: found, expanded, scene } = await ask("check", { texts: before, shown });
+  const tell = (done, all) => path === shown && status(`checking: ${done} of ${all}`);
+  const { report: found, expanded, scene } = await ask("check", { texts: before, shown }, tell);
   if (path !== shown) return;
   element("expanded").textContent = expanded;
   if (Object.entries(before).some(([path, text]) => texts[path] !== text)) return; // there is newer text
   report = found;
-  report.diagnostics.forEach((finding, number) => (finding.links = scene?.links[number] ?? []));
+  report.diagnostics.forEach((finding, number) => (finding.links = scene?.findings[number] ?? []));
   checked = before;
-  robot = scene?.file;
   list();
-  view?.show(scene, report.diagnostics);
+  draw(scene);
   underline();
   const { error, warning, info } = report.summary;
   const seconds = ((performance.now() - started) / 1000).toFixed(1);
   status(`errors: ${error}, warnings: ${warning}, infos: ${info} (${seconds} s)`);
+}
+
+// The robot with its findings; the view stays for one that was there before.
+function draw(scene) {
+  const stays = scene?.file === robot;
+  robot = scene?.file;
+  const found = report;
+  const { links, joints } = scene?.robot ?? { links: [], joints: [] };
+  drawing = drawing.then(() => found === report && view.show?.({ links, joints }, scene?.bodies ?? [], stays)).catch(fails);
 }
 
 // --- the findings
@@ -133,14 +130,17 @@ function list() { // errors first, as on the command line
   const sorted = [...report.diagnostics].sort((one, other) => rank(one) - rank(other));
   const items = sorted.map((finding) => {
     const item = document.createElement("li");
-    item.className = finding.severity;
+    item.className = `finding ${finding.severity}`;
     item.dataset.links = JSON.stringify(finding.links);
     const place = document.createElement("small");
     place.textContent = `${finding.path}:${finding.line} ${finding.severity} ${finding.code}`;
     const help = document.createElement("small");
     help.textContent = finding.help;
     item.append(place, finding.message, help);
-    item.onclick = () => go(finding);
+    item.onclick = () => {
+      go(finding);
+      if (finding.links.length) view.select?.(finding.links);
+    };
     if (finding.fix) {
       const button = document.createElement("button");
       button.textContent = `${finding.fix.safe ? "Fix" : "Fix (unsafe)"}: ${finding.fix.title}`;
@@ -173,22 +173,13 @@ function apply(fix) {
   }
 }
 
-// --- the robot
-
-let view; // none without WebGL
-try {
-  view = robotView(element("view"), { mesh: (path) => ask("mesh", { path }), choose });
-  element("marked").onchange = ({ target }) => view.mark(target.checked);
-} catch {
-  element("view").textContent = "This browser shows no 3D view: it has no WebGL.";
-}
-
-// The findings of a link: the first comes into view.
-function choose(link) {
+document.querySelector("[data-layer=findings]").click();
+// The findings of a link that is clicked: the first comes into view; null is no link.
+view.showLink = (link) => {
   const items = [...element("findings").children];
   for (const item of items) item.classList.toggle("chosen", JSON.parse(item.dataset.links).includes(link));
   items.find((item) => item.classList.contains("chosen"))?.scrollIntoView({ block: "nearest" });
-}
+};
 
 // --- a model in the fragment of the URL, which no server sees: deflated, in base64url
 
@@ -215,7 +206,7 @@ const openExample = (name) => open({ url: `examples/${name}.zip` }).catch(fails)
 async function openFile(file) {
   const words = file.name.endsWith(".zip")
     ? { zip: await file.arrayBuffer() }
-    : { path: file.name, text: await file.text() };
+    : { texts: { [file.name]: await file.text() } };
   await open(words);
 }
 
@@ -230,10 +221,13 @@ element("example").onchange = ({ target }) => openExample(target.value);
 element("file").onchange = ({ target }) => turnTo(target.value).catch(fails);
 element("open").onchange = ({ target }) => openFile(target.files[0]).catch(fails);
 element("link").onclick = async () => {
-  const model = { path: shown.split("/").at(-1), text: texts[shown] };
-  history.replaceState(null, "", `#${await packed(model)}`);
+  const count = Object.keys(texts).length;
+  const whole = await packed({ texts, shown });
+  const isWhole = count > 1 && whole.length <= LONGEST;
+  const word = isWhole ? whole : await packed({ texts: { [shown.split("/").at(-1)]: texts[shown] } });
+  history.replaceState(null, "", `#${word}`);
   await navigator.clipboard?.writeText(location.href).catch(() => {});
-  status("the link is in the address bar");
+  status(`link in the address bar, with ${isWhole ? `${count} texts, without meshes` : "this file alone"}`);
 };
 document.body.ondragover = (event) => {
   event.preventDefault();

@@ -1,15 +1,15 @@
-"""A robot as the page draws it: its visuals in the zero configuration, and their findings."""
+"""A robot as the 3D view of the page takes it: links, joints, bodies, and the links of findings."""
 
 from collections.abc import Iterator
 from itertools import islice
 from typing import Any
 
 import urdfkit
-from urdfkit.core.spatial import Transform
 from urdfkit.lint.report import Report
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.viewer_model import matrix, viewer_model
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.values import text_of
 from urdfkit.text.file_kinds import is_launch
@@ -19,7 +19,7 @@ MOST_BODIES = 2000
 
 
 def scene(report: Report, shown: str) -> dict[str, Any] | None:
-    """The visuals of the robot in the editor, or of the first robot; None if none can be read.
+    """The robot in the editor, or else the first robot; None if none can be read.
 
     The links of each finding are in the order of the report's findings.
     """
@@ -31,42 +31,47 @@ def scene(report: Report, shown: str) -> dict[str, Any] | None:
             continue
         return {
             "file": file,
-            "bodies": list(_bodies(context)),
-            "links": _links(report, context),
+            "robot": viewer_model(context.model, context.tree),
+            "bodies": list(islice(_bodies(context), MOST_BODIES)),
+            "findings": _links(report, context),
         }
     return None
 
 
 def _bodies(context: urdfkit.Context) -> Iterator[dict[str, Any]]:
-    """Each visual with its place, shape and colour; lengths in m, colours as written (sRGB)."""
+    """Each visual and collision with its place in the link, shape and colour.
+
+    Lengths in m, colours as written (sRGB).
+    """
     colours = Colours(context.model)
     gazebo = {
         block.get("reference"): materials().get(text_of(material))
         for block in context.model.gazebo
         if (material := block.child("material"))
     }
-    frames = urdfkit.frames(context.tree, {})
-    for link, body in _visuals(context):
-        if link.name not in frames or body.shape is None:
-            continue
-        own, named = colours.of(body), gazebo.get(link.name)
-        rgba = own.rgba.value if own and own.rgba else named.rgba if named else None
-        yield {
-            "link": link.name,
-            "matrix": _matrix(frames[link.name] @ body.origin),
-            "rgba": rgba,
-            **_shape(context, link, body.shape),
-        }
+    for link in context.model.links:
+        named = gazebo.get(link.name)
+        for body in link.visuals:
+            own = colours.of(body)
+            rgba = own.rgba.value if own and own.rgba else None
+            texture = context.files.find(own.texture) if own and own.texture else None
+            yield {
+                **_body(context, link, "visual", body),
+                "rgba": rgba,
+                "texture": texture,
+                "gazebo": named.rgba if named else None,
+            }
+        for body in link.collisions:
+            yield _body(context, link, "collision", body)
 
 
-def _visuals(context: urdfkit.Context) -> Iterator[tuple[Link, Body]]:
-    return islice(
-        ((link, body) for link in context.model.links for body in link.visuals), MOST_BODIES
-    )
+def _body(context: urdfkit.Context, link: Link, role: str, body: Body) -> dict[str, Any]:
+    shape = _shape(context, link, body.shape) if body.shape else {"kind": ""}
+    return {"link": link.name, "role": role, "matrix": matrix(body.origin), **shape}
 
 
 def _shape(context: urdfkit.Context, link: Link, shape: Shape) -> dict[str, Any]:
-    """What is drawn of a visual; for a mesh that is missing, the box of the link's collision."""
+    """What is drawn of a body; for a mesh that is missing, the box of the link's collision."""
     if shape.kind != "mesh":
         sizes = {"size": shape.size, "radius": shape.radius, "length": shape.length}
         return {"kind": shape.kind, **sizes}
@@ -90,10 +95,3 @@ def _links(report: Report, context: urdfkit.Context) -> list[list[str]]:
         else []
         for one in report.diagnostics
     ]
-
-
-def _matrix(frame: Transform) -> list[float]:
-    """Sixteen numbers, column by column."""
-    (a, b, c), position = frame.rotation, frame.position
-    columns = zip(a, b, c, strict=True)
-    return [v for column in columns for v in (*column, 0.0)] + [*position, 1.0]

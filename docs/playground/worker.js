@@ -1,5 +1,6 @@
 // Python with urdfkit, in a thread of its own. What it is asked: {id, ask, ...}; what it answers:
-// {id, answer} or {id, error}. All files are in its memory; it fetches urdfkit, and nothing else.
+// {id, answer} or {id, error}, and before it {id, progress}. All files are in its memory; it fetches
+// urdfkit, and nothing else.
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 
 const fetched = async (name) => {
@@ -17,27 +18,31 @@ const started = (async () => {
 })();
 
 const answers = {
-  // A package: the URL or the bytes of a zip, or the text of one file. Returns its text files.
-  async open(browser, { url, zip, path, text }) {
+  // A package: the URL or the bytes of a zip, or texts by path. Returns its text files.
+  async open(browser, { url, zip, texts }) {
     browser.clear();
-    if (path) browser.write(path, text);
-    else browser.unpack(zip ?? (await fetched(url)));
+    for (const [path, text] of Object.entries(texts ?? {})) browser.write(path, text);
+    if (!texts) browser.unpack(zip ?? (await fetched(url)));
     return JSON.parse(browser.texts());
   },
   // With these texts, by path: the findings, what xacro makes of the file that is shown, the robot.
-  check(browser, { texts, shown }) {
+  check(browser, { texts, shown }, tell) {
     for (const [path, text] of Object.entries(texts)) browser.write(path, text);
-    return JSON.parse(browser.check(shown));
+    return JSON.parse(browser.check(shown, tell));
   },
-  // The bytes of a mesh.
-  async mesh(_, { path }) {
-    return (await python).FS.readFile(path);
+  // The bytes of a mesh or an image, and of the files that it names, by name.
+  async mesh(browser, { path }) {
+    const { FS } = await python;
+    const named = Object.entries(JSON.parse(browser.named(path)));
+    const files = named.map(([name, place]) => [name, FS.readFile(place)]);
+    return { bytes: FS.readFile(path), files: Object.fromEntries(files) };
   },
 };
 
 self.onmessage = async ({ data: { id, ask, ...words } }) => {
+  const tell = (...progress) => self.postMessage({ id, progress });
   try {
-    self.postMessage({ id, answer: await answers[ask](await started, words) });
+    self.postMessage({ id, answer: await answers[ask](await started, words, tell) });
   } catch (error) {
     self.postMessage({ id, error: error.message.trim().split("\n").at(-1) });
   }

@@ -15,7 +15,7 @@ from tests.conftest import ROOT
 from urdfkit.cli import result_cache, result_entry, result_recording
 from urdfkit.cli.result_entry import ResultEntry, decode, encode
 from urdfkit.core.cache_directory import VARIABLE
-from urdfkit.core.file_log import FileLog, answer_again
+from urdfkit.core.file_log import FileLog, present_answer
 from urdfkit.output import formats
 
 #: Runs a command line as the command does, and says last whether anything was checked.
@@ -384,9 +384,9 @@ def test_a_file_with_the_same_time_is_not_read(
     state = path.stat()
     answer = f"{state.st_mtime_ns} {state.st_size} {state.st_ino} hash"
     later = state.st_mtime_ns + 3_000_000_000
-    assert answer_again("r", str(path), answer, later) == answer
+    assert present_answer("r", str(path), answer, later) == answer
     with pytest.raises(AssertionError, match="it was read"):  # it was new: it may be another one
-        answer_again("r", str(path), answer, state.st_mtime_ns + 1_000_000_000)
+        present_answer("r", str(path), answer, state.st_mtime_ns + 1_000_000_000)
 
 
 def test_a_change_within_one_tick_of_the_clock_is_seen(tmp_path: Path) -> None:
@@ -397,4 +397,4 @@ def test_a_change_within_one_tick_of_the_clock_is_seen(tmp_path: Path) -> None:
     log.read(str(path), -1, b"old", state)
     path.write_bytes(b"new")
     os.utime(path, ns=(state.st_atime_ns, state.st_mtime_ns))
-    assert answer_again("r", str(path), log.answers["r", str(path)], since) is None
+    assert present_answer("r", str(path), log.answers["r", str(path)], since) is None

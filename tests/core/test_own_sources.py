@@ -6,14 +6,14 @@ from pathlib import Path
 import pytest
 
 from urdfkit.core import disk, own_sources
-from urdfkit.core.file_log import FileLog, answer_again
+from urdfkit.core.file_log import FileLog, present_answer
 
 
 def noted() -> FileLog:
     log = FileLog()
     disk.log_to(log)
     try:
-        own_sources.note_sources()
+        own_sources.log_sources()
     finally:
         disk.log_to(None)
     return log
@@ -24,9 +24,9 @@ def test_a_module_that_changes_is_noticed(tmp_path: Path, monkeypatch: pytest.Mo
     facts = tmp_path / "facts.json"
     facts.write_text("{}")
     answer = noted().answers["t", str(facts)]
-    assert answer_again("t", str(facts), answer, since=0) == answer
+    assert present_answer("t", str(facts), answer, since=0) == answer
     os.utime(facts, ns=(1, 1))
-    assert answer_again("t", str(facts), answer, since=0) is None
+    assert present_answer("t", str(facts), answer, since=0) is None
 
 
 def test_imported_modules_and_data_are_sources() -> None:

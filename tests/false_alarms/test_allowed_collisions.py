@@ -73,3 +73,30 @@ def test_a_robot_for_tests_has_no_srdf_of_the_package(tmp_path: Path) -> None:
         file.write_text('<robot name="r"><link name="a"/></robot>')
         counts.append(len(check(file, select=["SRD"]).diagnostics))
     assert counts[0] > 0 == counts[1]
+
+
+@pytest.mark.parametrize("is_between", [True, False])
+def test_links_that_a_joint_connects(tmp_path: Path, is_between: bool) -> None:
+    """KUKA iiwa: base_link and link_1, disabled as Adjacent and, by a copied line, as Never."""
+    robot = "".join(
+        (
+            link("base", sphere(0.2)),
+            link("upper", *[sphere(0.2)] * is_between),
+            link("hand", f"{sphere(0.1)}@0 0 0.5"),
+            joint("base", "upper", "revolute", more=TURN),
+            joint("upper", "hand", "revolute", "0 0 0.6", TURN),
+        )
+    )
+    assert messages(tmp_path, robot, ("base", "upper"), ("upper", "hand")) == []
+    hits = ["'base' and 'hand'"] if is_between else []  # else nothing lies between the two
+    assert messages(tmp_path, robot, ("base", "hand"), ("base", "upper"), ("upper", "hand")) == hits
+
+
+def test_a_pair_that_is_disabled_for_another_reason_as_well(tmp_path: Path) -> None:
+    robot = arm(f"{sphere(0.01)}@0 0 0.9")
+    assert messages(tmp_path, robot, ("hand", "base")) != []
+    (tmp_path / "r.srdf").write_text(
+        '<robot name="example"><disable_collisions link1="hand" link2="base" reason="Never"/>'
+        '<disable_collisions link1="base" link2="hand" reason="User"/></robot>'
+    )
+    assert check(tmp_path / "r.urdf", select=["SRD009"]).diagnostics == ()

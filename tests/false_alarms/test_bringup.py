@@ -147,6 +147,27 @@ def test_the_topics_of_rviz_in_a_namespace(tmp_path: Path, shown: str, count: in
     assert len(reported(tmp_path / "arm", "LAU022", "a.launch.xml", robot + shown, files)) == count
 
 
+@pytest.mark.parametrize(
+    ("namespace", "help"),
+    [
+        ("rick", "remap /rick/robot_description to /robot_description for RViz"),
+        ("morty", "write /robot_description"),
+    ],
+)
+def test_a_configuration_of_rviz_that_another_launch_file_uses(
+    tmp_path: Path, namespace: str, help: str
+) -> None:
+    """barista_robot_description: its view is that of the launch file with two robots."""
+    robots = PUBLISHER.replace("<node", f'<node namespace="{namespace}"') + RVIZ
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/view.rviz": MODEL.replace("robot_desc", "/rick/robot_desc"),
+        "launch/robots.launch.xml": launch(robots),
+    }
+    (found,) = reported(tmp_path / "arm", "LAU022", "a.launch.xml", PUBLISHER + RVIZ, files)
+    assert found.help == help
+
+
 @pytest.mark.parametrize(("tool", "severity"), [("catkin", "info"), ("ament_cmake", "warning")])
 def test_the_devel_space_of_catkin(tmp_path: Path, tool: str, severity: str) -> None:
     """In ROS 1 packages are found in the source tree without being installed."""

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.gazebos import block
+from tests.reported import reported
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix
 
@@ -285,3 +287,67 @@ def test_the_moments_of_a_light_link_that_carries_a_heavy_one_stay(
     found = [one for one in check(robot, select=["INE006"]).diagnostics if "steer" in one.message]
     assert [one.fix is not None for one in found] == [is_offered]
     assert is_offered or found[0].help == "give it more mass first: its joints carry 15 kg"
+
+
+@pytest.mark.parametrize(
+    ("own", "help"),
+    [
+        ("<material>Gazebo/Red</material><mu1>1</mu1>", "name a link or a joint of this robot"),
+        ("<mu1>1</mu1>", "did you mean 'hinge'?"),
+        ('<sensor name="a" type="imu"/>', "did you mean 'hinge'?"),
+    ],
+)
+def test_a_link_that_has_the_properties_is_not_suggested(own: str, help: str) -> None:
+    """cooperative_transportation_4ws: v1_front_right_joint_1, beside v1_front_right_hinge_1."""
+    other = block('<material>Gazebo/Blue</material><sensor name="b" type="imu"/>', "hinges")
+    (found,) = reported("GAZ001", '<link name="hinge"/>' + block(own, "hinge") + other)
+    assert found.help == help
+    assert (found.fix is None) is (help != "did you mean 'hinge'?")
+
+
+HAND = """\
+<robot name="hand" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="inertial" params="mass"><inertial>
+    <mass value="${{mass}}"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial></xacro:macro>
+  <link name="base"/>
+  <link name="tip">
+    <visual><geometry><box size="0.01 0.01 0.01"/></geometry></visual>
+    {}
+  </link>
+  <joint name="roll" type="revolute">
+    <parent link="base"/><child link="tip"/><axis xyz="1 0 0"/>
+    <limit lower="-1" upper="1" effort="{}" velocity="3.14"/>
+  </joint>
+</robot>
+"""
+TIP = """<inertial><mass value="0.001"/>
+      <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/></inertial>"""
+
+
+@pytest.mark.parametrize(("effort", "is_fixed"), [("54", False), ("0.1", True)])
+def test_a_joint_with_far_too_much_effort_for_the_tensor_of_the_shape(
+    tmp_path: Path, effort: str, is_fixed: bool
+) -> None:
+    """mogi_arm's virtual links of 1 g: with the tensor of a grain, 54 N·m throw them."""
+    robot = tmp_path / "hand.urdf.xacro"
+    robot.write_text(HAND.format(TIP, effort))
+    (found,) = check(robot, select=["INE006"]).diagnostics
+    assert (found.fix is not None) is is_fixed
+    assert ("joint 'roll' has too much effort" in found.help) is not is_fixed
+
+
+@pytest.mark.parametrize(("effort", "is_fixed"), [("54", False), ("0.1", True)])
+def test_a_macro_that_gives_such_a_link_its_tensor(
+    tmp_path: Path, effort: str, is_fixed: bool
+) -> None:
+    body = '<link name="body"><visual><geometry><sphere radius="0.1"/></geometry></visual>'
+    other = f'{body}<xacro:inertial mass="1"/></link><joint name="f" type="fixed">'
+    tip = HAND.format('<xacro:inertial mass="0.001"/>', effort)
+    robot = tmp_path / "hand.urdf.xacro"
+    robot.write_text(
+        tip.replace("<joint", other + '<parent link="base"/><child link="body"/></joint><joint')
+    )
+    (found,) = check(robot, select=["XAC014"]).diagnostics
+    assert (found.fix is not None) is is_fixed

@@ -358,3 +358,44 @@ def test_a_macro_with_the_name_of_one_of_a_missing_package(
     files = {"robot.xacro": _CALLING_ITSELF.format(include)}
     text = '<param name="robot_description" command="xacro $(dirname)/../robot.xacro"/>'
     assert len(reported(tmp_path / "arm", "LAU004", "a.launch", text, files)) == count
+
+
+@pytest.mark.parametrize(
+    ("path", "count"),
+    [
+        ("os.pathsep.join(['models', '/opt/models'])", 0),
+        ("':'.join(['models', '/opt/models'])", 0),
+        ("os.path.join('models', '/opt/models')", 1),
+        ("PathJoinSubstitution(['models', '/opt/models'])", 1),
+    ],
+)
+def test_directories_of_a_search_path_are_not_parts_of_one_path(
+    tmp_path: Path, path: str, count: int
+) -> None:
+    text = f"os.environ['GZ_SIM_RESOURCE_PATH'] = {path}\n"
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch.py", text)) == count
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "Path(get_package_share_directory('arm')).joinpath('a.urdf')",
+        "Path(get_package_share_directory('arm'), 'a.urdf')",
+    ],
+)
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_path_of_pathlib(tmp_path: Path, path: str, count: int) -> None:
+    files = {} if count else {"a.urdf": '<robot name="r"><link name="base"/></robot>'}
+    text = f"text = open({path}).read()\n"
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(("namespace", "count"), [("/stick", 0), ("/", 1)])
+def test_joint_states_of_two_namespaces(tmp_path: Path, namespace: str, count: int) -> None:
+    """sensor_stick: its controllers, and so their topics, are in /sensor_stick."""
+    text = (
+        '<node name="j" pkg="joint_state_publisher" type="joint_state_publisher"/>'
+        f'<node name="s" pkg="controller_manager" type="spawner" ns="{namespace}" '
+        'args="joint_state_controller"/>'
+    )
+    assert len(reported(tmp_path / "arm", "LAU021", "a.launch", text)) == count

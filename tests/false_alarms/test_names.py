@@ -4,6 +4,7 @@ import pytest
 
 from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.reported import reported
+from tests.xacros import xacro
 from urdfkit.text.diagnostic import Severity
 
 KEPT = block("<preserveFixedJoint>true</preserveFixedJoint>", "hand")
@@ -57,3 +58,20 @@ def test_a_namespace_of_link_and_joint(link: str, severity: Severity) -> None:
     arm = child("hand").replace('"hand_joint"', '"left/joint_1"').replace('"hand"', f'"{link}"')
     (found,) = reported("NAM004", BASE + arm)
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("robot", "content"),
+    [
+        ("frame", ""),  # surface_robotics_mockups_description
+        ("r", '<visual name="frame"><geometry><box size="1 1 1"/></geometry></visual>'),
+        ("r", '<visual><material name="frame"><color rgba="1 1 1 1"/></material></visual>'),
+    ],
+)
+def test_what_is_called_like_a_link_with_a_prefix(robot: str, content: str) -> None:
+    name = f' name="{robot}"'
+    text = f'<xacro:arg name="prefix" default=""/><link name="$(arg prefix)frame">{content}</link>'
+    sensor = '<gazebo reference="$(arg prefix)frame"><sensor name="frame" type="imu"/></gazebo>'
+    assert reported("XAC024", xacro(text + sensor, name).encode(), "r.xacro") == []
+    block = '<ros2_control name="c" type="system"><joint name="frame"/></ros2_control>'
+    assert len(reported("XAC024", xacro(text + block, name).encode(), "r.xacro")) == 1

@@ -101,3 +101,37 @@ def test_a_build_file_that_the_build_does_not_read(
     for code in ("PKG002", "PKG005"):
         found = check(robot, select=[code]).diagnostics
         assert [one.message.count("CMakeLists.txt") for one in found] == mentions
+
+
+@pytest.mark.parametrize(
+    ("named", "count"), [("urdf/r.urdf.xacro", 0), ("description/urdf/r.urdf.xacro", 1)]
+)
+def test_a_description_by_the_path_at_which_it_is_installed(
+    tmp_path: Path, named: str, count: int
+) -> None:
+    """odrive_ros2_control_example: `description/urdf` is installed as `share/<package>/urdf`."""
+    cmake = "project(arm)\ninstall(DIRECTORY description/urdf launch DESTINATION share/arm)\n"
+    robot = '<robot name="r"><link name="base"/></robot>'
+    files = {"CMakeLists.txt": cmake, "description/urdf/r.urdf.xacro": robot}
+    text = f"Command(['xacro ', FindPackageShare('arm'), '/{named}'])\n"
+    assert len(reported(tmp_path / "arm", "PKG002", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(
+    ("named", "count"),
+    [
+        ("config//arm/a.yaml", 0),
+        ("./config/arm/../arm/a.yaml", 0),
+        ("meshes//a.yaml", 1),
+    ],
+)
+def test_a_path_that_is_written_in_another_way(tmp_path: Path, named: str, count: int) -> None:
+    files = {
+        "CMakeLists.txt": "project(arm)\ninstall(DIRECTORY config DESTINATION share/arm)\n",
+        "config/arm/a.yaml": "",
+        "meshes/a.yaml": "",
+        "urdf/r.urdf": f'<robot name="r"><link name="$(find arm)/{named}"/></robot>',
+    }
+    reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
+    found = check(tmp_path / "arm" / "urdf" / "r.urdf", select=["PKG002"]).diagnostics
+    assert len(found) == count

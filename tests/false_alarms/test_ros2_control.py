@@ -5,7 +5,17 @@ from pathlib import Path
 import pytest
 
 from tests import driving
-from tests.controls import GZ, MOCK, ROBOT, control, driven, plugin, transmission
+from tests.controls import (
+    GZ,
+    MOCK,
+    ROBOT,
+    control,
+    controller,
+    driven,
+    plugin,
+    reported_with_file,
+    transmission,
+)
 from tests.gazebos import WHEELS, sensor
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
@@ -129,3 +139,28 @@ def test_a_robot_of_ros_1_with_hardware_of_its_own(
     )
     found = check(tmp_path / "r.launch", select=["RCT001"]).diagnostics
     assert {one.severity.value for one in found} == {severity}
+
+
+@pytest.mark.parametrize(("state", "count"), [("velocity", 0), ("effort", 1)])
+@pytest.mark.parametrize("is_first", [True, False])
+def test_a_joint_of_two_hardware_components(
+    tmp_path: Path, state: str, count: int, is_first: bool
+) -> None:
+    """A block for Gazebo and one for mock hardware: the joint offers what either lists."""
+    more = f'<state_interface name="{state}"/>'
+    blocks = [control(driven("swing", more=more), plugin=GZ), control(driven("swing"), plugin=MOCK)]
+    needs = "[position, velocity]"
+    text = controller("c", joints="[swing]", state_interfaces=needs)
+    joined = "".join(blocks if is_first else blocks[::-1])
+    assert len(reported_with_file("RCT021", tmp_path, text, joined)) == count
+
+
+@pytest.mark.parametrize(("radius", "count"), [("0.1", 0), ("0.2", 1)])
+def test_controllers_of_two_robots_in_one_file(tmp_path: Path, radius: str, count: int) -> None:
+    """ackermann_multiagent_ros2: a model car and a Prius, whose joints have the same names."""
+    sides = {"left_wheel_names": "[left_joint]", "right_wheel_names": "[right_joint]"}
+    kind = "diff_drive_controller/DiffDriveController"
+    car = controller("car", kind, **sides, wheel_separation="0.3", wheel_radius=radius)
+    prius = controller("prius", kind, **sides, wheel_separation="1.5", wheel_radius="0.4")
+    assert len(driving.reported(tmp_path, "RCT014", prius + car)) == count
+    assert len(driving.reported(tmp_path, "RCT014", prius)) == 2

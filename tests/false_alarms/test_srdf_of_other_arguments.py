@@ -44,3 +44,46 @@ def test_the_note_says_with_which_arguments(tmp_path: Path) -> None:
     given = {"model": "long"}
     found = check(tmp_path / "r.urdf.xacro", select=["SRD001"], arguments=given).diagnostics
     assert {one.related[0].message for one in found} == {"compared with this robot, model:=long"}
+
+
+PREFIXED = """<xacro:arg name="tf_prefix" default=""/><link name="$(arg tf_prefix)base"/>
+  <link name="$(arg tf_prefix)tool"/>
+  <joint name="$(arg tf_prefix)wrist" type="fixed">
+  <parent link="$(arg tf_prefix)base"/><child link="$(arg tf_prefix)tool"/></joint>"""
+PREFIXED_SRDF = """<xacro:arg name="tf_prefix" default=""/><xacro:arg name="name" default=""/>
+  <group name="$(arg name)"><link name="$(arg tf_prefix)tool"/></group>
+  <end_effector name="e" group="hand" parent_link="$(arg tf_prefix)base"/>"""
+SEMANTIC = """\
+Node(package="moveit_ros_move_group", executable="move_group", parameters=[{
+    "robot_description_semantic": Command([
+        "xacro ", FindPackageShare("arm"), "/r.srdf.xacro", WORDS])}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        ('" name:=hand"', 0),
+        ('" name:=hand tf_prefix:=left_"', 0),  # the robot itself is checked without a prefix
+        ('" name:=arm"', 1),
+        ('" tf_prefix:=left_"', 1),
+    ],
+)
+def test_an_srdf_has_the_arguments_that_a_launch_file_gives_it(
+    tmp_path: Path, words: str, count: int
+) -> None:
+    """fanuc_m16ib: moveit.launch.py names the group, and a prefix for the robot and for this."""
+    files = {"r.urdf.xacro": xacro(PREFIXED), "r.srdf.xacro": xacro(PREFIXED_SRDF)}
+    text = SEMANTIC.replace("WORDS", words)
+    reported(tmp_path / "arm", "SRD001", "a.launch.py", text, files)
+    report = check(tmp_path / "arm" / "r.urdf.xacro", select=["SRD001", "SRD017"])
+    assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("$(arg name)", 0), ("", 1)])
+def test_a_name_that_whoever_expands_the_srdf_passes(tmp_path: Path, name: str, count: int) -> None:
+    group = f'<xacro:arg name="name" default=""/><group name="{name}"><link name="base"/></group>'
+    (tmp_path / "r.urdf.xacro").write_text(xacro(PREFIXED))
+    (tmp_path / "r.srdf.xacro").write_text(xacro(group))
+    report = check(tmp_path / "r.urdf.xacro", select=["SRD017"])
+    assert len(report.diagnostics) == count

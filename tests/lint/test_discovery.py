@@ -99,6 +99,18 @@ def test_a_library_that_nobody_includes_is_reported(repository):
     assert found.libraries == (path,)
 
 
+@pytest.mark.parametrize("user", ["arm.srdf.xacro", "arm.sdf.xacro"])
+def test_a_library_of_another_model_is_included(tmp_path: Path, user: str) -> None:
+    """KUKA's macros for SRDFs, which only a .srdf.xacro includes."""
+    write(tmp_path, "arm.urdf", '<link name="base"/>')
+    library = write(tmp_path, "arm_macro.xacro", '<xacro:macro name="arm"/>')
+    write(tmp_path, user, include("arm_macro.xacro") + '<group><link name="base"/></group>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert names(found) == ["arm.urdf"]
+    assert found.libraries == ()
+    assert found.others == {library: "defines no link, and what includes it is not a robot"}
+
+
 def test_a_configuration_of_one_package_does_not_hide_the_others(repository):
     robot = str(repository / "robot" / "urdf" / "robot.xacro")
     variants = tuple(RobotEntry(robot, name, {}) for name in ("a", "b"))

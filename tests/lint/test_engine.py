@@ -3,6 +3,7 @@
 import gc
 import os
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -14,8 +15,10 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
+from urdfkit.ros import launch
 from urdfkit.ros.targets import Targets, UnknownTarget
 from urdfkit.text.document import Element
+from urdfkit.xacro import recovery
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
@@ -239,6 +242,33 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
         gc.enable()
     assert len(alive) > 1
     assert len(set(alive)) == 1
+
+
+def test_what_launch_files_have_in_common_is_read_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "package.xml").write_text("<package format='2'><name>arm</name></package>")
+    write(tmp_path, "arm.xacro", "<link name='a'/>")
+    command = "$(command 'xacro $(find-pkg-share arm)/arm.xacro')"
+    node = f'<node pkg="p" exec="e"><param name="robot_description" value="{command}"/></node>'
+    for name in ("a", "b", "c"):
+        (tmp_path / f"{name}.launch.xml").write_text(f"<launch>{node}</launch>")
+    calls: list[str] = []
+
+    def counted(module: ModuleType, name: str) -> None:
+        function = getattr(module, name)
+
+        def call(*arguments: object) -> object:
+            calls.append(name)
+            return function(*arguments)
+
+        monkeypatch.setattr(module, name, call)
+
+    counted(launch, "_read")
+    counted(recovery, "_once")
+    check(tmp_path)
+    assert calls.count("_read") == 3
+    assert calls.count("_once") == 2  # by itself, and as the launch files start it
 
 
 def test_an_argument_that_one_of_several_robots_has_is_known(tmp_path: Path) -> None:

@@ -69,6 +69,9 @@ def test_one_process_measures_a_file_once(mesh: Path, forbid: Callable[[], None]
     first = one.measures(str(mesh), facts.BINARY_STL)
     forbid()
     assert one.measures(str(mesh), facts.BINARY_STL) is first
+    copy = mesh.with_name("copy.stl")
+    copy.write_bytes(mesh.read_bytes())
+    assert one.measures(str(copy), facts.BINARY_STL) is first
 
 
 def test_other_content_is_another_entry(mesh: Path, cache: Path) -> None:

@@ -65,9 +65,33 @@ def test_a_label_stands_where_its_link_is_seen() -> None:
     assert labels._where_seen(1, 2, "INE006", None) == (1, 2, "INE006 (hidden)")
 
 
-def test_what_shows_nothing_is_not_called_hidden() -> None:
+SENSORS = """<robot name="r">
+<link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+{}</robot>"""
+SENSOR = """<link name="{0}"><inertial><mass value="{1}"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<joint name="{0}_joint" type="fixed"><parent link="base"/><child link="{0}"/>
+<origin xyz="{2} 0 0"/></joint>"""
+
+
+def test_links_without_geometry_are_balls_with_one_label_for_each_text() -> None:
+    sensors = "".join(SENSOR.format(f"s{n}", -1 if n < 3 else 0, n / 10) for n in range(5))
+    robot = read(Source("r.urdf", SENSORS.format(sensors).encode()))
+    report = check(robot.source, select=["INE001"])
+    assert len(report.diagnostics) == 3
+    scene = marked(build(robot), robot, report.diagnostics)
+    assert [label.text for label in scene.labels] == ["INE001 (3 links, no geometry)"]
+    balls = [item for item in scene.items if item.role == "findings"]
+    assert [item.link for item in balls] == ["s0", "s1", "s2"]
+    assert {item.material.rgba for item in balls} == {COLOURS[Severity.ERROR]}
+    assert all(item.material.overlay for item in balls)
+    assert max(abs(scene.points()).max(axis=0)) == pytest.approx(0.5)  # they do not move the camera
+
+
+def test_a_link_without_geometry_is_not_called_hidden() -> None:
     source = Source("r.urdf", b'<robot name="r"><link name="a"/><link name="b"/></robot>')
     robot = read(source)
     report = check(source, select=["TRE002"])
     (label,) = marked(build(robot), robot, report.diagnostics).labels
     assert not label.of_link
+    assert label.text == "TRE002 (no geometry)"

@@ -2,6 +2,7 @@
 
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,8 +13,10 @@ import numpy as np
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
-from urdfkit.render import LAYERS, build, explained, place_camera, render_image
-from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
+from urdfkit.render import LAYERS, build, explained, labels, place_camera, render_image
+from urdfkit.render.fonts import writing
+from urdfkit.render.layers import CLASH, INERTIA, NEIGHBOURS, NoSuchLayer
+from urdfkit.render.materials import COLLISION, PLACEHOLDER, SurfaceMaterial
 from urdfkit.render.scene import SceneItem, placed
 
 SOLID = (
@@ -154,6 +157,19 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
     assert set(shown) == {"a", "b", "c"}
     assert shown["a"] == NEIGHBOURS
     assert shown["b"] == shown["c"] == CLASH
+    assert [(colour[:3], text) for colour, text in scene.legend] == [
+        (CLASH[:3], "links overlap"),
+        (NEIGHBOURS[:3], "adjacent links overlap"),
+    ]
+    shapes = explained(build(context, roles=("collision",)), context, ["contacts"])
+    solid = {item.link: item.material for item in shapes.items if item.role == "contacts"}
+    assert solid["a"] == SurfaceMaterial((*NEIGHBOURS[:3], 1.0))
+
+
+def test_contacts_have_a_colour_that_nothing_else_has() -> None:
+    for colour in (COLLISION.rgba, CLASH, INERTIA, PLACEHOLDER.rgba):
+        apart = [abs(a - b) for a, b in zip(colour[:3], NEIGHBOURS[:3], strict=True)]
+        assert max(apart) > 0.3
 
 
 def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
@@ -164,6 +180,42 @@ def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
     bare = np.asarray(render_image(build(context), size=(480, 270), quality="draft"), dtype=int)
     named = np.asarray(render_image(scene, size=(480, 270), quality="draft"), dtype=int)
     assert (np.abs(bare - named).sum(axis=2) > 60).sum() > 500
+
+
+def test_names_are_of_what_is_seen_and_the_others_are_counted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    written: list[str] = []
+
+    def recorded(text: str, size: float) -> tuple[Any, str]:
+        written.append(text)
+        return writing(text, size)
+
+    monkeypatch.setattr(labels, "writing", recorded)
+    wall = link("wall", '<box size="0.1 4 4"/>')
+    hidden = [link(f"hidden{n}", '<sphere radius="0.1"/>', "-1 0 0") for n in range(3)]
+    context = robot(wall, *hidden, '<link name="bare"/>')
+    scene = explained(build(context), context, ["names"])
+    render_image(scene, ["front"], size=(480, 270), quality="draft", floor=False)
+    assert written == ["wall", "4 labels not shown"]
+    written.clear()
+    frames = explained(build(context, roles=()), context, ["frames", "names"])
+    render_image(frames, ["front"], size=(480, 270), quality="draft", floor=False)
+    assert {"wall", "hidden0", "hidden1", "hidden2", "bare"} == set(written)
+
+
+def test_names_in_a_crowd_stay_near_their_links(monkeypatch: pytest.MonkeyPatch) -> None:
+    context = robot(*[link(f"link_{i}", '<sphere radius="0.01"/>') for i in range(99)])
+    scene = explained(build(context, roles=()), context, ["frames", "names"])
+    far: list[float] = []
+
+    def leader(_draw: object, x: float, y: float, box: labels.LabelBox, size: float) -> None:
+        far.append(max(box.left - x, x - box.right, box.top - y, y - box.bottom) / size)
+
+    monkeypatch.setattr(labels, "_draw_leader", leader)
+    render_image(scene, ["front"], size=(480, 270), quality="draft", floor=False)
+    assert len(far) > 8
+    assert max(far) < 4.1
 
 
 @pytest.mark.parametrize("layer", LAYERS)

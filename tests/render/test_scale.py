@@ -8,8 +8,8 @@ pytest.importorskip("numpy")
 import numpy as np
 from PIL import Image
 
-from tests.render.scenes import link, scene
-from urdfkit.render import place_camera, render_image
+from tests.render.scenes import link, robot, scene
+from urdfkit.render import build, draw, explained, image, place_camera, render_image
 from urdfkit.render.ground import CELLS, Ground
 from urdfkit.render.scale import grid_step, write_scale
 
@@ -31,6 +31,38 @@ def test_there_is_a_grid_only_where_the_camera_looks_down_on_the_ground() -> Non
     assert grid_step(place_camera(points, "front"), 0.0) == 0
     assert grid_step(place_camera(points, elevation=-30), 0.0) == 0
     assert grid_step(place_camera(points, orthographic=True), 0.0) == 0
+
+
+LINKS = [f'<link name="{name}"/>' for name in "abc"]
+ARM = "".join(
+    f'<joint name="{child}" type="fixed"><parent link="{parent}"/><child link="{child}"/>'
+    '<origin xyz="1 0.4 0.2"/></joint>'
+    for parent, child in ("ab", "bc")
+)
+GLASS = link("a", '<box size="1 1 1"/>', rgba="0 0 1 0.5")
+
+
+@pytest.mark.parametrize("is_glass", [False, True])
+def test_there_is_a_grid_without_anything_opaque(is_glass: bool) -> None:
+    frames = robot(*LINKS, joints=ARM)
+    of = scene(GLASS) if is_glass else explained(build(frames, roles=()), frames, ["frames"])
+    camera = place_camera(of.points(), size=(320, 180))
+    with_grid, without = (draw(of, camera, quality="draft", floor=floor) for floor in (True, False))
+    darker = (with_grid.astype(int) - without)[..., 0] < -5
+    assert grid_step(camera, of.level()) > 0
+    assert 0.005 < darker.mean() < 0.3
+
+
+def test_what_is_drawn_without_a_robot_is_in_the_middle_of_the_image() -> None:
+    frames = robot(*LINKS, joints=ARM)
+    of = explained(build(frames, roles=()), frames, ["frames"])
+    camera = place_camera(of.points(), size=(320, 180))
+    alpha = draw(of, camera, quality="draft", background=None, floor=False)[..., 3]
+    rows, columns = np.nonzero(alpha)
+    for places, length in ((rows, 180), (columns, 320)):
+        assert places.min() > 0
+        assert places.max() < length - 1
+        assert (places.min() + places.max()) / 2 == pytest.approx(length / 2, rel=0.1)
 
 
 def test_lines_of_the_grid_are_at_multiples_of_its_step() -> None:
@@ -72,3 +104,10 @@ def test_views_of_a_sheet_have_one_scale() -> None:
     assert front > 15
     assert front == pytest.approx(top, abs=1)
     assert front == pytest.approx(left, abs=1)
+
+
+@pytest.mark.parametrize(
+    ("count", "grid"), [(1, (1, 1)), (2, (2, 1)), (3, (2, 2)), (4, (2, 2)), (7, (4, 2))]
+)
+def test_a_sheet_has_few_empty_cells(count: int, grid: tuple[int, int]) -> None:
+    assert image._grid(count) == grid

@@ -7,7 +7,9 @@ from tests.growth import executed_lines
 from tests.massive import BALL, inertial, link, shape
 from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import read
-from urdfkit.robot.joint_loads import effort, idle, largest, light, overloadable
+from urdfkit.robot.inertia import MassProperties
+from urdfkit.robot.joint_loads import effort, idle, is_thrown, largest, light, overloadable
+from urdfkit.robot.model import Tensor
 
 
 def swinging(name: str, parent: str, effort: str, xyz: str = "0 0 0") -> str:
@@ -35,6 +37,29 @@ def test_joints_that_may_be_overloaded(limit: str, found: int) -> None:
 def test_an_effort_of_zero_says_nothing() -> None:
     joints = tree(pendulum("0")).model.joints_by_name
     assert effort(joints["bob_joint"]) is None
+
+
+@pytest.mark.parametrize(
+    ("moments", "center", "effort", "is_found"),
+    [
+        ((1e-3, 1e-9, 1e-3), (0.0, 0.0, 0.0), "54", True),  # about y
+        ((1e-9, 1e-3, 1e-9), (0.0, 0.0, 0.0), "54", False),
+        ((1e-9, 1e-9, 1e-9), (0.0, 0.1, 0.0), "54", True),
+        ((1e-9, 1e-9, 1e-9), (0.0, 0.0, 0.1), "54", False),
+        ((1e-9, 1e-9, 1e-9), (0.0, 0.0, 0.0), "0.04", False),
+        ((1e-9, 1e-9, 1e-9), (0.0, 0.0, 0.0), "0.06", True),
+    ],
+)
+def test_an_effort_that_throws_what_it_moves(
+    moments: tuple[float, float, float],
+    center: tuple[float, float, float],
+    effort: str,
+    is_found: bool,
+) -> None:
+    (joint,) = tree(pendulum(effort)).model.joints
+    x, y, z = moments
+    moved = MassProperties(0.001, center, Tensor(x, 0.0, 0.0, y, 0.0, z))
+    assert is_thrown(joint, moved) is is_found
 
 
 def test_what_is_no_tree_has_no_loads() -> None:

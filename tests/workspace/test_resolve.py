@@ -368,6 +368,19 @@ def test_texts_stand_for_the_bytes_on_disk(tmp_path: Path) -> None:
     assert Resolver(environment={}).read(str(file)).data == b"<robot/>"
 
 
+def test_a_file_is_read_again_once_it_has_changed(tmp_path: Path) -> None:
+    file = tmp_path / "a.urdf"
+    file.write_bytes(b"<robot/>")
+    resolver = Resolver(environment={})
+    first = resolver.read(str(file))
+    assert resolver.read(str(file)) is first
+    file.write_bytes(b"<robot name='b'/>")
+    assert resolver.read(str(file)).data == b"<robot name='b'/>"
+    file.unlink()
+    with pytest.raises(UnreadableFile, match="not found"):
+        resolver.read(str(file))
+
+
 def test_other_texts_with_what_is_known_of_directories(tmp_path: Path) -> None:
     (tmp_path / "a.urdf").write_bytes(b"disk")
     resolver = Resolver(environment={}, texts={str(tmp_path / "a.urdf"): b"one"})

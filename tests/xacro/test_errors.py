@@ -1,10 +1,13 @@
 """All errors of a file, in words that help; and nothing that only follows from them."""
 
+import gc
+import weakref
 from pathlib import Path
 
 import pytest
 
 from tests.xacro.problems import brief, briefs, related, run
+from urdfkit.xacro import recovery
 
 
 def test_all_errors_of_a_file(tmp_path: Path) -> None:
@@ -46,6 +49,42 @@ def test_all_errors_of_a_file(tmp_path: Path) -> None:
     assert messages[9] == "the condition is 'maybe', neither true nor false"
     assert messages[10] == "'${u' is never closed"
     assert messages[11] == f"file not found: {tmp_path}/none.xacro"
+
+
+def test_tags_that_fail_cost_no_further_expansion(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    runs, once = [], recovery._once
+    monkeypatch.setattr(recovery, "_once", lambda run: runs.append(run) or once(run))
+    xacro = run(
+        tmp_path,
+        '<xacro:macro name="m"><xacro:n/></xacro:macro>\n<xacro:m/>\n<xacro:m/>\n'
+        '<xacro:m x="1"/>\n'
+        '<xacro:property name="1" value=""/>\n'
+        '<xacro:macro name="call"/>\n'
+        '<xacro:include filename="none.xacro"/>\n'
+        '<xacro:include filename="$(find none_of_mine)/a.xacro"/>\n'
+        '<xacro:o/>\n<xacro:insert_block/>\n<a b="${1/0}"/>',
+    )
+    assert [f"{one.code} {brief(one)}" for one in xacro.problems] == [
+        "XAC001 robot.xacro:2:24 xacro:n",
+        "XAC001 robot.xacro:5:13 1",
+        "XAC001 robot.xacro:6:23 1",
+        "XAC001 robot.xacro:7:20 call",
+        "XAC001 robot.xacro:8:26 none.xacro",
+        "XAC011 robot.xacro:9:26 $(find none_of_mine)",
+        "XAC001 robot.xacro:11:2 xacro:insert_block",
+        "XAC001 robot.xacro:12:7 ${1/0}",
+    ]
+    assert len(runs) == 2  # one more for insert_block
+
+
+def test_nothing_keeps_a_robot_that_is_not_used_any_more(tmp_path: Path) -> None:
+    xacro = run(tmp_path, '<!-- a comment -->\n<xacro:property name="p" value="1"/>\n<a b="${p}"/>')
+    document = weakref.ref(xacro._dom)
+    del xacro
+    gc.collect()
+    assert document() is None
 
 
 def test_a_property_that_fails_is_reported_once_with_its_uses(tmp_path: Path) -> None:
@@ -222,8 +261,8 @@ def test_a_long_message_is_cut(tmp_path: Path) -> None:
 def test_many_errors_are_reported_in_bounded_number(tmp_path: Path) -> None:
     body = "".join(f'<a b="${{x{number}}}"/>' for number in range(2000))
     assert len(run(tmp_path, body).problems) == 500
-    body = "".join(f"<xacro:x{number}/>" for number in range(200))
-    assert len(run(tmp_path, body).problems) == 51
+    body = "".join(f"<xacro:x{number}/>" for number in range(2000))
+    assert len(run(tmp_path, body).problems) == 500
 
 
 def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> None:

@@ -66,7 +66,7 @@ def replay(words: list[str]) -> int | None:
     if entry.question != asked:
         return None
     now = time.time_ns()
-    answers = file_log.answers_again(entry.answers, entry.since)
+    answers = file_log.present_answers(entry.answers, entry.since)
     if answers is None:
         return None
     if answers != entry.answers:

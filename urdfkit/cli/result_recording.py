@@ -7,7 +7,7 @@ from urdfkit.cli import result_entry
 from urdfkit.cli.result_entry import ResultEntry
 from urdfkit.core import atomic, disk
 from urdfkit.core.file_log import FileLog
-from urdfkit.core.own_sources import note_sources
+from urdfkit.core.own_sources import log_sources
 from urdfkit.errors import UnwritableFile
 
 #: Bytes of all entries; over it, the older half goes.
@@ -34,7 +34,7 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
     log = disk.log()
     if log is None or _begun is None:
         return
-    note_sources()
+    log_sources()
     disk.log_to(None)
     if log.is_complete:
         answers = [(kind, path, answer) for (kind, path), answer in log.answers.items()]

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 from urdfkit.cli import guarded, options, output
 from urdfkit.core import disk
-from urdfkit.core.file_log import FileLog, answers_again
+from urdfkit.core.file_log import FileLog, present_answers
 from urdfkit.core.words import counted
 from urdfkit.errors import UrdfkitError
 
@@ -44,7 +44,7 @@ def watch(check: Check, values: Mapping[str, Any]) -> int:
         answers, since = _checked(check, {**values, "watch": False})
         files = {path for kind, path, _ in answers if kind[0] == "r"}
         output.note(f"watching {counted(len(files), 'file')}; Ctrl-C ends")
-        while (again := answers_again(answers, since)) is not None:
+        while (again := present_answers(answers, since)) is not None:
             answers, since = again, time.time_ns()
             time.sleep(EVERY)
 

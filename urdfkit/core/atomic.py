@@ -1,4 +1,4 @@
-"""Writing files so that no reader ever sees half of one, and no kill leaves one."""
+"""Atomic writes: no reader sees a partial file, and a killed process leaves none."""
 
 import os
 import stat
@@ -10,12 +10,12 @@ from errno import EEXIST, ENXIO, EWOULDBLOCK
 from typing import BinaryIO
 
 from urdfkit.core import disk, limits
-from urdfkit.errors import UnwritableFile
+from urdfkit.errors import FileChanged, UnwritableFile
 
 if sys.platform != "win32":
     import fcntl
 
-#: Seconds to wait for another process that writes the same file.
+#: Seconds to wait while another process writes the same file.
 MAX_WAIT = 10.0
 
 
@@ -26,18 +26,19 @@ def write(
     before: bytes | None = None,
     durable: bool = True,
 ) -> None:
-    """Write a file whole or not at all; one that exists keeps its permissions.
+    """Write a file completely or not at all; an existing file keeps its permissions.
 
-    The bytes go to a new file in the same directory, which then takes the name. A link stays one.
-    What is no regular file, such as ``/dev/stderr``, is written to directly.
+    The bytes go to a temporary file in the same directory, which is then renamed. A symbolic link
+    is followed. A path that is not a regular file, such as ``/dev/stderr``, is written directly.
 
     Args:
-        data: all that it is to hold, or its parts.
-        before: what it must hold up to now, so that nothing is lost that another one wrote.
-        durable: wait until the disk has it; a cache does without.
+        data: the new contents, as a whole or in parts.
+        before: the expected present contents; protects what another process has written since.
+        durable: wait until the data is on disk; a cache need not.
 
     Raises:
-        UnwritableFile: a missing directory, permission or space; or it holds something else.
+        UnwritableFile: a directory, a permission or space is missing.
+        FileChanged: the present contents are not ``before``.
     """
     if durable:
         limits.end_time()
@@ -51,10 +52,10 @@ def write(
 
 
 def make_directory(path: str | os.PathLike[str]) -> None:
-    """Make a directory and those above it, where they are missing.
+    """Create a directory and its missing parents.
 
     Raises:
-        UnwritableFile: a file is in the way, or permission is missing.
+        UnwritableFile: a file has that name, or permission is missing.
     """
     try:
         os.makedirs(path, exist_ok=True)
@@ -77,7 +78,7 @@ def _write(path: str, parts: Iterable[bytes], before: bytes | None, *, durable: 
     with _claimed(temporary) as file:
         try:
             if before is not None and disk.read(path) != before:
-                raise UnwritableFile(f"{path}: it has changed meanwhile; run it again")
+                raise FileChanged(path)
             file.writelines(parts)
             file.flush()
             if durable:
@@ -85,19 +86,20 @@ def _write(path: str, parts: Iterable[bytes], before: bytes | None, *, durable: 
             if mode is not None:
                 os.chmod(temporary, stat.S_IMODE(mode))
             if sys.platform == "win32":
-                file.close()  # there, what is open cannot be renamed
+                file.close()  # Windows cannot rename an open file
             os.replace(temporary, path)
         except BaseException:
             if sys.platform == "win32":
                 file.close()
-            os.unlink(temporary)  # as long as nobody else can have claimed it
+            os.unlink(temporary)  # while the lock is held: no other process can have claimed it
             raise
 
 
 def temporary_name(path: str, suffix: str) -> str:
-    """What is written first; always the same, so that what a kill leaves is used again.
+    """Path of the temporary file for a file.
 
-    Its name is short, whatever that of the file is, and nobody else has one like it.
+    It is the same each time, so that a leftover of a killed process is reused, and short even if
+    the name of the file is long.
     """
     directory, name = os.path.split(path)
     process = f"-{os.getpid()}" if sys.platform == "win32" else ""
@@ -105,10 +107,10 @@ def temporary_name(path: str, suffix: str) -> str:
 
 
 def _claimed(temporary: str) -> BinaryIO:
-    """An empty file of this name that nobody else writes until it is closed, even by a kill."""
+    """An empty file, locked until it is closed; the system unlocks it if the process is killed."""
     if sys.platform == "win32":
         return open(temporary, "xb")
-    # Neither a link nor a pipe that somebody has put there is followed.
+    # A symbolic link or a pipe that somebody has put there must not be opened.
     flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
     end = time.monotonic() + MAX_WAIT
     while True:
@@ -121,7 +123,7 @@ def _claimed(temporary: str) -> BinaryIO:
             if _is_at(file, temporary):
                 file.truncate()
                 return file
-            # Else who had it has given it the other name meanwhile.
+            # Otherwise the process that held the lock has renamed the file.
         except BlockingIOError:
             if time.monotonic() > end:
                 file.close()
@@ -141,7 +143,7 @@ def _is_at(file: BinaryIO, path: str) -> bool:
 
 
 def _write_to_device(path: str, parts: Iterable[bytes]) -> None:
-    """Write to what is no regular file, unless it is a pipe that nobody reads."""
+    """Write to a device or a pipe; fails for a pipe without a reader."""
     nonblocking = getattr(os, "O_NONBLOCK", 0)  # 0 on Windows
     descriptor = os.open(path, os.O_WRONLY | nonblocking)
     with os.fdopen(descriptor, "wb") as file:
@@ -151,16 +153,16 @@ def _write_to_device(path: str, parts: Iterable[bytes]) -> None:
 
 
 def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
-    """The reason, and how to fix it."""
+    """The reason of an error, and how to fix it."""
     directory = os.path.dirname(path) or "."
     if os.path.isdir(path):
         return "is a directory; pass a file in it"
     if not os.path.isdir(directory):
         return f"no such directory '{directory}'; create it first"
     if error.errno == ENXIO:
-        return "cannot be written: it is a pipe or socket that nobody reads"
+        return "cannot be written: it is a pipe or socket without a reader"
     if error.errno == EWOULDBLOCK:
         return "cannot be written: another process is writing it"
     if isinstance(error, FileExistsError):
-        return f"cannot be written: {error.filename} is in the way; remove it"
+        return f"cannot be written: {error.filename} exists; remove it"
     return f"cannot be written: {error.strerror or error}"

@@ -1,14 +1,14 @@
-"""The directory of what urdfkit keeps between runs: measures of meshes, results of checks."""
+"""The cache directory: mesh measures and check results, kept between runs."""
 
 import os
 import sys
 
-#: The directory; where it is set and empty, nothing is kept.
+#: Environment variable with the directory; an empty value disables the cache.
 VARIABLE = "URDFKIT_CACHE_DIR"
 
 
 def cache_directory() -> str | None:
-    """The directory of the cache; None if the environment wants none."""
+    """The cache directory; None if the environment disables the cache."""
     given = os.environ.get(VARIABLE)
     if given is not None:
         return given or None
@@ -18,6 +18,6 @@ def cache_directory() -> str | None:
         return os.path.join(local, "urdfkit", "Cache")
     if sys.platform == "darwin":
         return os.path.join(home, "Library", "Caches", "urdfkit")
-    # https://specifications.freedesktop.org/basedir-spec: a relative path is to be ignored.
+    # https://specifications.freedesktop.org/basedir-spec: relative paths are ignored.
     given = os.environ.get("XDG_CACHE_HOME", "")
     return os.path.join(given if os.path.isabs(given) else f"{home}/.cache", "urdfkit")

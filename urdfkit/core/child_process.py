@@ -1,4 +1,4 @@
-"""A process of our own, which talks with this one in pickled values, by its standard streams."""
+"""A child process that exchanges pickled values with its parent over the standard streams."""
 
 import os
 import pickle
@@ -7,21 +7,21 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-#: The directories of modules are handed over, so that nothing is imported from where we stand.
+#: ``sys.path`` is passed on, so that nothing is imported from the working directory.
 _BOOT = "import sys; sys.path[:] = sys.argv[2:]; __import__(sys.argv[1], fromlist=['main']).main()"
-#: Several processes share the processors: none may start threads of its own.
+#: Child processes share the processors, so that none of them may start threads.
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class ProcessDied(Exception):
-    """A process ended without an answer."""
+    """The child process ended without an answer."""
 
 
 class ChildProcess:
-    """Runs the function ``main`` of a module in a process, which makes a `Parent` there.
+    """Runs the function ``main`` of a module in a child process; ``main`` creates a `Parent`.
 
     Raises:
-        OSError: none can be started.
+        OSError: the process cannot be started.
     """
 
     def __init__(self, module: str) -> None:
@@ -50,29 +50,29 @@ class ChildProcess:
             raise ProcessDied from error
 
     def exit_code(self) -> int:
-        """That of a process that has died; negative for a signal."""
+        """Exit code of a process that has died; negative for a signal."""
         return self._process.wait()
 
     def end(self) -> None:
-        """End it, whatever it is doing."""
+        """Kill the process."""
         self._process.kill()
         self._process.wait()
         for pipe in (self._stdin, self._stdout):
             try:
                 pipe.close()
             except OSError:
-                pass  # what was left in the buffer has no reader
+                pass  # unsent data in the buffer
 
 
 class Parent:
-    """The one that started this process; whatever libraries print goes to standard error."""
+    """The parent of this process; whatever libraries print goes to standard error."""
 
     def __init__(self) -> None:
         self._answers = os.fdopen(os.dup(1), "wb")
         os.dup2(2, 1)
 
     def received(self) -> Iterator[Any]:
-        """What it sends, until it ends or has no more."""
+        """Values that the parent sends, until it closes the pipe."""
         while True:
             try:
                 value = pickle.load(sys.stdin.buffer)

@@ -1,8 +1,8 @@
-"""The gate to the files that are read on behalf of a robot.
+"""All reading from disk on behalf of a robot.
 
-Whatever a robot, a configuration or a directory makes urdfkit open, look for or list is asked for
-here, so that one place knows what a result depends on (`log_to`). Files of urdfkit itself, and
-what is written, do not pass.
+Files and directories that a robot, a configuration or a search needs are opened, looked for and
+listed through this module only, so that it can log what a result depends on (`log_to`). Files of
+urdfkit itself, and writing, do not pass through it.
 """
 
 from __future__ import annotations
@@ -14,30 +14,30 @@ from stat import S_ISDIR, S_ISLNK, S_ISREG
 
 from urdfkit.core.regular_file import opened
 
-TYPE_CHECKING = False  # ``typing`` takes longer to import than all that this does
+TYPE_CHECKING = False  # importing ``typing`` would take longer than this module
 
 if TYPE_CHECKING:
     from urdfkit.core.file_log import FileLog
 
-#: Files that are read as a whole are no longer than this: meshes are the longest.
+#: Limit for files that are read completely; meshes are the largest.
 MAX_BYTES = 128 * 1024 * 1024
 
 _log: FileLog | None = None
 
 
 def log_to(log: FileLog | None) -> None:
-    """Note from now on what this process asks for; None ends it."""
+    """Log all further accesses of this process; None stops logging."""
     global _log  # noqa: PLW0603 - one process answers one command line
     _log = log
 
 
 def log() -> FileLog | None:
-    """What this process notes; None if nothing."""
+    """The current log; None if this process does not log."""
     return _log
 
 
 def depends_on_more() -> None:
-    """The result depends on something besides files and variables: a program, the time."""
+    """Note that the result depends on more than files and variables: a program, the time."""
     if _log is not None:
         _log.is_complete = False
 
@@ -46,12 +46,11 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
     """The bytes of a file.
 
     Args:
-        path: of the file.
-        most: so many from its beginning; all if negative.
+        most: how many bytes from the beginning; all if negative.
 
     Raises:
-        OSError: it cannot be opened, is no regular file, or all of it is more than ``MAX_BYTES``.
-        ValueError: there is a NUL in its name.
+        OSError: it cannot be opened, is not a regular file, or exceeds ``MAX_BYTES``.
+        ValueError: the path contains a NUL.
     """
     path = os.fspath(path)
     try:
@@ -70,11 +69,11 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
 
 
 def state(path: str) -> os.stat_result:
-    """What the system knows of a file; links are followed.
+    """``os.stat`` of a file; links are followed.
 
     Raises:
-        OSError: there is none.
-        ValueError: there is a NUL in its name.
+        OSError: it does not exist.
+        ValueError: the path contains a NUL.
     """
     try:
         found = os.stat(path)
@@ -87,27 +86,37 @@ def state(path: str) -> os.stat_result:
     return found
 
 
+def version(path: str) -> tuple[int, ...]:
+    """Numbers that differ once a file has changed; nothing is noted, as its text is.
+
+    Raises:
+        OSError, ValueError: as of `state`.
+    """
+    found = os.stat(path)
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+
+
 def exists(path: str) -> bool:
     return _mode(path) != 0
 
 
 def is_file(path: str) -> bool:
-    """True of a regular file, or a link to one."""
+    """True for a regular file or a link to one."""
     return S_ISREG(_mode(path))
 
 
 def is_directory(path: str) -> bool:
-    """True of a directory, or a link to one."""
+    """True for a directory or a link to one."""
     return S_ISDIR(_mode(path))
 
 
 def is_link(path: str) -> bool:
-    """True of a symbolic link, wherever it leads."""
+    """True for a symbolic link, even a broken one."""
     return S_ISLNK(_link_mode(path))
 
 
 def has_name(path: str) -> bool:
-    """True if something is there, even a link that leads nowhere."""
+    """True if the path exists, even as a broken link."""
     return _link_mode(path) != 0
 
 
@@ -115,18 +124,18 @@ def names(directory: str) -> list[str]:
     """The names in a directory.
 
     Raises:
-        OSError: it is none, or may not be read.
-        ValueError: there is a NUL in its name.
+        OSError: it is not a directory, or not readable.
+        ValueError: the path contains a NUL.
     """
     return [entry.name for entry in entries(directory)]
 
 
 def entries(directory: str) -> list[os.DirEntry[str]]:
-    """What is in a directory.
+    """The entries of a directory.
 
     Raises:
-        OSError: it is none, or may not be read.
-        ValueError: there is a NUL in its name.
+        OSError: it is not a directory, or not readable.
+        ValueError: the path contains a NUL.
     """
     try:
         with os.scandir(directory) as found:
@@ -141,20 +150,20 @@ def entries(directory: str) -> list[os.DirEntry[str]]:
 
 
 def walk(directory: str) -> Iterator[tuple[str, list[str], list[str]]]:
-    """As ``os.walk``: directories from the top, with the directories and files in each."""
-    for parent, directories, inside in os.walk(directory, onerror=_note_closed):
+    """Like ``os.walk``: directories from the top, with the directories and files in each."""
+    for parent, directories, inside in os.walk(directory, onerror=_log_unreadable):
         if _log is not None:
             _log.listed(parent, [*directories, *inside])
         yield parent, directories, inside
 
 
-def _note_closed(error: OSError) -> None:
+def _log_unreadable(error: OSError) -> None:
     if _log is not None:
         _log.listed(error.filename, None)
 
 
 def real(path: str) -> str:
-    """An absolute path without symbolic links on the way."""
+    """Absolute path with all symbolic links resolved."""
     found = os.path.realpath(path)
     if _log is not None:
         _log.real(path, found)
@@ -177,7 +186,7 @@ class Environment(Mapping[str, str]):
 
 
 def _mode(path: str) -> int:
-    """What kind of file a path leads to; 0 for nothing."""
+    """``st_mode`` of a file, with links followed; 0 if it does not exist."""
     try:
         found = os.stat(path)
     except (OSError, ValueError):
@@ -188,7 +197,7 @@ def _mode(path: str) -> int:
 
 
 def _link_mode(path: str) -> int:
-    """What kind of file a path is itself; 0 for nothing."""
+    """``st_mode`` of a file, with links not followed; 0 if it does not exist."""
     try:
         found = os.lstat(path)
     except (OSError, ValueError):

@@ -1,6 +1,6 @@
-"""What the expansion of one description may use up.
+"""Limits of time and memory for a xacro expansion.
 
-One process works for one user: what he allows holds for all that it expands.
+They are global: a process serves one user, whose limits apply to all expansions.
 """
 
 from __future__ import annotations
@@ -11,21 +11,20 @@ from urdfkit.core.record import Record
 class Limits(Record):
     """The limits of one expansion."""
 
-    #: Of the processor; a sound model waits on a busy machine, and is none the worse. The largest
-    #: public robots need a tenth of a second.
+    #: CPU time, so that a busy machine does not matter. The largest public robots need 0.1 s.
     seconds: float = 5.0
-    megabytes: int = 512  # that it may add to the memory of the process
+    megabytes: int = 512  # added to the memory of the process
 
 
 _allowed = Limits()
 
 
 def allow(limits: Limits) -> None:
-    """From now on the expansions of this process have these limits."""
+    """Set the limits of all further expansions of this process."""
     global _allowed  # noqa: PLW0603 - one process has one user
     _allowed = limits
 
 
 def allowed() -> Limits:
-    """The limits of an expansion that begins now."""
+    """The current limits."""
     return _allowed

@@ -1,8 +1,8 @@
-"""What a run has asked of the file system and of the environment, and whether it still holds.
+"""Log of a run's queries to the file system and the environment, and whether they changed since.
 
-An answer is a text. That of a directory, or of a file that was read, begins with its time of
-change, size and inode: as long as these are the same and older than the answer, the content is,
-too. Else the content itself is compared, by its hash.
+Answers are strings. The answer for a directory or a file that was read begins with its
+modification time, size and inode: as long as these are unchanged and older than the answer, so is
+the content. Otherwise the hash of the content is compared.
 """
 
 from __future__ import annotations
@@ -17,85 +17,85 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-#: The answer if there is nothing, or nothing that may be read.
+#: Answer for a file or variable that does not exist or is not readable.
 NOTHING = "-"
 
-#: Answers that are noted; with more, which take 20 MB, there is no result to keep.
+#: Most answers (20 MB); a run with more is not cached.
 MAX_ANSWERS = 50_000
 
-#: A file that changed so shortly before it was read may change again without a new time: file
-#: systems count in steps of up to 2 s (FAT).
+#: A file that changed this shortly before it was read may change again without a new modification
+#: time: file systems count in steps of up to 2 s (FAT).
 _RACE_NS = 2_000_000_000
 
 
 class FileLog:
-    """Questions with their answers."""
+    """Queries with their answers."""
 
     def __init__(self) -> None:
-        #: By kind and path. ``r`` is a file that was read, with the number of bytes if not the
-        #: whole; ``t`` its time of change, ``s`` the type and size of a file, ``k`` its type alone,
-        #: ``l`` whether it is a link, ``d`` the names in a directory, ``p`` where a path leads,
-        #: ``v`` a variable.
+        #: By kind of query and path. ``r``: contents of a file, followed by the number of bytes if
+        #: only a part was read; ``t``: modification time; ``s``: type and size; ``k``: type;
+        #: ``l``: whether it is a link; ``d``: names in a directory; ``p``: resolved path;
+        #: ``v``: environment variable.
         self.answers: dict[tuple[str, str], str] = {}
-        #: False if the result depends on something else as well, or a file changed.
+        #: False if the result depends on anything else, or a file changed during the run.
         self.is_complete = True
 
     def read(
         self, path: str, most: int, data: bytes | None = None, state: os.stat_result | None = None
     ) -> None:
-        """A file was opened and read, or could not be."""
+        """Log the contents of a file; ``data`` is None if it could not be read."""
         if data is None or state is None:
-            self._note(f"r{most}", path, NOTHING)
+            self._add(f"r{most}", path, NOTHING)
             return
         kind = "r" if len(data) == state.st_size else f"r{most}"
         known = self.answers.get((kind, path), NOTHING)
-        if not known.startswith(f"{_time(state)} "):  # else it was hashed already
-            self._note(kind, path, f"{_time(state)} {_digest(data)}")
+        if not known.startswith(f"{_time(state)} "):  # otherwise it has been hashed
+            self._add(kind, path, f"{_time(state)} {_digest(data)}")
 
     def time(self, path: str) -> None:
-        """A file is one that another time of change makes another file."""
-        self._note("t", path, _time(_state(path)))
+        """Log the modification time of a file, which stands for its contents."""
+        self._add("t", path, _time(_state(path)))
 
     def state(self, path: str, state: os.stat_result | None) -> None:
-        """The type and the size of a file were looked at."""
-        self._note("s", path, _size(state))
+        """Log type and size of a file."""
+        self._add("s", path, _size(state))
 
     def kind(self, path: str, state: os.stat_result | None) -> None:
-        """The type of a file was looked at."""
-        self._note("k", path, _type(state))
+        """Log the type of a file."""
+        self._add("k", path, _type(state))
 
     def link(self, path: str, state: os.stat_result | None) -> None:
-        """Whether a file is a link was looked at."""
-        self._note("l", path, _link(state))
+        """Log whether a file is a link."""
+        self._add("l", path, _link(state))
 
     def listed(self, directory: str, names: Iterable[str] | None) -> None:
-        """The names in a directory were looked at."""
+        """Log the names in a directory."""
         try:
             state = os.stat(directory)
         except (OSError, ValueError):
             names = None
-        self._note(
-            "d", directory, NOTHING if names is None else f"{_time(state)} {_of_names(names)}"
+        self._add(
+            "d", directory, NOTHING if names is None else f"{_time(state)} {_names_digest(names)}"
         )
 
     def real(self, path: str, real: str) -> None:
-        """Where a path leads was looked at; it matters if there is a link on the way."""
+        """Log the resolved path of a path that contains a link."""
         if real != os.path.abspath(path):
-            self._note("p", path, real)
+            self._add("p", path, real)
 
     def variable(self, name: str, value: str | None) -> None:
-        """An environment variable was looked at."""
-        self._note("v", name, _variable(value))
+        """Log an environment variable."""
+        self._add("v", name, _variable(value))
 
     def add(self, other: FileLog) -> None:
-        """Take over what another process has noted."""
+        """Add the log of another process."""
         self.is_complete = self.is_complete and other.is_complete
         for (kind, path), answer in other.answers.items():
-            self._note(kind, path, answer)
+            self._add(kind, path, answer)
 
-    def _note(self, kind: str, path: str, answer: str) -> None:
+    def _add(self, kind: str, path: str, answer: str) -> None:
         if "\0" in path:
-            return  # no file has such a name, today or later
+            return  # no file can have such a name
         if self.answers.setdefault((kind, path), answer) != answer:
             self.is_complete = False
         if len(self.answers) > MAX_ANSWERS:
@@ -103,32 +103,32 @@ class FileLog:
             self.answers.clear()
 
 
-def answers_again(
+def present_answers(
     answers: Iterable[tuple[str, str, str]], since: int
 ) -> list[tuple[str, str, str]] | None:
-    """The answers as they are now, if all mean the same; None if one is another one.
+    """The present answers to logged queries; None if one of them has changed.
 
     Args:
-        since: nanoseconds since the epoch, before the answers were given.
+        since: time before the answers were given, in nanoseconds since the epoch.
     """
-    found = []
+    results = []
     for kind, path, answer in answers:
-        again = answer_again(kind, path, answer, since)
-        if again is None:
+        present = present_answer(kind, path, answer, since)
+        if present is None:
             return None
-        found.append((kind, path, again))
-    return found
+        results.append((kind, path, present))
+    return results
 
 
-def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
-    """The answer as it is now, if it means the same; None if it is another one.
+def present_answer(kind: str, path: str, answer: str, since: int) -> str | None:
+    """The present answer to a query; None if it has changed.
 
     Args:
-        path: as of the question.
-        since: nanoseconds since the epoch, before the answer was given.
+        path: of the query.
+        since: time before the answer was given, in nanoseconds since the epoch.
     """
     if kind[0] in "rd":
-        return _content_again(kind, path, answer, since)
+        return _present_content(kind, path, answer, since)
     if kind == "v":
         now = _variable(os.environ.get(path))
     elif kind == "p":
@@ -142,14 +142,14 @@ def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
     return answer if now == answer else None
 
 
-def _content_again(kind: str, path: str, answer: str, since: int) -> str | None:
+def _present_content(kind: str, path: str, answer: str, since: int) -> str | None:
     state = _state(path)
     time = _time(state)
     if state is not None and answer.startswith(f"{time} ") and state.st_mtime_ns + _RACE_NS < since:
         return answer
     try:
         if kind == "d":
-            digest = _of_names(os.listdir(path))
+            digest = _names_digest(os.listdir(path))
         else:
             with opened(path) as file:
                 digest = _digest(file.read(int(kind[1:] or -1)))
@@ -185,7 +185,7 @@ def _variable(value: str | None) -> str:
     return NOTHING if value is None else f"={value}"
 
 
-def _of_names(names: Iterable[str]) -> str:
+def _names_digest(names: Iterable[str]) -> str:
     return _digest(b"\0".join(sorted(map(os.fsencode, names))))
 
 

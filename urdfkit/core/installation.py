@@ -1,8 +1,8 @@
-"""How this installation gets an extra of urdfkit.
+"""The command that installs an extra into this installation of urdfkit.
 
-A hint that names the package index fails in a checkout, before the first release, and in an
-environment that pre-commit, uv or pipx made. So a hint names from where this urdfkit came, and by
-which program.
+``pip install 'urdfkit[x]'`` would fail in a checkout, before the first release, and in environments
+of pre-commit, uv or pipx. The command therefore names the source of this installation and the
+program that made it.
 """
 
 import os
@@ -13,20 +13,20 @@ from contextlib import contextmanager
 
 from urdfkit.errors import MissingLibrary
 
-#: Where the package ``urdfkit`` is: a checkout, or ``site-packages``.
+#: Directory of the package ``urdfkit``: a checkout, or ``site-packages``.
 _HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 def install_command(extra: str) -> str:
-    """What installs an extra here: a command, or for pre-commit a line of its configuration.
+    """A command that installs an extra; for pre-commit, a line of its configuration.
 
     Args:
-        extra: its name; empty for what urdfkit itself needs.
+        extra: its name; empty for the dependencies of urdfkit itself.
     """
     extras = extra and f"[{extra}]"
     if sys.platform == "emscripten":
         return "not possible in a browser"
-    if os.path.basename(sys.prefix).startswith("py_env-"):  # pre-commit's, in a clone of its own
+    if os.path.basename(sys.prefix).startswith("py_env-"):  # pre-commit's
         return f'additional_dependencies: [".{extras}"] in .pre-commit-config.yaml'
     requirement = _requirement(extras)
     if "archive-v" in sys.prefix or "environments-v" in sys.prefix:  # of uv's cache
@@ -36,10 +36,13 @@ def install_command(extra: str) -> str:
 
 @contextmanager
 def needing(what: str, extra: str) -> Iterator[None]:
-    """For the imports of libraries in an extra, without which something cannot be done.
+    """Context of an import from an extra.
+
+    Args:
+        what: the subject of the error message: ``what needs numpy``.
 
     Raises:
-        MissingLibrary: one is not installed; with what installs it.
+        MissingLibrary: a library is not installed; with the command that installs it.
     """
     try:
         yield
@@ -50,7 +53,7 @@ def needing(what: str, extra: str) -> Iterator[None]:
 
 
 def _program() -> str:
-    """The program that made this environment, and its words for installing into it."""
+    """The command by which the program that made this environment installs packages."""
     if _in_prefix("uv-receipt.toml"):
         return "uv tool install"
     if _in_prefix("pipx_metadata.json"):
@@ -59,7 +62,7 @@ def _program() -> str:
 
 
 def _in_prefix(name: str) -> str:
-    """The text of a file of this environment; empty if there is none."""
+    """The text of a file of this environment; empty if it does not exist."""
     try:
         with open(os.path.join(sys.prefix, name), encoding="utf-8") as file:
             return file.read()
@@ -68,7 +71,7 @@ def _in_prefix(name: str) -> str:
 
 
 def _requirement(extras: str) -> str:
-    """This urdfkit with an extra, as pip and uv take it."""
+    """Requirement specifier of this urdfkit with extras."""
     if os.path.isfile(os.path.join(_HOME, "pyproject.toml")):
         return f'-e "{_HOME}{extras}"'
     origin = _origin()
@@ -76,7 +79,7 @@ def _requirement(extras: str) -> str:
 
 
 def _origin() -> str:
-    """The URL that urdfkit was installed from, by PEP 610; empty for a package index."""
+    """URL of the installation, from PEP 610; empty for a package index."""
     import json
 
     records = (name for name in os.listdir(_HOME) if re.fullmatch(r"urdfkit-.*\.dist-info", name))

@@ -1,6 +1,6 @@
-"""Which libraries are installed; none is imported to find out.
+"""Finds out which libraries are installed, without importing them.
 
-``importlib.util`` does the same, and is one more import of every check.
+``importlib.util`` would do the same, at the cost of one more import in every check.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
 
-#: What measures meshes.
+#: Libraries that measure meshes.
 _FOR_MESHES = ("numpy", "lxml", "manifold3d", "mapbox_earcut")
 
 
 def find(name: str) -> ModuleSpec | None:
-    """From where a library would be imported; None if it is not installed."""
+    """Import spec of a library; None if it is not installed."""
     for finder in sys.meta_path:
         spec = finder.find_spec(name, None)
         if spec is not None:
@@ -28,12 +28,12 @@ def find(name: str) -> ModuleSpec | None:
 
 @lru_cache
 def missing_for_meshes() -> str:
-    """A library that measuring meshes needs and that is not installed; empty if all are."""
+    """The first library for measuring meshes that is not installed; empty if all are."""
     return next((name for name in _FOR_MESHES if find(name) is None), "")
 
 
 def why_unmeasured() -> str:
-    """Why meshes are not measured, and what to do, behind ``meshes are``; empty if they are."""
+    """Why meshes cannot be measured, to follow ``meshes are``; empty if they can."""
     missing = missing_for_meshes()
     if not missing:
         return ""

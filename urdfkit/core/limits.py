@@ -1,6 +1,7 @@
-"""Limits of a process that computes: processors, memory, and time until it begins to write.
+"""Limits of a computing process: processors, memory, and time until it begins to write.
 
-A process that another one waits for (`urdfkit.cli.own_process`) tells it where it is when it ends.
+A supervised process (`urdfkit.cli.own_process`) reports its progress, and where it was when it
+ended, to its supervisor.
 """
 
 from __future__ import annotations
@@ -12,35 +13,35 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
 
-#: Bytes: what a library may have asked for in vain, in one piece, when something fails.
+#: Bytes: with less than this left, a failure is attributed to a lack of memory.
 _MARGIN = 128 * 2**20
 
-#: To the process that waits for this one; -1 if none does.
+#: Pipe to the supervisor; -1 without one.
 _channel = -1
 
 
 def answer_to(channel: int) -> None:
-    """Tell a process how far this one is, and where it crashes or is stopped.
+    """Report progress, crashes and timeouts of this process to its supervisor.
 
     Args:
-        channel: the descriptor of a pipe that the other process reads.
+        channel: descriptor of a pipe that the supervisor reads.
     """
     import faulthandler
 
-    global _channel  # noqa: PLW0603 - a process answers to one other
+    global _channel  # noqa: PLW0603 - a process has one supervisor
     _channel = channel
     faulthandler.enable(channel, all_threads=False)
 
 
 def is_answering() -> bool:
-    """True if another process waits for this one."""
+    """True if this process is supervised."""
     return _channel >= 0
 
 
 def begin_time(seconds: float) -> None:
-    """End this process after so many seconds; nothing happens if no other process waits for it.
+    """End this process after a time; no effect without a supervisor.
 
-    A thread of C does it, which no loop in native code holds up.
+    A thread of faulthandler ends it, which native code cannot block.
     """
     if is_answering():
         import faulthandler
@@ -51,7 +52,7 @@ def begin_time(seconds: float) -> None:
 
 
 def end_time() -> None:
-    """What is written is written whole, however long it takes."""
+    """Remove the time limit, so that results are written completely."""
     if is_answering():
         import faulthandler
 
@@ -59,13 +60,13 @@ def end_time() -> None:
 
 
 def begin_memory(size: int) -> None:
-    """`limit_memory`, if another process waits for this one."""
+    """`limit_memory`, if this process is supervised."""
     if is_answering():
         limit_memory(size)
 
 
 def limit_memory(size: int) -> None:
-    """Limit the address space of this process, and let a crash leave no core behind.
+    """Limit the address space of this process, and disable core dumps.
 
     Args:
         size: in bytes. Windows has no such limit.
@@ -82,9 +83,9 @@ def limit_memory(size: int) -> None:
 
 
 def lacks_memory(error: BaseException) -> bool:
-    """True if an error, whatever it is called, comes from a lack of memory.
+    """True if an error of any type is due to a lack of memory.
 
-    Near the limit of a process, imports, threads and libraries fail in ways of their own.
+    Near the limit, imports, threads and libraries fail with errors of various types.
     """
     cause: BaseException | None = error
     while cause is not None:
@@ -95,7 +96,7 @@ def lacks_memory(error: BaseException) -> bool:
 
 
 def _room() -> float:
-    """Bytes between the most address space that this process has had and its limit."""
+    """Bytes between the peak address space of this process and its limit."""
     try:
         import resource
 
@@ -110,20 +111,20 @@ def _room() -> float:
 
 
 def noting(progress: Progress | None) -> Progress | None:
-    """Progress that the process that waits for this one learns of, too."""
+    """A progress callback that reports to the supervisor, too."""
     if not is_answering():
         return progress
 
-    def noted(done: int, total: int) -> None:
+    def report_both(done: int, total: int) -> None:
         _report(f"done {done} of {total}" if total else f"done {done}")
         if progress:
             progress(done, total)
 
-    return noted
+    return report_both
 
 
 def processors() -> int:
-    """How many processors this process may use; a container or ``taskset`` leaves it fewer."""
+    """Number of processors that this process may use; containers and ``taskset`` limit it."""
     import os
 
     if hasattr(os, "sched_getaffinity"):
@@ -132,7 +133,7 @@ def processors() -> int:
 
 
 def _limit_processor_time(seconds: float) -> None:
-    """Processes that this one starts inherit it, and end if this one leaves them behind."""
+    """Limit CPU time; child processes inherit the limit, so that orphans end."""
     import resource
 
     most = resource.getrlimit(resource.RLIMIT_CPU)[1]
@@ -147,4 +148,4 @@ def _report(text: str) -> None:
     try:
         os.write(_channel, f"{text}\n".encode())
     except OSError:
-        pass  # nobody waits any more
+        pass  # the supervisor has ended

@@ -1,8 +1,8 @@
-"""Results by key, which are forgotten when there are many."""
+"""A dictionary of bounded size, for memoised results."""
 
 from typing import TypeVar
 
-#: Results that are kept: more than a robot asks for again and again.
+#: Most results; more than a robot needs repeatedly.
 LIMIT = 1024
 
 _Key = TypeVar("_Key")
@@ -10,7 +10,7 @@ _Value = TypeVar("_Value")
 
 
 class Memo(dict[_Key, _Value]):
-    """What was worked out for single files, in a process that may look at a million of them.
+    """Results for single files in a process that may read a million; cleared when it is full.
 
     >>> memo = Memo((number, None) for number in range(LIMIT))
     >>> memo["next"] = None

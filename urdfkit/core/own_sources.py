@@ -1,4 +1,4 @@
-"""The sources of urdfkit, of which a result depends where they change without a new version."""
+"""Logs the sources of urdfkit, on which results depend in a checkout."""
 
 import os
 import sys
@@ -8,8 +8,8 @@ from urdfkit.core import disk
 _PACKAGE = os.path.dirname(os.path.dirname(__file__))
 
 
-def note_sources() -> None:
-    """Note the sources that this process uses, if urdfkit runs from a checkout."""
+def log_sources() -> None:
+    """Log the sources that this process uses, if urdfkit runs from a checkout."""
     log = disk.log()
     if log is None or os.path.dirname(_PACKAGE).endswith("-packages"):
         return
@@ -19,4 +19,4 @@ def note_sources() -> None:
         files.update(os.path.join(parent, name) for name in names if name.endswith(".json"))
     for file in files:
         if file.startswith(_PACKAGE):
-            log.time(file)  # to hash them all would be a tenth of a check
+            log.time(file)  # hashing them would take a tenth of the time of a check

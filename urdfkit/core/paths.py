@@ -1,4 +1,4 @@
-"""Paths and the directories above them."""
+"""Directories above a path."""
 
 import os
 from functools import lru_cache
@@ -6,13 +6,13 @@ from functools import lru_cache
 
 @lru_cache(maxsize=1024)
 def upwards(directory: str) -> tuple[str, ...]:
-    """A directory and those above it, the innermost first."""
-    found = [directory]
-    while (above := os.path.dirname(found[-1])) != found[-1]:
-        found.append(above)
-    return tuple(found)
+    """A directory and its parents, innermost first."""
+    directories = [directory]
+    while (parent := os.path.dirname(directories[-1])) != directories[-1]:
+        directories.append(parent)
+    return tuple(directories)
 
 
 def is_within(path: str, directory: str) -> bool:
-    """True for a directory and what is below it, by the paths alone: links are not followed."""
+    """True for a directory and paths below it; links are not followed."""
     return path == directory or path.startswith(os.path.join(directory, ""))

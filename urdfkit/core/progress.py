@@ -1,6 +1,6 @@
-"""How far a long job is."""
+"""Progress of a long job."""
 
 from collections.abc import Callable
 
-#: Called with the number of things that are done, and of all.
+#: Called with the number of completed items and the total.
 Progress = Callable[[int, int], None]

@@ -1,9 +1,9 @@
-"""Records: named tuples whose classes are made in a tenth of the time.
+"""Records: named tuples whose classes are created in a tenth of the time.
 
-`typing.NamedTuple` compiles a constructor for every class, which costs 0.1 ms. A check loads some
+`typing.NamedTuple` compiles a constructor for every class, which takes 0.1 ms. A check loads about
 ninety such classes, and would spend a tenth of its time on them. A `Record` is written and used
-in the same way; type checkers take it for a `NamedTuple`. Its module must import annotations from
-`__future__`: otherwise Python 3.14 does not give the names of the fields while a class is created.
+like a `NamedTuple`, and is one for type checkers. Its module must import annotations from
+`__future__`: otherwise Python 3.14 does not provide the field names while a class is created.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 else:
     try:
         from _collections import _tuplegetter  # the descriptor of the standard named tuples
-    except ImportError:  # which CPython alone has
+    except ImportError:  # not CPython
         from operator import itemgetter
 
         def _tuplegetter(index, doc):
@@ -67,7 +67,7 @@ else:
             return f"{type(self).__name__}({', '.join(parts)})"
 
     def _completed(cls, values, named):
-        """The values of all fields, some of which a call gives by name."""
+        """Values of all fields, from positional and keyword arguments and defaults."""
         rest = cls._fields[len(values) :]
         known = {**cls._field_defaults, **named}
         if unknown := [name for name in named if name not in rest]:
@@ -81,5 +81,5 @@ else:
 
 
 def frozen(value: object) -> Any:
-    """What JSON gave, with tuples for lists, as fields of a record have them."""
+    """A JSON value with tuples instead of lists."""
     return tuple(map(frozen, value)) if isinstance(value, list) else value

@@ -1,4 +1,4 @@
-"""Opening a file that anybody may have named, without waiting and without doing anything."""
+"""Opens regular files only: a path from a model may lead to a pipe or a device."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ import os
 from errno import EINVAL, EISDIR
 from stat import S_ISDIR, S_ISFIFO, S_ISREG, S_ISSOCK
 
-TYPE_CHECKING = False  # ``typing`` takes longer to import than all that this does
+TYPE_CHECKING = False  # importing ``typing`` would take longer than this module
 
 if TYPE_CHECKING:
     from typing import BinaryIO
 
-#: What a shell hands over, as in ``check <(xacro r.xacro)``: open already, and not waited for.
+#: Pipes that the shell has opened, as in ``check <(xacro r.xacro)``.
 _HANDED_OVER = ("/dev/stdin", "/dev/fd/", "/proc/self/fd/")
 
 
 def opened(path: str) -> BinaryIO:
-    """A regular file, open for reading.
+    """Open a regular file for reading.
 
-    Nothing else is opened: a pipe may wait for ever, a device never end, or do something.
+    Opening a pipe may block for ever; reading a device may never end, or have side effects.
 
     Raises:
-        OSError: it cannot be opened, or is no regular file.
-        ValueError: there is a NUL in its name.
+        OSError: it cannot be opened, or is not a regular file.
+        ValueError: the path contains a NUL.
     """
     return open(path, "rb", opener=_open_regular)
 
@@ -32,7 +32,7 @@ def _open_regular(path: str, flags: int) -> int:
     nonblocking = getattr(os, "O_NONBLOCK", 0)  # 0 on Windows
     descriptor = os.open(path, flags | nonblocking)
     try:
-        _require_regular(os.fstat(descriptor).st_mode, path)  # it may be another one by now
+        _require_regular(os.fstat(descriptor).st_mode, path)  # it may have been replaced
         if nonblocking:
             os.set_blocking(descriptor, True)
     except BaseException:

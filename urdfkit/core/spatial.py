@@ -1,7 +1,7 @@
-"""Vectors, rotations and frames of URDF, without numpy: a robot has a thousand of them.
+"""Vectors, rotations and frames on tuples: importing numpy takes longer than a check.
 
-Lengths in metres, angles in radians. A rotation is three rows; a vector in the child frame
-becomes one in the parent frame by ``rotation @ vector``.
+Lengths in metres, angles in radians. A rotation is a tuple of three rows; ``rotation @ vector``
+transforms a vector from the child frame to the parent frame.
 """
 
 from __future__ import annotations
@@ -19,32 +19,32 @@ ORIGIN: Vector = (0.0, 0.0, 0.0)
 
 
 class Transform(Record):
-    """Where a frame is in another: its axes and its origin."""
+    """Pose of a frame in its parent frame: its axes and its origin."""
 
     rotation: Rotation = IDENTITY
     position: Vector = ORIGIN
 
     def __matmul__(self, inner: Transform) -> Transform:
-        """The frame ``inner``, given in this frame, in this frame's parent."""
+        """The frame ``inner`` of this frame, in the parent of this frame."""
         return Transform(multiply(self.rotation, inner.rotation), self.apply(inner.position))
 
     def apply(self, point: Vector) -> Vector:
-        """A point of this frame in the parent frame."""
+        """Transform a point from this frame to the parent frame."""
         x, y, z = rotate(self.rotation, point)
         return (x + self.position[0], y + self.position[1], z + self.position[2])
 
     @property
     def inverse(self) -> Transform:
-        """The frame of the parent in this one."""
+        """The parent frame in this frame."""
         back = transposed(self.rotation)
         x, y, z = rotate(back, self.position)
         return Transform(back, (-x, -y, -z))
 
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
-    """Rotation about the fixed axes x, y, z in that order, as URDF's ``rpy`` means it."""
+    """Rotation about the fixed axes x, y, z, in this order, like ``rpy`` in URDF."""
     if roll == pitch == yaw == 0:
-        return IDENTITY  # which most frames have, and nothing need be computed for
+        return IDENTITY  # most frames
     cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
     return (
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
@@ -66,9 +66,9 @@ def rotation_about(axis: Vector, angle: float) -> Rotation:
 
 
 def to_rpy(rotation: Rotation) -> Vector:
-    """Roll, pitch and yaw of a rotation, as URDF's ``rpy`` means them.
+    """Roll, pitch and yaw of a rotation, like ``rpy`` in URDF.
 
-    Where the pitch is a right angle, roll and yaw turn about the same axis: the yaw is 0 then.
+    If the pitch is a right angle, roll and yaw are about the same axis; the yaw is then 0.
     """
     (xx, xy, _), (yx, yy, _), (zx, zy, zz) = rotation
     flat = hypot(xx, yx)
@@ -111,29 +111,29 @@ def transposed(rotation: Rotation) -> Rotation:
 
 
 def vector(values: Iterable[float]) -> Vector:
-    """Three numbers, of numpy for example, as a vector."""
+    """Convert three numbers, for example a numpy array, to a vector."""
     x, y, z = map(float, values)
     return (x, y, z)
 
 
 def length(vector: Vector) -> float:
     """The Euclidean norm."""
-    return hypot(*vector)  # which does not overflow
+    return hypot(*vector)  # does not overflow
 
 
 def unit(vector: Vector) -> Vector:
     """The direction of a vector.
 
     Raises:
-        ZeroDivisionError: it has no length.
+        ZeroDivisionError: the vector is zero.
     """
     norm = hypot(*vector)
     return (vector[0] / norm, vector[1] / norm, vector[2] / norm)
 
 
 def basis(z: Vector) -> Rotation:
-    """Three unit vectors at right angles, right-handed, of which the third is given."""
-    least = min(range(3), key=lambda i: abs(z[i]))  # so that the right angle is well-conditioned
+    """Right-handed orthonormal basis with a given third vector."""
+    least = min(range(3), key=lambda i: abs(z[i]))  # well-conditioned cross product
     y = unit(cross(z, (float(least == 0), float(least == 1), float(least == 2))))
     return (cross(y, z), y, z)
 

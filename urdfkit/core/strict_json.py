@@ -1,4 +1,4 @@
-"""JSON for programs: what any reader takes, however odd the numbers of a robot are."""
+"""Strict JSON, without NaN and infinity, whatever numbers a robot contains."""
 
 import json
 from math import isfinite
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def dumped(document: object) -> str:
-    """A document of plain values; numbers that JSON has not, such as NaN, are null."""
+    """Serialise plain values; numbers that are not finite become null."""
     try:
         text = json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False)
     except ValueError:
@@ -15,11 +15,11 @@ def dumped(document: object) -> str:
 
 
 def finite(value: Any) -> Any:
-    """A plain value of which JSON can hold every number; those of a hostile robot overflow."""
+    """A plain value with None for numbers that are not finite."""
     if isinstance(value, float):
         return value if isfinite(value) else None
     if isinstance(value, dict):
-        return {key: finite(one) for key, one in value.items()}
+        return {key: finite(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [finite(one) for one in value]
+        return [finite(item) for item in value]
     return value

@@ -1,7 +1,7 @@
-"""Directories for a while; one that a kill leaves is removed by the next process that needs one.
+"""Temporary directories; leftovers of killed processes are removed by the next process.
 
-The system locks each for the process that uses it, until that ends in whatever way. On Windows,
-which locks no directories, what a kill leaves stays.
+The process that uses a directory holds a lock on it, which the system releases when the process
+ends. Windows cannot lock directories: there, leftovers stay.
 """
 
 import os
@@ -17,23 +17,23 @@ from urdfkit.core.atomic import temporary_name
 if sys.platform != "win32":
     import fcntl
 
-#: Of directories where the system has its temporary files.
+#: Names of scratch directories.
 _PREFIX, _SUFFIX = "urdfkit-", ".tmp"
 _NAME = re.compile(r"urdfkit-\w{8}\.tmp")
 
 
 @contextmanager
 def scratch() -> Iterator[str]:
-    """An empty directory where the system has its temporary files."""
+    """An empty directory in the temporary directory of the system."""
     remove_abandoned()
     while True:
         path = tempfile.mkdtemp(_SUFFIX, _PREFIX)
         try:
             descriptor = _lock(path)
         except BlockingIOError:
-            continue  # another process takes it for abandoned, and removes it
+            continue  # another process is removing it as abandoned
         if descriptor is not None:
-            break  # else that process was still faster
+            break  # otherwise that process has removed it
     try:
         yield path
     finally:
@@ -42,13 +42,14 @@ def scratch() -> Iterator[str]:
 
 @contextmanager
 def workshop(path: str) -> Iterator[str]:
-    """A directory next to a file or directory that is made in it, and then takes its name.
+    """A directory for building a file or directory that is then moved to ``path``.
 
-    It always has the same name: after a kill it holds what the other process was about.
+    Its name depends on ``path`` alone, so that a leftover of a killed process is reused; it may
+    not be empty.
 
     Raises:
         BlockingIOError: another process uses it.
-        OSError: it cannot be made.
+        OSError: it cannot be created.
     """
     directory = temporary_name(path, ".dir")
     descriptor = None
@@ -65,7 +66,7 @@ def workshop(path: str) -> Iterator[str]:
 
 
 def remove_abandoned() -> None:
-    """Remove the scratch directories of processes that have ended without doing so."""
+    """Remove scratch directories of killed processes."""
     if sys.platform == "win32":
         return
     home = tempfile.gettempdir()
@@ -73,7 +74,7 @@ def remove_abandoned() -> None:
         path = os.path.join(home, name)
         try:
             descriptor = _lock(path)
-        except OSError:  # in use, or somebody else's
+        except OSError:  # in use, or of another user
             continue
         if descriptor is not None:
             if os.fstat(descriptor).st_uid == os.geteuid():
@@ -82,10 +83,10 @@ def remove_abandoned() -> None:
 
 
 def _lock(path: str) -> int | None:
-    """Lock a directory until what is returned is closed; None if it is gone.
+    """Lock a directory until the returned descriptor is closed; None if it does not exist.
 
     Raises:
-        OSError: it is locked, may not be opened, or is none.
+        OSError: it is locked, cannot be opened, or is not a directory.
     """
     if sys.platform == "win32":
         return -1

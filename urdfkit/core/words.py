@@ -1,4 +1,4 @@
-"""Numbers of things, several names, and vectors in a sentence."""
+"""Counts, lists of names and vectors in messages."""
 
 from collections.abc import Iterable, Sequence
 
@@ -14,13 +14,13 @@ def more_like_this(number: int) -> str:
 
 
 def few(names: Sequence[str], most: int) -> str:
-    """``a, b``, or of more names ``a, b and 3 more``."""
+    """``a, b``; with more names than ``most``: ``a, b and 3 more``."""
     more = f" and {len(names) - most} more" if len(names) > most else ""
     return ", ".join(names[:most]) + more
 
 
 def listed(names: Sequence[str], most: int | None = None) -> str:
-    """``a``, ``a and b``, ``a, b and c``; of more names than ``most``, ``a, b and 3 more``."""
+    """``a``, ``a and b``, ``a, b and c``; with more than ``most``: ``a, b and 3 more``."""
     if most is not None and len(names) > most:
         return few(names, most)
     *first, last = names
@@ -28,10 +28,10 @@ def listed(names: Sequence[str], most: int | None = None) -> str:
 
 
 def spaced(values: Iterable[float], digits: int = 6) -> str:
-    """``0.1 0 -2``: numbers as URDF writes a vector, with so many significant digits."""
+    """``0.1 0 -2``: a vector in URDF, rounded to significant digits."""
     return " ".join(f"{value:.{digits}g}" for value in values)
 
 
 def rounded(values: Iterable[float], places: int) -> str:
-    """The same with so many decimal places; none is ``-0``."""
+    """The same, rounded to decimal places, without ``-0``."""
     return spaced(round(value, places) + 0.0 for value in values)

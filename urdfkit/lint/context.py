@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
@@ -269,16 +269,12 @@ class Context(DescriptionFile):
 
     def other_robot(self, path: str, arguments: Mapping[str, str]) -> Context:
         """Another description, read in the same way; the same one each time."""
-        key = (path, *sorted(arguments.items()))
-        if key not in self._other_robots:
-            self._other_robots[key] = Context(
-                self.source if path == self.source.path else self.resolver.read(path),
-                self.resolver,
-                arguments,
-                trust=self.trust,
-                cache=self._cache,
-            )
-        return self._other_robots[key]
+        given = tuple(arguments.items())
+        if (path, given) not in self._other_robots:
+            source = self.source if path == self.source.path else self.resolver.read(path)
+            robot = _robot(source, self.resolver, given, self.trust, self._cache)
+            self._other_robots[path, given] = robot
+        return self._other_robots[path, given]
 
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
@@ -359,3 +355,14 @@ class Context(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
+
+
+@lru_cache(maxsize=4)  # the launch files of a workspace start the same few robots
+def _robot(
+    source: Source,
+    resolver: Resolver,
+    arguments: tuple[tuple[str, str], ...],
+    trust: bool,
+    cache: bool,
+) -> Context:
+    return Context(source, resolver, dict(arguments), trust=trust, cache=cache)

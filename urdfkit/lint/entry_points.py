@@ -21,6 +21,7 @@ _NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PART = "a part of a robot that no file includes"
+_OF_OTHERS = "defines no link, and what includes it is not a robot"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _CONTENT = re.compile(
     rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
@@ -79,7 +80,10 @@ class EntryPoints:
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
         others |= dict.fromkeys(parts, _PART)
-        return DirectoryContents(named, libraries, tuple(self.graph.closed), others)
+        used = [path for path in libraries if disk.real(path) in included]
+        others |= dict.fromkeys(used, _OF_OTHERS)
+        unused = tuple(path for path in libraries if path not in used)
+        return DirectoryContents(named, unused, tuple(self.graph.closed), others)
 
     def _parts(self, roots: Iterable[str]) -> list[str]:
         """The xacros that are not whole: without a name, or with their include commented out."""

@@ -12,6 +12,8 @@ from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
 SUFFIXES = (".urdf", ".xacro")
+#: Of xacros that describe something else than a robot.
+OTHER_MODELS = (".srdf.xacro", ".sdf.xacro")
 INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _DISABLED = re.compile(rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 ROBOT = re.compile(rb"<robot[\s>]")
@@ -127,7 +129,7 @@ class IncludeGraph:
 def is_description(name: str) -> bool:
     """True for the names that URDF and xacro files have."""
     name = name.lower()  # SolidWorks writes .URDF
-    return name.endswith(SUFFIXES) and not name.endswith((".srdf.xacro", ".sdf.xacro"))
+    return name.endswith(SUFFIXES) and not name.endswith(OTHER_MODELS)
 
 
 def _package_directory(file: str, resolver: Resolver) -> str:

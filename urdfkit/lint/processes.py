@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.file_log import FileLog
-from urdfkit.core.own_sources import note_sources
+from urdfkit.core.own_sources import log_sources
 from urdfkit.lint import rule_index
 from urdfkit.lint.check_job import check_one_of_many, failed
 from urdfkit.lint.merging import Checked
@@ -163,7 +163,7 @@ def _check_batch(jobs: list[Job], options: Options) -> Batch:
     checked = [check_one_of_many(job, options, resolver) for job in jobs]
     log = disk.log()
     if log is not None:
-        note_sources()
+        log_sources()
         disk.log_to(FileLog())
     return checked, log
 

@@ -42,22 +42,23 @@ def take_apart(places: Floats, edges: Edges) -> Pieces:
     """
     faces, of_face = edges.faces, edges.bodies
     number = int(of_face.max(initial=-1)) + 1
-    low, high = _extents(places, faces, of_face, number)
-    middle = ((low + high) / 2)[of_face]
-    a, b, c = (places[faces[:, corner]] - middle for corner in range(3))
+    corners = places[faces.T]
+    low, high = _extents(corners, of_face, number)
+    corners -= ((low + high) / 2)[of_face]
+    a, b, c = corners
     volumes = np.bincount(of_face, np.einsum("ij,ij->i", a, np.cross(b, c)), number) / 6
     is_closed = np.ones(number, dtype=bool)
     is_closed[of_face[edges.is_unpaired[edges.of_face].any(axis=1)]] = False
     return Pieces(of_face, volumes, low, high, is_closed)
 
 
-def _extents(
-    places: Floats, faces: Integers, of_face: Integers, number: int
-) -> tuple[Floats, Floats]:
+def _extents(corners: Floats, of_face: Integers, number: int) -> tuple[Floats, Floats]:
+    """The bounding boxes of pieces with corners of faces, (3, m, 3)."""
     low, high = np.full((number, 3), np.inf), np.full((number, 3), -np.inf)
-    for corner in range(3):
-        np.minimum.at(low, of_face, places[faces[:, corner]])
-        np.maximum.at(high, of_face, places[faces[:, corner]])
+    least, most = corners.min(axis=0), corners.max(axis=0)
+    for axis in range(3):  # all at once takes numpy four times as long
+        np.minimum.at(low[:, axis], of_face, least[:, axis])
+        np.maximum.at(high[:, axis], of_face, most[:, axis])
     return low, high
 
 

@@ -49,7 +49,8 @@ class Store:
 
     def __init__(self, directory: str | None) -> None:
         self._directory = os.path.join(directory, f"v{VERSION}") if directory else None
-        self._known: dict[tuple[object, ...], Measures | str] = {}
+        self._known: dict[tuple[object, ...], Measures | str] = {}  # by path and state
+        self._by_content: dict[str, Measures | str] = {}  # by hash: packages copy meshes
 
     def measures(self, path: str, form: str) -> Measures | str:
         """The measures of a file, or why it has none, as a predicate whose subject is the file."""
@@ -67,9 +68,14 @@ class Store:
             data = disk.read(path, MAX_BYTES)
         except OSError as error:
             return f"cannot be read: {error.strerror or error}"
+        digest = _digest(data, form, os.path.dirname(path))
+        if digest not in self._by_content:
+            self._by_content[digest] = self._of_content(digest, data, path)
+        return self._by_content[digest]
+
+    def _of_content(self, digest: str, data: bytes, path: str) -> Measures | str:
         if self._directory is None:
             return _measured(data, path)
-        digest = _digest(data, form, os.path.dirname(path))
         entry = os.path.join(self._directory, digest[:2], f"{digest[2:]}.json")
         known = _read(entry)
         if known is None:

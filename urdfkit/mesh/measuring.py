@@ -5,7 +5,6 @@ import numpy as np
 from urdfkit.core.spatial import vector
 from urdfkit.mesh.components import are_flat, inside_out, take_apart
 from urdfkit.mesh.convex_hull import arrays_of
-from urdfkit.mesh.edges import Edges, three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh
 from urdfkit.mesh.measures import Measures, Uniform
 from urdfkit.mesh.overlap import overlap
@@ -25,12 +24,12 @@ MOST_POINTS = 200
 @np.errstate(over="ignore", invalid="ignore")  # of meshes larger than the world
 def measure(mesh: Mesh) -> Measures:
     """The measures of a mesh, which has triangles."""
-    places, faces = close_seams(*weld(mesh.vertices, mesh.faces))
+    places, faces = weld(mesh.vertices, mesh.faces)
+    faces, edges = close_seams(places, faces)
+    sound = edges.faces
     low, high = places.min(axis=0), places.max(axis=0)
     diagonal = float(np.linalg.norm(high - low))
     height, areas = _heights(places, faces)
-    sound = faces[three_cornered(faces)]
-    edges = Edges(sound)
     open_edges = edges.count % 2 == 1
     flipped = ~open_edges & edges.is_unpaired
     is_closed = len(sound) > 0 and not edges.is_unpaired.any()
@@ -43,7 +42,7 @@ def measure(mesh: Mesh) -> Measures:
     hull, points = _hull(places, low, high)
     return Measures(
         triangles=len(faces),
-        vertices=len(np.unique(faces)),
+        vertices=int(np.count_nonzero(np.bincount(faces.reshape(-1)))),
         low=vector(low),
         high=vector(high),
         area=float(areas.sum()),

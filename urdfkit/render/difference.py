@@ -7,21 +7,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PIL import Image
 
-from urdfkit.render.arrays import Bytes
-from urdfkit.render.camera import CameraOptions, place_camera
-from urdfkit.render.draw import DrawingOptions, draw
-from urdfkit.render.image import drawn
+from urdfkit.render.arrays import Bytes, Floats, bounds
+from urdfkit.render.camera import Camera, CameraOptions, place_camera
+from urdfkit.render.draw import DrawingOptions, Samples, samples
+from urdfkit.render.ground import without_shadows
+from urdfkit.render.image import drawn, has_scale
 from urdfkit.render.labels import caption, write_legend
 from urdfkit.render.pixels import STUDIO
+from urdfkit.render.scale import write_scale
 from urdfkit.render.scene import Scene
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 GONE, NEW, CHANGED = (0.84, 0.19, 0.19, 1.0), (0.09, 0.59, 0.30, 1.0), (0.94, 0.63, 0.08, 1.0)
-LEGEND = ((GONE, "only before"), (NEW, "only after"), (CHANGED, "looks different"))
+LEGEND = ((GONE, "only before"), (NEW, "only after"), (CHANGED, "changed"))
 #: Differences of colour up to this, of 255, are none.
 TOLERANCE = 14
+#: Samples on the edge of a pixel, each compared for itself, and of a whole image at most.
+FINE, MAX_SAMPLES = 4, 16_000_000
 
 
 def difference(
@@ -36,7 +40,8 @@ def difference(
     """Before, after and the difference, seen by one camera that has both in view.
 
     In the difference the robot is pale; red is what only the first state covers, green what only
-    the second one does, amber what looks different in both.
+    the second one does, amber where the surface has another place or colour. Shadows are not
+    compared.
 
     Args:
         size: of all three images together, in pixels.
@@ -50,36 +55,58 @@ def difference(
     points = np.concatenate((before.points(), after.points()))
     camera = place_camera(points, view, size=cell, **(camera_options or {}))
     level = min(before.level(), after.level())
-    bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
+    whole = Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
-        bare.append(draw(scene, camera, quality="draft", background=None, floor=False))
         image = drawn(scene, camera, level, drawing)
         caption(image, name)
         whole.paste(image, (number * cell[0], 0))
-    image = Image.fromarray(_compared(*bare))
+    floor = np.zeros((cell[1], cell[0]), dtype=np.float32)
+    if has_scale(drawing):
+        _, floor = without_shadows(*bounds(points), camera, level).seen(camera, 0, cell[1])
+    image = Image.fromarray(_compared(before, after, camera, floor))
     caption(image, "difference")
     write_legend(image, LEGEND)
+    if has_scale(drawing):
+        write_scale(image, camera, level)
     whole.paste(image, (2 * cell[0], 0))
     has_background = drawing.get("background", STUDIO) is not None
     return whole.convert("RGB") if has_background else whole
 
 
-def _compared(before: Bytes, after: Bytes) -> Bytes:
-    """The image of the difference of two images of robots and nothing else.
+def _compared(before: Scene, after: Scene, camera: Camera, floor: Floats) -> Bytes:
+    """The image of the difference, of which every sample is of one kind.
 
-    A pixel that one state covers in part, at an edge, has the colours in these parts.
+    Args:
+        floor: (h, w), how dark the ground is, from 0 to 1.
     """
-    old, new = (pixels.astype(np.float32) / 255 for pixels in (before, after))
+    width, height = camera.size
+    fine = max(1, min(FINE, int((MAX_SAMPLES / (width * height)) ** 0.5)))
+    close = camera._replace(size=(width * fine, height * fine))
+    old, new = samples(before, close), samples(after, close)
+    result = np.full((height, width, 4), 255, dtype=np.uint8)
+    for row in range(height):
+        strip = row * fine, (row + 1) * fine
+        colours, cover = _kinds(camera, old.rows(*strip), new.rows(*strip))
+        mean = colours.reshape(fine, width, fine, 3).mean(axis=(0, 2))
+        free = 1 - cover.reshape(fine, width, fine).mean(axis=(0, 2))
+        light = mean + (free * (1 - floor[row]))[:, None]
+        result[row, :, :3] = np.rint(light * 255)
+    return result
+
+
+def _kinds(camera: Camera, before: Samples, after: Samples) -> tuple[Floats, Floats]:
+    """The colour of each sample, times how much a robot covers of it, and how much that is."""
+    old, new = (some.pixels.astype(np.float32) / 255 for some in (before, after))
     cover_old, cover_new = old[..., 3:], new[..., 3:]
     grey = np.where(cover_new > 0, new, old)[..., :3].mean(axis=2, keepdims=True)
     apart = np.abs(old[..., :3] - new[..., :3]).max(axis=2, keepdims=True)
+    # As far as a pixel is wide, surfaces are in one place.
+    pixel = (1 if camera.is_orthographic else before.depth) / np.float32(camera.scale)
+    moved = (np.abs(before.depth - after.depth) > pixel)[..., None]
     both = np.minimum(cover_old, cover_new)
-    changed = both * (apart > TOLERANCE / 255)
-    pale = np.float32(0.7) + np.float32(0.25) * grey
-    result = np.ones_like(old)
-    result[..., :3] = 1 - np.maximum(cover_old, cover_new) + (both - changed) * pale
-    gone, new_here = cover_old - both, cover_new - both
-    for part, colour in ((changed, CHANGED), (gone, GONE), (new_here, NEW)):
-        shaded = np.array(colour[:3], dtype=np.float32) * (np.float32(0.6) + np.float32(0.4) * grey)
-        result[..., :3] += part * shaded
-    return np.rint(result * 255).astype(np.uint8)
+    changed = both * (moved | (apart > TOLERANCE / 255))
+    result = (both - changed) * (np.float32(0.7) + np.float32(0.25) * grey)
+    shade = np.float32(0.75) + np.float32(0.25) * grey
+    for part, colour in ((changed, CHANGED), (cover_old - both, GONE), (cover_new - both, NEW)):
+        result = result + part * shade * np.array(colour[:3], dtype=np.float32)
+    return result, np.maximum(cover_old, cover_new)[..., 0]

@@ -14,7 +14,7 @@ from urdfkit.core.progress import Progress
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
-from urdfkit.render.ground import Ground, ground
+from urdfkit.render.ground import Ground, ground, without_shadows
 from urdfkit.render.light import LATTICE, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
@@ -58,6 +58,10 @@ QUALITIES = {
     "default": Quality(6, 16, 10),
     "high": Quality(16, 32, 16),
 }
+
+
+#: Hard edges, and no surface takes light from another: to be compared, not to be looked at.
+_SAMPLES = Quality(1, 0, 0)
 
 
 class DrawingOptions(TypedDict, total=False):
@@ -114,6 +118,22 @@ def draw(
     return drawing.image(background, progress or (lambda _done, _total: None))
 
 
+class Samples(NamedTuple):
+    """A robot alone, one sample for each pixel, without shadows."""
+
+    pixels: Bytes  # (h, w, 4), as `draw` returns
+    depth: Floats  # (h, w), in m, `FAR` where nothing is
+
+    def rows(self, first: int, last: int) -> "Samples":
+        return Samples(self.pixels[first:last], self.depth[first:last])
+
+
+def samples(scene: Scene, camera: Camera) -> Samples:
+    """Draw a scene to compare it with another one."""
+    drawing = _Drawing(scene, camera, _SAMPLES, Workers(None), floor=False, level=None)
+    return Samples(drawing.image(None, lambda _done, _total: None), drawing.depth)
+
+
 class _Drawing:
     """One image while it is drawn."""
 
@@ -133,7 +153,7 @@ class _Drawing:
         self.kinds = [_kind(one) for one in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
-        robot = [piece for piece, kind in pieces if kind != _OVERLAY]
+        robot = [piece for piece, kind in pieces if kind != _OVERLAY] or everything.pieces
         casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
         axes = np.asarray(camera.axes, dtype=np.float32).T
         world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
@@ -143,6 +163,8 @@ class _Drawing:
         self.floor: Ground | None = None
         if floor and len(casts):
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
+        elif floor:
+            self.floor = without_shadows(lowest, highest, camera, level)
         self.screen, self.soup = self._projected(cut(everything, camera), (lowest + highest) / 2)
         kind = self._kind(self.soup)
         self.opaque, self.clear, self.overlays = (
@@ -150,6 +172,8 @@ class _Drawing:
         )
         self.colours = SurfaceColours(materials, self.soup, self.screen, camera)
         self.offsets = rooks(quality.samples)
+        width, height = camera.size
+        self.depth = np.full((height, width), FAR, dtype=np.float32)
 
     def _projected(
         self, everything: CameraTriangles, middle: Floats
@@ -165,14 +189,13 @@ class _Drawing:
         width, height = self.camera.size
         bands: dict[int, _Band] = {}
         count, steps = 3 * -(-height // BAND), itertools.count(1)
-        depth = np.full((height, width), FAR, dtype=np.float32)
 
         def see(first: int, last: int) -> None:
-            bands[first] = self._see(first, last, depth)
+            bands[first] = self._see(first, last)
             progress(next(steps), count)
 
         self.workers.bands(height, BAND, see)
-        light = _Light(depth, np.ones_like(depth), np.ones_like(depth))
+        light = _Light(self.depth, np.ones_like(self.depth), np.ones_like(self.depth))
 
         def shade(first: int, _last: int) -> None:
             self._light(bands[first].opaque, light)
@@ -214,15 +237,15 @@ class _Drawing:
 
     # -- the first pass: what is seen --
 
-    def _see(self, first: int, last: int, depth: Floats) -> _Band:
+    def _see(self, first: int, last: int) -> _Band:
         """The surfaces of a band; their depth goes to the image's."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
         opaque = nearest(self.screen, self.opaque, grid)
         found = self._surfaces(fragments(opaque, grid))
         dark = np.zeros((0,), dtype=np.float32)
         if self.floor is not None:
-            depth[first:last], dark = self.floor.seen(self.camera, first, last)
-        self._fill(*found, depth)
+            self.depth[first:last], dark = self.floor.seen(self.camera, first, last)
+        self._fill(*found)
         clear = self._peeled(self.clear, grid, opaque)
         overlays = self._peeled(self.overlays, grid, np.zeros_like(opaque))
         return _Band(found, clear, overlays, dark.reshape(-1))
@@ -243,10 +266,10 @@ class _Drawing:
     def _surfaces(self, some: Fragments) -> tuple[Fragments, FragmentSurface]:
         return some, surface(some, self.soup, self.screen, self.camera)
 
-    def _fill(self, some: Fragments, there: FragmentSurface, depth: Floats) -> None:
+    def _fill(self, some: Fragments, there: FragmentSurface) -> None:
         """Give pixels the depth of their largest fragments."""
         order = np.argsort(some.weight, kind="stable")
-        depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
+        self.depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
 
     # -- the second pass: how much light there is --
 

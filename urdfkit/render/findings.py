@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
-from urdfkit.render.layers import middle
+from urdfkit.render import primitives
+from urdfkit.render.layers import BALL, extent, middle, sign
 from urdfkit.render.materials import PLACEHOLDER, Colour, SurfaceMaterial
 from urdfkit.render.scene import Label, Scene, SceneItem
 from urdfkit.robot.element_lookup import ElementLookup
@@ -23,20 +25,42 @@ MAX_CODES = 4
 def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> Scene:
     """A scene in which the links with errors are red and those with warnings orange.
 
+    A link that shows nothing is a ball at its origin; the balls with one text have one label.
     Findings that concern no link, such as those about a macro, have no place in it.
     """
-    found = by_link(context, diagnostics)
+    found = {
+        link: reported
+        for link, reported in by_link(context, diagnostics).items()
+        if link in scene.frames
+    }
     items = tuple(
         item if item.material.overlay else _painted(item, found.get(item.link, ()))
         for item in scene.items
     )
     drawn = {item.link for item in scene.items if not item.material.overlay}
-    labels = tuple(
-        Label(_text(reported), link, middle(scene, link), of_link=link in drawn)
+    labels = [
+        Label(_text(reported), link, middle(scene, link), of_link=True)
         for link, reported in found.items()
-        if link in scene.frames
+        if link in drawn
+    ]
+    bare: dict[str, list[str]] = {}
+    for link, reported in found.items():
+        if link not in drawn:
+            bare.setdefault(_text(reported), []).append(link)
+    for text, (link, *others) in bare.items():
+        many = f"{len(others) + 1} links, " * bool(others)
+        labels.append(Label(f"{text} ({many}no geometry)", link, (0.0, 0.0, 0.0)))
+    ball = primitives.sphere(BALL * extent(scene))
+    balls = (
+        sign(link, "findings", ball, Transform(), COLOURS[found[link][0].severity])
+        for links in bare.values()
+        for link in links
     )
-    return scene._replace(items=items, labels=(*scene.labels, *labels), legend=_LEGEND)
+    return scene._replace(
+        items=(*items, *balls),
+        labels=(*scene.labels, *labels),
+        legend=(*scene.legend, *_LEGEND),
+    )
 
 
 def by_link(context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:

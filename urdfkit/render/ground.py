@@ -124,12 +124,9 @@ def ground(
         level: height of the floor; that of the robot's lowest point if None.
     """
     lowest, highest = extent(points, pieces)
-    height = float(lowest[2]) if level is None else level
-    size = max(float((highest - lowest).max()), LEAST)
-    edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
-    middle = (lowest + highest)[:2] / 2
-    origin = (float(middle[0] - edge / 2), float(middle[1] - edge / 2))
-    cell = edge / CELLS
+    bare = without_shadows(lowest, highest, camera, level)
+    height, origin, cell, *_ = bare
+    size = _size(lowest, highest)
     across = origin[0] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
     along = origin[1] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
     x, y = np.meshgrid(across, along)
@@ -140,7 +137,22 @@ def ground(
     )
     cells = np.arange(CELLS, dtype=np.float32) + np.float32(0.5)
     faded = shade * _fade(cells, cells[:, None])
-    return Ground(height, origin, cell, faded.astype(np.float32), grid_step(camera, height))
+    return bare._replace(shade=faded.astype(np.float32))
+
+
+def without_shadows(
+    lowest: Floats, highest: Floats, camera: Camera, level: float | None = None
+) -> Ground:
+    """The floor under a box, given by two of its corners in the world."""
+    height = float(lowest[2]) if level is None else level
+    edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * _size(lowest, highest)
+    x, y = (float(middle - edge / 2) for middle in (lowest + highest)[:2] / 2)
+    shade = np.zeros((CELLS, CELLS), dtype=np.float32)
+    return Ground(height, (x, y), edge / CELLS, shade, grid_step(camera, height))
+
+
+def _size(lowest: Floats, highest: Floats) -> float:
+    return max(float((highest - lowest).max()), LEAST)
 
 
 def _contact(

@@ -86,9 +86,14 @@ def drawn(
     """
     image = Image.fromarray(draw(scene, camera, level=level, progress=progress, **drawing))
     write(image, scene, camera)
-    if drawing.get("background", STUDIO) is not None and drawing.get("floor", True):
+    if has_scale(drawing):
         write_scale(image, camera, level)
     return image
+
+
+def has_scale(drawing: DrawingOptions) -> bool:
+    """True if there is a ground that is not cut out."""
+    return drawing.get("background", STUDIO) is not None and drawing.get("floor", True)
 
 
 def _cameras(
@@ -125,10 +130,10 @@ def colour(word: str) -> tuple[float, float, float]:
 
 
 def _grid(count: int) -> tuple[int, int]:
-    columns = 1
-    while columns * columns < count:
-        columns += 1
-    return columns, -(-count // columns)
+    """Columns and rows of a sheet: at most twice as wide as high, with few empty cells."""
+    grids = [(-(-count // rows), rows) for rows in range(1, count + 1)]
+    square = [(columns, rows) for columns, rows in grids if rows <= columns <= 2 * rows]
+    return min(square, key=lambda grid: (grid[0] * grid[1], grid[0]))
 
 
 def save(image: Image.Image, path: str | os.PathLike[str]) -> None:

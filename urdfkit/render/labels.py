@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +20,8 @@ INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
 #: Places of a label around its point, the nearest first: directions and distances in letters.
 _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
+#: How many of these distances an optional label may take.
+_NEAR = 3
 #: Pixels from one that is looked at to the next.
 _EACH = 4
 
@@ -55,8 +57,8 @@ def caption(image: Image.Image, text: str) -> None:
     ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
 
 
-def write_legend(image: Image.Image, entries: Sequence[tuple[Colour, str]]) -> None:
-    """Write into the lower right corner of an image what colours mean."""
+def write_legend(image: Image.Image, entries: Sequence[tuple[Colour | None, str]]) -> None:
+    """Write into the lower right corner of an image what colours mean, and words without one."""
     size = max(11, min(18, image.height // 30))
     draw = ImageDraw.Draw(image)
     right, low = image.width - size * 0.7, image.height - size * 0.7
@@ -64,16 +66,18 @@ def write_legend(image: Image.Image, entries: Sequence[tuple[Colour, str]]) -> N
         font, written = writing(text, size)
         left = right - draw.textlength(written, font=font)
         draw.text((left, low), written, fill=INK, font=font, anchor="ls")
-        square = (left - 1.2 * size, low - 0.75 * size, left - 0.4 * size, low + 0.05 * size)
-        draw.rectangle(square, fill=tuple(round(part * 255) for part in colour))
-        right = square[0] - 0.8 * size
+        right = left - 0.8 * size
+        if colour:
+            square = (left - 1.2 * size, low - 0.75 * size, left - 0.4 * size, low + 0.05 * size)
+            draw.rectangle(square, fill=tuple(round(part * 255) for part in colour))
+            right -= 1.2 * size
 
 
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     """Write the labels of a scene next to their points, so that none covers another; its legend.
 
-    Where there is no place left for a label it is left out; points outside of the image have
-    none.
+    A label without a free place, or whose point is outside of the image, is omitted; the legend
+    counts them.
     """
     size = max(10.0, min(20.0, image.height / 52))
     anchors = _anchors(scene, camera)
@@ -83,24 +87,35 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     links = _links_of_pixels(scene, camera) if any(one.of_link for one in scene.labels) else {}
     for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
         x, y = anchors[number]
-        name = printable(scene.labels[number].text)
-        if scene.labels[number].of_link:
-            x, y, name = _where_seen(x, y, name, links.get(scene.labels[number].link))
+        label = scene.labels[number]
+        name = printable(label.text)
+        if label.of_link:
+            if label.is_optional and label.link not in links:
+                continue
+            x, y, name = _where_seen(x, y, name, links.get(label.link))
         font, text = writing(name, size)
         wide, high = draw.textlength(text, font=font) + 0.6 * size, 1.35 * size
-        box = _free(x, y, wide, high, size, image.size, boxes)
+        distances = _DISTANCES[:_NEAR] if label.is_optional else _DISTANCES
+        places = _places(x, y, wide, high, [distance * size for distance in distances])
+        box = _free(places, image.size, boxes)
         if box is None:
             continue
         boxes.append(box)
-        end = (min(max(x, box.left), box.right), min(max(y, box.top), box.bottom))
-        draw.line([(x, y), end], fill=LEADER, width=max(1, round(size / 12)))
-        locate = size / 7
-        draw.ellipse((x - locate, y - locate, x + locate, y + locate), fill=LEADER)
-        draw.rounded_rectangle(box, radius=size / 4, fill=PAPER)
+        _draw_leader(draw, x, y, box, size)
         start = (box.left + 0.3 * size, (box.top + box.bottom) / 2)
         draw.text(start, text, fill=INK, font=font, anchor="lm")
     image.alpha_composite(layer)
-    write_legend(image, scene.legend)
+    omitted = len(scene.labels) - len(boxes)
+    write_legend(image, (*scene.legend, *[(None, f"{omitted} labels not shown")] * bool(omitted)))
+
+
+def _draw_leader(draw: ImageDraw.ImageDraw, x: float, y: float, box: LabelBox, size: float) -> None:
+    """The empty box of a label, and a line from its point to it."""
+    end = (min(max(x, box.left), box.right), min(max(y, box.top), box.bottom))
+    draw.line([(x, y), end], fill=LEADER, width=max(1, round(size / 12)))
+    radius = size / 7
+    draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=LEADER)
+    draw.rounded_rectangle(box, radius=size / 4, fill=PAPER)
 
 
 def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
@@ -143,24 +158,25 @@ def _where_seen(x: float, y: float, text: str, pixels: Floats | None) -> tuple[f
     return x, y, text
 
 
-def _free(
-    x: float,
-    y: float,
-    wide: float,
-    high: float,
-    size: float,
-    whole: tuple[int, int],
-    taken: list[LabelBox],
-) -> LabelBox | None:
-    """The free place that is nearest to a point."""
-    for distance in _DISTANCES:
+def _places(
+    x: float, y: float, wide: float, high: float, distances: Sequence[float]
+) -> Iterator[LabelBox]:
+    """Boxes around a point, the nearest first."""
+    for distance in distances:
         for across, down in _DIRECTIONS:
-            left = x + across * distance * size + (wide * (across - 1) / 2)
-            top = y + down * distance * size * 0.8 + (high * (down - 1) / 2)
-            box = LabelBox(left, top, left + wide, top + high)
-            inside = left >= 0 and top >= 0 and box.right <= whole[0] and box.bottom <= whole[1]
-            if inside and not any(map(box.meets, taken)):
-                return box
+            left = x + across * distance + (wide * (across - 1) / 2)
+            top = y + down * distance * 0.8 + (high * (down - 1) / 2)
+            yield LabelBox(left, top, left + wide, top + high)
+
+
+def _free(
+    places: Iterable[LabelBox], whole: tuple[int, int], taken: Sequence[LabelBox]
+) -> LabelBox | None:
+    """The first place within the image that meets no other box."""
+    for box in places:
+        inside = box.left >= 0 and box.top >= 0 and box.right <= whole[0] and box.bottom <= whole[1]
+        if inside and not any(map(box.meets, taken)):
+            return box
     return None
 
 

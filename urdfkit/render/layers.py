@@ -28,11 +28,18 @@ from urdfkit.robot.model import Joint, Link
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
 AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
 MASS, WHOLE, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 0.55, 0.95, 0.32)
-CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.95, 0.60, 0.10, 0.30)
+CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.05, 0.60, 0.62, 0.35)
 #: Lengths as parts of the size of the robot.
 FRAME, ARC, BALL = 0.08, 0.075, 0.011
 #: Corners of an arc of a full turn.
 _STEPS = 72
+#: What the colours of a layer mean.
+_LEGENDS = {
+    "contacts": (
+        ((*CLASH[:3], 1.0), "links overlap"),
+        ((*NEIGHBOURS[:3], 1.0), "adjacent links overlap"),
+    )
+}
 #: Why there is nothing to draw.
 _NOTHING = {
     "joints": "no joint moves",
@@ -62,13 +69,11 @@ def explained(
     """
     if not layers:
         return scene
-    points = scene.points()
-    places = single([frame.position for frame in scene.frames.values()])
-    extent = np.concatenate((points, places))
-    size = float(np.ptp(extent, axis=0).max()) if len(extent) else 0.0
+    size = extent(scene)
     items: list[SceneItem] = []
     labels: list[Label] = []
     notes: list[str] = []
+    legend: list[tuple[Colour, str]] = []
     for layer in layers:
         if layer not in LAYERS:
             hint = (
@@ -76,14 +81,27 @@ def explained(
                 or f"; there are visual, collision, {', '.join(LAYERS)}"
             )
             raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
-        drawn = list(LAYERS[layer](scene, context, size or 1.0, given or {}))
+        drawn = list(LAYERS[layer](scene, context, size, given or {}))
         items += (thing for thing in drawn if isinstance(thing, SceneItem))
         labels += (thing for thing in drawn if isinstance(thing, Label))
-        if not drawn:
+        if drawn:
+            legend += _LEGENDS.get(layer, ())
+        else:
             notes.append(f"nothing is drawn of '{layer}': {_NOTHING.get(layer, 'it has no links')}")
     return scene._replace(
-        items=(*scene.items, *items), labels=(*scene.labels, *labels), notes=(*scene.notes, *notes)
+        items=(*scene.items, *items),
+        labels=(*scene.labels, *labels),
+        notes=(*scene.notes, *notes),
+        legend=(*scene.legend, *legend),
     )
+
+
+def extent(scene: Scene) -> float:
+    """The longest edge of the box around a robot, or around its frames, in m; 1 without a size."""
+    points = scene.points()
+    if not len(points):
+        points = single([frame.position for frame in scene.frames.values()])
+    return (float(np.ptp(points, axis=0).max()) if len(points) else 0.0) or 1.0
 
 
 Drawn = Iterator["SceneItem | Label"]
@@ -94,13 +112,14 @@ def _frames(scene: Scene, _context: Context, size: float, _given: Mapping[str, f
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
         for axis, colour in zip(IDENTITY, (RED, GREEN, BLUE), strict=True):
-            yield _sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
+            yield sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
 def _names(scene: Scene, context: Context, _size: float, _given: Mapping[str, float]) -> Drawn:
-    """The name of every link, at the middle of what it shows."""
+    """The name of every link that is seen; of all if no link shows anything."""
+    of_link = any(not item.material.overlay for item in scene.items)
     for name in scene.frames:
-        yield Label(name, name, middle(scene, name))
+        yield Label(name, name, middle(scene, name), of_link=of_link, is_optional=True)
 
 
 def middle(scene: Scene, link: str) -> Vector:
@@ -123,7 +142,7 @@ def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, flo
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
             continue
         here = joint.origin @ Transform(transposed(basis(direction(joint))))
-        yield _sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
+        yield sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
         yield Label(joint.name, ends[0], joint.origin.position)
         if joint.kind in TURNING:
             yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
@@ -136,9 +155,9 @@ def _turning(parent: str, joint: Joint, here: Transform, radius: float, now: flo
     low, high = bounds(joint) or (-pi, pi)
     if high - low >= 2 * pi:
         low, high = -pi, pi
-    yield _sign(parent, "joints", _sector(radius, low, high), here, RANGE)
+    yield sign(parent, "joints", _sector(radius, low, high), here, RANGE)
     hand = _sector(radius * 1.25, now - 0.035, now + 0.035)
-    yield _sign(parent, "joints", hand, here, NOW)
+    yield sign(parent, "joints", hand, here, NOW)
 
 
 def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
@@ -147,9 +166,9 @@ def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: flo
     if ends and ends[1] > ends[0]:
         rail = primitives.cylinder(radius * 0.45, ends[1] - ends[0])
         at = here @ Transform(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
-        yield _sign(parent, "joints", rail, at, RANGE)
+        yield sign(parent, "joints", rail, at, RANGE)
     ball = primitives.sphere(radius)
-    yield _sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
+    yield sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
 
 
 def _masses(scene: Scene, context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
@@ -161,14 +180,12 @@ def _masses(scene: Scene, context: Context, size: float, _given: Mapping[str, fl
         assert link.inertial is not None
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
-        yield _sign(
-            link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS
-        )
+        yield sign(link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS)
     found = composite_body(context.tree, scene.frames)
     if found.properties:
         center = found.properties.center
         ball = primitives.sphere(BALL * size * 1.3)
-        yield _sign(found.root, "mass", ball, Transform(position=center), WHOLE)
+        yield sign(found.root, "mass", ball, Transform(position=center), WHOLE)
         yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
@@ -198,7 +215,7 @@ def _boxes(scene: Scene, context: Context, size: float, _given: Mapping[str, flo
         elif longest > 0:
             box = primitives.box(*(max(edge, longest * 1e-3) for edge in edges))
             frame = inertial.origin @ Transform(axes)
-            yield _sign(link.name, "inertia", box, frame, INERTIA)
+            yield sign(link.name, "inertia", box, frame, INERTIA)
     yield from large[:_MOST]
     if len(large) > _MOST:
         *_, last = large
@@ -206,7 +223,7 @@ def _boxes(scene: Scene, context: Context, size: float, _given: Mapping[str, flo
 
 
 def _contacts(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
-    """The collision shapes of links that overlap, and how deep; red if no joint holds them."""
+    """The collision shapes of links that overlap, and how deep; red unless they are adjacent."""
     shapes: dict[str, list[SceneItem]] = {}
     for item in build(context, given, ("collision",)).items:
         shapes.setdefault(item.link, []).append(item)
@@ -218,11 +235,15 @@ def _contacts(scene: Scene, context: Context, size: float, given: Mapping[str, f
             colours[link] = CLASH if colours.get(link) == CLASH else colour
         point = _between(scene, shapes[pair.first], shapes[pair.second])
         ball = primitives.sphere(BALL * size * 0.7)
-        yield _sign(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
+        yield sign(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
         yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
-    for link, colour in colours.items():
+    # Over opaque collision shapes, colours that are seen through would mix with theirs.
+    is_opaque = {item.role for item in scene.items} == {"collision"}
+    for link, (*rgb, alpha) in colours.items():
+        r, g, b = rgb
+        material = SurfaceMaterial((r, g, b, 1.0 if is_opaque else alpha), overlay=not is_opaque)
         for item in shapes[link]:
-            yield item._replace(role="contacts", material=SurfaceMaterial(colour, overlay=True))
+            yield item._replace(role="contacts", material=material)
 
 
 def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneItem]) -> Vector:
@@ -249,7 +270,7 @@ LAYERS: dict[
 }
 
 
-def _sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
+def sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
     vertices, faces, normals, _ = shape
     material = SurfaceMaterial(colour, overlay=True)
     return SceneItem(link, layer, layer, material, vertices, faces, normals).moved(frame)

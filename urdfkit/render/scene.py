@@ -69,6 +69,7 @@ class Label(NamedTuple):
     link: str  # in whose frame the point is
     point: Vector  # what it belongs to, in m
     of_link: bool = False  # it belongs to all of the link, wherever that is seen
+    is_optional: bool = False  # omitted if the link is hidden or no place is free next to it
 
 
 class Scene(NamedTuple):
@@ -83,16 +84,13 @@ class Scene(NamedTuple):
     legend: tuple[tuple[Colour, str], ...] = ()  # what colours mean
 
     def points(self) -> Floats:
-        """All vertices of the robot in the world, (n, 3), in m; overlays are no part of it."""
-        found = [
-            placed(item.vertices, self.frames[item.link])
-            for item in self.items
-            if not item.material.overlay
-        ]
+        """All vertices in the world, (n, 3), in m; of overlays only if there is nothing else."""
+        solids = [item for item in self.items if not item.material.overlay]
+        found = [placed(item.vertices, self.frames[item.link]) for item in solids or self.items]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
 
     def level(self) -> float:
-        """The height of the lowest vertex of the robot in the world, in m; 0 without one."""
+        """The height of the lowest of these points, in m; 0 without one."""
         points = self.points()
         return float(points[:, 2].min()) if len(points) else 0.0
 

@@ -7,14 +7,20 @@ one walk over the tree. Where it is under the effort of a joint, no pose overloa
 from collections.abc import Mapping
 from math import hypot
 
+from urdfkit.core.spatial import basis
+from urdfkit.robot.inertia import MassProperties, rotated, shifted
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, laws
+from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
 #: Standard gravity as simulators have it, in m/s^2.
 GRAVITY = 9.81
+
+#: Seconds of a step in which the effort of a joint must not take it to so many times its velocity,
+#: or of this one in rad/s or m/s: what it moves has no mass to speak of. A sound UR5e has 136.
+STEP, FASTEST, ROTOR = 0.002, 1e4, 10.0
 
 #: A body this much lighter than what it carries may make the mass matrix ill-conditioned.
 LIGHT = 1e-4
@@ -26,6 +32,21 @@ def effort(joint: Joint) -> float | None:
     if limit is None or limit.effort is None or limit.effort.value <= 0:
         return None
     return limit.effort.value
+
+
+def is_thrown(joint: Joint, moved: MassProperties) -> bool:
+    """True if the effort of a joint that turns is far too large for a body.
+
+    Args:
+        moved: the body in the frame of the joint.
+    """
+    limit, force = joint.limit, effort(joint)
+    if limit is None or force is None or joint.kind not in TURNING:
+        return False
+    about_joint = shifted(moved.tensor, moved.mass, moved.center)
+    moment = rotated(about_joint, basis(direction(joint))).izz
+    velocity = limit.velocity.value if limit.velocity else 0.0
+    return force * STEP > FASTEST * max(velocity, ROTOR) * moment
 
 
 def overloadable(tree: KinematicTree) -> list[Joint]:

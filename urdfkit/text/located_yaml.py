@@ -7,6 +7,7 @@ have a few levels, and what is deeper is no such file.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from urdfkit.core.record import Record
@@ -15,6 +16,8 @@ from urdfkit.text.source import Source, Span
 #: Larger files are no lists of parameters.
 MAX_BYTES = 1024 * 1024
 MAX_LEVELS = 30
+#: Files whose values are kept: the launch files of a workspace name the same ones again and again.
+KEPT = 64
 
 
 class Value(Record):
@@ -48,7 +51,9 @@ class Key(str):
 Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
+@lru_cache(KEPT)
 def load(source: Source) -> Node:
+    """The value of a file, which several may read and none may change; None if it is not YAML."""
     if len(source.data) > MAX_BYTES:
         return None
     import yaml  # 15 ms, and few models name a file of parameters
@@ -128,6 +133,7 @@ def _key(node: Node) -> str:
     return key
 
 
+@lru_cache(KEPT)
 def mistake(source: Source) -> tuple[Span, str] | None:
     """Where and why a file is no YAML; None if it is."""
     if len(source.data) > MAX_BYTES:

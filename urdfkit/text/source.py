@@ -51,7 +51,7 @@ class Source:
         undecodable: offset in ``data`` of the first byte that is not text, or None.
     """
 
-    __slots__ = ("_is_ascii", "_starts", "data", "encoding", "path", "undecodable")
+    __slots__ = ("__weakref__", "_is_ascii", "_starts", "data", "encoding", "path", "undecodable")
 
     def __init__(self, path: str, data: bytes) -> None:
         self.path = path
@@ -63,7 +63,7 @@ class Source:
 
     def __getstate__(self) -> tuple[None, dict[str, object]]:
         """What other processes are sent: no index of lines, which is longer than the text."""
-        state = {name: getattr(self, name) for name in self.__slots__}
+        state = {name: getattr(self, name) for name in self.__slots__ if name != "__weakref__"}
         return None, {**state, "_starts": None, "_is_ascii": None}
 
     @classmethod

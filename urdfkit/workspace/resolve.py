@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from _weakref import ref  # ``weakref`` takes 0.7 ms to import
 from collections.abc import Callable, Mapping
 from itertools import product
 from stat import S_ISDIR, S_ISREG
@@ -57,6 +58,8 @@ class Resolver:
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._located: Memo[tuple[str, str, str], ResolvedReference] = Memo()
         self._texts = _by_real_path(texts or {})
+        #: Those that are in use; the texts of thousands of robots are not kept.
+        self._sources: Memo[tuple[object, ...], ref[Source]] = Memo()
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
         self._admits_everything = False
@@ -128,7 +131,18 @@ class Resolver:
 
     def _read(self, path: str) -> Source:
         data = self.text(path)
-        return Source.read(path) if data is None else Source(path, data)
+        if data is not None:
+            return Source(path, data)
+        try:
+            key = (path, *disk.version(path))
+        except (OSError, ValueError):
+            return Source.read(path)  # which fails, and says why
+        known = self._sources.get(key)
+        source = known() if known else None
+        if source is None:
+            source = Source.read(path)
+            self._sources[key] = ref(source)
+        return source
 
     def package(self, name: str, near: str) -> str:
         """The directory of a ROS package.

@@ -27,7 +27,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     directory = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
-        return list(_srdf_in([directory], resolver))
+        return list(srdf_in([directory], resolver))
     top = package[1] if package else directory
     directories = dict.fromkeys(
         (directory, *(os.path.join(top, name) for name in ("config", "srdf")))
@@ -36,7 +36,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
         setup = _setup(moveit)
         if package and setup.is_for(robot, package) and not setup.has_arguments:
             directories.update(dict.fromkeys(_directories(moveit, setup)))
-    return list(_srdf_in(directories, resolver))
+    return list(srdf_in(directories, resolver))
 
 
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
@@ -57,7 +57,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         is_for = package is not None and setup.is_for(robot, package)
         if not setup.urdf or (is_for and setup.has_arguments):
             directories.update(dict.fromkeys(_directories(moveit, setup)))
-    files = list(_srdf_in(directories, resolver))
+    files = list(srdf_in(directories, resolver))
     return [path for path in files if _may_be_called(path, name)] or [
         path for path in files if _is_started_with(path, robot, resolver)
     ]
@@ -109,7 +109,8 @@ def _may_be_called(srdf: str, name: str) -> bool:
     return called.startswith((f'{name}"', "$"))
 
 
-def _srdf_in(directories: Iterable[str], resolver: Resolver) -> Iterator[str]:
+def srdf_in(directories: Iterable[str], resolver: Resolver) -> Iterator[str]:
+    """The SRDF files of some directories."""
     for place in directories:
         for name in sorted(resolver.directories.entries(place) or ()):
             if name.endswith(_SRDF):

@@ -15,6 +15,7 @@ from urdfkit.text.xml_declaration import encoding_problems
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import dom
 from urdfkit.xacro.definitions import Definition
+from urdfkit.xacro.errors import FAILED
 from urdfkit.xacro.expansion import ExpansionRequest, ExpansionRun
 from urdfkit.xacro.expansion_log import Message
 from urdfkit.xacro.origin import Origin
@@ -33,7 +34,7 @@ class Xacro:
         messages: of xacro and of the model, in order.
         sources: the xacro files that were read, the checked one first.
         data_files: paths of the YAML files that were read.
-        dependencies: included and loaded files, as the models spell them.
+        dependencies: included and loaded files, missing ones too, as the models spell them.
         first_error: text of the first error, as stock xacro words it; None without one.
     """
 
@@ -59,7 +60,8 @@ class Xacro:
         self.defaults = run.defined.argument_defaults()
         self.messages = tuple(log.messages)
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
-        self.dependencies = tuple(dict.fromkeys(run.dependencies))
+        named = (path for path in run.dependencies if FAILED not in path)
+        self.dependencies = tuple(dict.fromkeys(named))
         self.first_error = log.first_error
         self._dom = run.document if log.first_error is None else None
         self.document: Document | None = None
@@ -127,7 +129,7 @@ def expand(
     """Expand a xacro file.
 
     All errors are found, not the first only: an expression that fails counts as reported and
-    the expansion goes on; a tag that fails is taken out and the expansion starts again.
+    the expansion goes on without it, as it does without a tag that fails.
 
     Args:
         source: the file.

@@ -115,7 +115,18 @@ class XacroEngine:
             xacro.substitution_args_context.clear()
             xacro._global_symbols = self._global_symbols(trust=run.request.trust)
             xacro._empty_text_node = minidom.Document().createTextNode("\n\n")
-            return xacro.process_file(run.request.source.path, mappings=dict(run.defined.given))
+            try:
+                return xacro.process_file(run.request.source.path, mappings=dict(run.defined.given))
+            finally:
+                self._forget()
+
+    def _forget(self) -> None:
+        """Let go of a run, which would outlive its robot in xacro's globals."""
+        xacro = self.xacro
+        del self._evaluation.run
+        xacro.all_includes, xacro._global_symbols, xacro._empty_text_node = [], {}, None
+        xacro.substitution_args_context.clear()
+        xacro.init_stacks(None)
 
     def _global_symbols(self, *, trust: bool) -> dict[str, Any]:
         symbols: dict[str, Any] = self.xacro.create_global_symbols()
@@ -156,32 +167,59 @@ class XacroEngine:
         xacro = self.xacro
         stock_include = xacro.process_include
         stock_macro = xacro.grab_macro
-        stock_call = xacro.handle_macro_call
 
-        def process_include(elt: Node, macros: Any, symbols: Any, func: Any) -> None:
-            if self._run.leaves_out(elt):
-                elt.parentNode.removeChild(elt)
-                return
+        def process_include(elt: Node, *arguments: Any) -> None:
             self._run.including.append(elt)
             try:
-                stock_include(elt, macros, symbols, func)
+                stock_include(elt, *arguments)
             finally:
                 self._run.including.pop()
 
         def grab_macro(elt: Node, macros: Any) -> None:
-            self._run.defined.add_macro(elt)
             stock_macro(elt, macros)
+            self._run.defined.add_macro(elt)
 
-        def handle_macro_call(node: Node, macros: Any, symbols: Any) -> bool:
-            if not node.tagName.startswith("xacro:"):
-                return False
+        def enter_call() -> None:
             self._run.enter_call(len(xacro.macrostack))
-            return bool(stock_call(node, macros, symbols))
 
-        xacro.process_include = process_include
-        xacro.grab_macro = grab_macro
-        xacro.handle_macro_call = handle_macro_call
+        xacro.process_include = self._resumed(process_include)
+        xacro.grab_property = self._resumed(xacro.grab_property)
+        xacro.grab_macro = self._resumed(grab_macro)
+        xacro.handle_macro_call = self._resumed(xacro.handle_macro_call, enter_call)
         xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
+
+    def _resumed(
+        self, stock: Callable[..., Any], begin: Callable[[], None] | None = None
+    ) -> Callable[..., bool]:
+        """A function of xacro that handles a tag; a tag that fails is taken out.
+
+        Args:
+            begin: called before each tag.
+        """
+        xacro = self.xacro
+
+        def handle(tag: Node, *arguments: Any) -> bool:
+            """False if the tag is not one of xacro."""
+            if not tag.tagName.startswith("xacro:"):
+                return False
+            if begin is not None:
+                begin()
+            files, macros = len(xacro.filestack), len(xacro.macrostack)
+            try:
+                if not self._run.log.has_taken_out(tag.tag_at):
+                    stock(tag, *arguments)
+                    return True
+            except Exception as error:
+                from urdfkit.xacro import failures  # which a run without errors does without
+
+                if not failures.take_out_tag(self._run, error, tag):
+                    raise
+            del xacro.filestack[files:], xacro.macrostack[macros:]
+            if tag.parentNode is not None:
+                tag.parentNode.removeChild(tag)
+            return True
+
+        return handle
 
     def _exchange_slow_parts(self) -> None:
         """What takes stock xacro long, with the same results."""

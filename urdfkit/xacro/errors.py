@@ -40,6 +40,11 @@ class BrokenYaml(Exception):
         self.reason = reason  # in short
 
 
+def is_of_process(error: BaseException) -> bool:
+    """True if the process lacks memory: nothing that an expansion imports is missing otherwise."""
+    return isinstance(root_cause(error), (MemoryError, ImportError))
+
+
 def root_cause(error: BaseException) -> BaseException:
     """The exception inside xacro's wrappings."""
     seen = 0

@@ -18,7 +18,7 @@ from urdfkit.xacro.budget import Budget
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Dom, Node
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
-from urdfkit.xacro.expansion_log import ANY, ExpansionLog, Message
+from urdfkit.xacro.expansion_log import ExpansionLog, Message
 from urdfkit.xacro.file_reader import FileReader
 from urdfkit.xacro.locator import LocatedExpression
 from urdfkit.xacro.sandbox import Sandbox
@@ -50,20 +50,17 @@ class ExpansionRun:
     """The state of one expansion.
 
     Args:
-        without: tags that failed in an earlier run and were reported, as (path, offset).
         deadline: time at which it must have ended.
     """
 
     def __init__(
         self,
         request: ExpansionRequest,
-        without: frozenset[tuple[str, int]],
         log: ExpansionLog,
         reader: FileReader,
         deadline: float,
     ) -> None:
         self.request = request
-        self.without = without
         self.budget = Budget(deadline)
         self.sandbox = Sandbox(self.budget)
         self.log = log
@@ -91,7 +88,6 @@ class ExpansionRun:
         if include is None:
             frame, source = self.request.frame, self.request.source
         else:
-            self.included.add((include.tag_at.source.path, include.tag_at.start))
             frame = CallFrame("include", filename, include.tag_at, None, include.frame)
             source = self._included(filename)
         try:
@@ -105,6 +101,8 @@ class ExpansionRun:
         self._drop_reported(document)
         if include is None:
             self.document = document
+        else:
+            self.included.add((include.tag_at.source.path, include.tag_at.start))
         return document
 
     def _included(self, filename: str) -> Source:
@@ -121,29 +119,16 @@ class ExpansionRun:
             raise xacro.XacroException(str(error), exc=error) from error
 
     def _drop_reported(self, document: Dom) -> None:
-        """Take out the tags that failed in an earlier run and were reported.
-
-        An include stays until its turn comes: what precedes it cannot suffer from its lack.
-        """
-        if not self.without:
+        """Take out the tags that failed and were reported."""
+        if self.log.is_whole:
             return
         stack: list[Any] = [document.documentElement]
         while stack:
             node = stack.pop()
-            if self._is_reported(node) and node.tagName != "xacro:include":
+            if self.log.has_taken_out(node.tag_at):
                 node.parentNode.removeChild(node)
             else:
                 stack.extend(child for child in node.childNodes if isinstance(child, Node))
-
-    def _is_reported(self, node: Node) -> bool:
-        return (node.tag_at.source.path, node.tag_at.start) in self.without
-
-    def leaves_out(self, include: Node) -> bool:
-        """True for an include that failed in an earlier run; from here on anything may lack."""
-        if self._is_reported(include):
-            self.log.lost.add(ANY)
-            return True
-        return False
 
     def load_yaml(self, filename: str) -> Any:
         """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""

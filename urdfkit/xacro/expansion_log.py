@@ -7,10 +7,13 @@ from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem, Related
+from urdfkit.text.document import Tag
 from urdfkit.text.source import Span
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 
 MAX_PROBLEMS = 500
+#: Failing tags of one file.
+MAX_TAKEN_OUT = 500
 MAX_MESSAGES = 1000
 MAX_MESSAGE = 1000
 #: Uses of one failing property that are worth naming.
@@ -40,12 +43,30 @@ class ExpansionLog:
         self.messages: list[Message] = []  # of xacro and of the model in the last attempt, in order
         #: Names that nothing defines any more, because what did so failed.
         self.lost: set[str] = set()
+        #: Tags that failed and were reported: paths and offsets.
+        self._taken_out: set[tuple[str, int]] = set()
         self._problems: dict[object, Problem] = {}
 
-    def begin(self, lost: Iterable[str]) -> None:
-        """Another attempt begins, in which some names lack."""
+    def begin(self) -> None:
+        """Another attempt begins."""
         self.messages = []
-        self.lost = set(lost)
+
+    def take_out(self, tag: Tag, lost: Iterable[str]) -> bool:
+        """Go on without a tag, and the names that it defines; False if too many failed already."""
+        if len(self._taken_out) >= MAX_TAKEN_OUT:
+            return False
+        self._taken_out.add((tag.source.path, tag.start))
+        self.lost.update(lost)
+        return True
+
+    def has_taken_out(self, tag: Tag) -> bool:
+        """True for a tag that failed and was reported."""
+        return bool(self._taken_out) and (tag.source.path, tag.start) in self._taken_out
+
+    @property
+    def is_whole(self) -> bool:
+        """True if no tag was taken out."""
+        return not self._taken_out
 
     @property
     def problems(self) -> list[Problem]:

@@ -86,6 +86,23 @@ def test_what_a_model_has_or_nobody_knows(tag: str) -> None:
     assert reported("GAZ005", BASE + block(f"<{tag}>1</{tag}>", "")) == []
 
 
+@pytest.mark.parametrize(
+    ("tag", "value", "count"),
+    [
+        ("gravity", "1", 0),  # OpenMower
+        ("gravity", "true", 0),
+        ("gravity", "0", 1),
+        ("turnGravityOff", "false", 0),
+        ("kinematic", "false", 0),
+        ("provideFeedback", "0", 0),
+        ("kinematic", "true", 1),
+        ("mu1", "0", 1),
+    ],
+)
+def test_a_value_that_holds_without_the_tag(tag: str, value: str, count: int) -> None:
+    assert len(reported("GAZ005", BASE + block(f"<{tag}>{value}</{tag}>", ""))) == count
+
+
 def test_with_a_reference_all_is_well() -> None:
     assert reported("GAZ005", BASE + block("<mu1>1</mu1>")) == []
 

@@ -111,3 +111,75 @@ def test_the_severity_of_a_thin_link(targets: tuple[str, ...], severity: Severit
     source = Source("robot.urdf", whole_robot(rod(THIN)).encode())
     (found,) = engine.check(source, select=["INE005"], targets=targets).diagnostics
     assert found.severity is severity
+
+
+OTHER = (0.002, -1e-4, 3e-4, 0.007, 2e-4, 0.006)
+WRITTEN = '<origin xyz="0 0 0"/>'
+
+
+def arms(
+    shape: str,
+    rpy: str = "0 0 0",
+    origin: str = WRITTEN,
+    other: tuple[float, ...] = OTHER,
+) -> str:
+    """A left arm without inertia, and a right one; ``rpy`` is the left joint's."""
+    left = link("left_arm", shape, inertial(1.8, ZERO).replace("<mass", f"{origin}<mass"))
+    right = link("right_arm", shape, inertial(1.8, other, "0.1 0.02 0"))
+    turn = joint("base", "left_arm", "revolute", "0 0.3 0").replace('0"/>', f'0" rpy="{rpy}"/>', 1)
+    return BASE + left + right + turn + joint("base", "right_arm", "revolute", "0 -0.3 0")
+
+
+BAR = shape("collision", '<box size="0.9 0.2 0.2"/>', "0 -0.1 0")
+
+
+MIRRORED = 'write ixx="0.002" ixy="0.0001" ixz="{}" iyy="0.007" iyz="{}" izz="0.006" and xyz="{}"'
+
+
+@pytest.mark.parametrize(
+    ("rpy", "changed"),
+    [
+        ("0 0 0", ("0.0003", "-0.0002", "0.1 -0.02 0")),
+        ("0 0 3.141592653589793", ("-0.0003", "0.0002", "-0.1 0.02 0")),
+    ],
+)
+def test_the_counterpart_shows_the_intended_tensor(rpy: str, changed: tuple[str, ...]) -> None:
+    """SHC-ASTRA's rover: the shape has 40 times the tensor of the other side."""
+    (found,) = reported("INE005", arms(BAR, rpy))
+    assert found.help == (
+        "its counterpart 'right_arm' of the same mass has 0.002, 0.007, 0.006 kg·m²"
+    )
+    assert found.fix is not None
+    assert found.fix.title == MIRRORED.format(*changed)
+    assert messages("INE012", arms(BAR, rpy)) == [], "INE005 reports it"
+
+
+def test_a_centre_of_mass_that_cannot_be_written_leaves_the_tensor() -> None:
+    (found,) = reported("INE005", arms(BAR, origin=""))
+    assert found.fix is None
+
+
+def test_a_counterpart_elsewhere_has_no_mirrored_tensor() -> None:
+    (found,) = reported("INE005", arms(BAR).replace('"0 -0.3 0"', '"0.1 -0.3 0"'))
+    assert found.help.startswith("its counterpart")
+    assert found.fix is None
+
+
+def test_a_counterpart_without_inertia_shows_nothing() -> None:
+    """Pepper's hands, of which one has 1e-35 kg·m²."""
+    found = reported("INE005", arms(BAR, other=(1e-35, 1e-35, 1e-35)))
+    assert found != []
+    assert not any("counterpart" in one.help for one in found)
+
+
+def test_a_shape_that_agrees_with_the_counterpart() -> None:
+    box = shape("collision", '<box size="0.19 0.058 0.1"/>', "0.1 -0.02 0")
+    (found,) = reported("INE005", arms(box))
+    assert found.help.startswith("a solid box")
+
+
+def test_the_centre_of_a_shape_where_the_export_left_none() -> None:
+    robot = BASE + link("arm", BAR, inertial(0.5, ZERO).replace("<mass", f"{WRITTEN}<mass"))
+    (found,) = reported("INE005", robot + joint("base", "arm", "revolute"))
+    assert found.fix is not None
+    assert found.fix.title.endswith(' and xyz="0 -0.1 0"')

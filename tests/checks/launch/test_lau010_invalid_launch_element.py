@@ -200,3 +200,28 @@ def test_programs_that_launch_takes(tmp_path: Path, text: str) -> None:
 def test_substitutions_of_the_other_ros(tmp_path: Path, text: str, help: str) -> None:
     (found,) = reported(tmp_path, "LAU010", "a.launch", text)
     assert (found.span.line, found.help) == (3, help)
+
+
+@pytest.mark.parametrize(
+    ("find", "name", "codes"),
+    [
+        ("find", "demo.launch.py", ["LAU010"]),
+        ("find", "demo.launch.yaml", ["LAU010"]),
+        ("find", "demo.launch", ["LAU005"]),
+        ("find-pkg-share", "demo.launch.py", ["LAU005"]),
+    ],
+)
+def test_a_launch_file_of_ros_2_in_one_of_ros_1(
+    tmp_path: Path, find: str, name: str, codes: list[str]
+) -> None:
+    """The file is not read, so its arguments do not matter."""
+    passed = '<arg name="pipeline" value="chomp"/>'
+    text = f'<include file="$({find} arm)/launch/{name}">{passed}</include>'
+    empty = {"launch": "<launch/>", "yaml": "launch: []\n", "py": "LaunchDescription([])\n"}
+    files = {f"launch/{name}": empty[name.rpartition(".")[2]]}
+    found = [
+        one.code
+        for code in ("LAU005", "LAU010")
+        for one in reported(tmp_path / "arm", code, "a.launch", text, files)
+    ]
+    assert found == codes

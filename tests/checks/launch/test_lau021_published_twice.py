@@ -85,6 +85,13 @@ def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Pa
             + SPAWNER.format("['joint_state_broadcaster']", ""),
             0,
         ),
+        (GUI.format("") + SPAWNER.format("['joint_state_broadcaster']", ", namespace='arm'"), 0),
+        (GUI.format("") + SPAWNER.format("['joint_state_broadcaster', '-c', '/arm/cm']", ""), 0),
+        (
+            GUI.format(", namespace='arm'")
+            + SPAWNER.format("['joint_state_broadcaster', '-c', '/arm/cm']", ""),
+            1,
+        ),
     ],
 )
 def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
@@ -97,6 +104,7 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
         (SPAWNER.format("['a', 'c']", ""), "'a' and 'c'"),
         (SPAWNER.format("['a']", "") + SPAWNER.format("['c']", ""), "'a' and 'c'"),
         (SPAWNER.format("['a', 'b']", ""), ""),  # position and velocity
+        (SPAWNER.format("['a']", "") + SPAWNER.format("['c', '-c', '/other/manager']", ""), ""),
         (SPAWNER.format("['a']", "") + SPAWNER.format("['c', '--inactive']", ""), ""),
         (
             SPAWNER.format("['a']", "")

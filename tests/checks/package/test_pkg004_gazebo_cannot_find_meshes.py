@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_file
 from urdfkit import Diagnostic, check
 
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
@@ -32,7 +33,8 @@ def reported(
 
 
 def test_nothing_tells_gazebo(tmp_path: Path) -> None:
-    (found,) = reported(tmp_path, OWN, OWN)
+    add_file(tmp_path / "src" / "arm" / "meshes" / "b.stl")
+    (found,) = reported(tmp_path, OWN, OWN, OWN.replace("a.stl", "b.stl"))
     assert found.message == (
         f"Gazebo cannot find '{OWN}', nor 1 more of this package: nothing in the workspace "
         "sets GZ_SIM_RESOURCE_PATH or exports gazebo_model_path"
@@ -58,6 +60,11 @@ def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> N
         ("src/bringup/launch/all.launch.py", "SetEnvironmentVariable('GAZEBO_MODEL_PATH', x)"),
         ("README.md", "export IGN_GAZEBO_RESOURCE_PATH=..."),
         (
+            "src/arm/launch/spawn.launch.py",
+            "text = text.replace(\n  'package://arm/', f'{share}/')",
+        ),
+        ("src/arm/launch/spawn.sh", "xacro r.urdf | sed -e 's#package://arm#file:///opt/arm#g'"),
+        (
             "src/arm/package.xml",
             '<package><name>arm</name><gazebo_ros gazebo_model_path="x/.."/></package>',
         ),
@@ -67,6 +74,11 @@ def test_something_tells_it(tmp_path: Path, file: str, text: str) -> None:
     (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / file).write_text(text)
     assert reported(tmp_path) == []
+
+
+def test_another_use_of_a_package(tmp_path: Path) -> None:
+    launch = f"{LAUNCH}parameters = [{{'camera_info_url': 'package://arm/camera.yaml'}}]\n"
+    assert len(reported(tmp_path, launch=launch)) == 1
 
 
 def test_no_gazebo_no_package_no_file(tmp_path: Path) -> None:

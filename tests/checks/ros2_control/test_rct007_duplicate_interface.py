@@ -16,6 +16,23 @@ def test_two_blocks_for_one_joint() -> None:
     ]
 
 
+def test_two_blocks_for_all_joints_are_one_mistake() -> None:
+    """MOGI's arm: the block for Gazebo, and the one of MoveIt's Setup Assistant."""
+    joints = [driven(name) for name in ("swing", "slide", "weld", "follow")]
+    text = ROBOT + control(*joints) + control(*joints, name="sim")
+    assert messages("RCT007", text) == [
+        (
+            "<ros2_control> 'sim' declares interfaces of 'swing', 'slide', 'weld' and 1 more that "
+            "another block has already"
+        )
+    ]
+    assert places("RCT007", text) == [(NEXT + 7, '<ros2_control name="sim" type="system">')]
+    (found,) = reported("RCT007", text)
+    assert [(one.span.line, one.message) for one in found.related] == [
+        (NEXT, "first declared here, in <ros2_control> 'c'")
+    ]
+
+
 def test_one_block_twice_the_same() -> None:
     twice = '<state_interface name="effort"/>' * 2
     assert messages("RCT007", ROBOT + control(driven("swing", more=twice))) == [

@@ -219,6 +219,19 @@ def test_text_for_a_number(name: str, value: str) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("value", "help"),
+    [
+        ("{-pi/2}", "write ${-pi/2}: xacro needs the dollar"),
+        ("{-*pi}", "write a number"),
+        ("{pi", "write a number"),
+    ],
+)
+def test_a_dollar_makes_an_expression_of_what_is_one(value: str, help: str) -> None:
+    (found,) = reported("RCT017", with_parameter("min", value))
+    assert found.help == help
+
+
 def test_a_misspelt_parameter_is_fixed() -> None:
     assert messages("RCT017", with_parameter("inital_value", "1")) == [
         "joint 'swing', position: unknown parameter 'inital_value'; did you mean 'initial_value'?"

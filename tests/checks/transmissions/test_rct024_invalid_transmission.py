@@ -179,6 +179,28 @@ def test_severity_by_target(targets: tuple[str, ...], severity: Severity) -> Non
     assert finding.severity is severity
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "is_read"),
+    [
+        ("transmission_interface/Simple", "Simple", False),
+        ("Simple", "Simpel", False),
+        (">1<", ">1:50<", False),
+        ("mechanicalReduction", "mechanicalReducton", False),
+        ("</actuator>", '</actuator><actuator name="n"/>', False),
+        ("hardwareInterface", "hardwareInterfac", True),
+        ("<actuator", '<joint name="slide"/><actuator', True),
+    ],
+)
+def test_what_gazebo_does_not_read_is_no_error_there(old: str, new: str, is_read: bool) -> None:
+    """DefaultRobotHWSim reads the joint and its first interface, whatever the type."""
+    targets = ("ros1", "classic-ros1")
+    found = reported("RCT024", SOUND.replace(old, new), targets=targets)
+    severity = Severity.ERROR if is_read else Severity.WARNING
+    assert {one.severity for one in found} == {severity}
+    hardware = reported("RCT024", SOUND.replace(old, new), targets=("ros1",))
+    assert {one.severity for one in hardware} == {Severity.ERROR}
+
+
 FIRST = transmission("swing")
 
 

@@ -236,6 +236,72 @@ def test_what_is_black_shows_its_shape(page: Page, tmp_path: Path) -> None:
     assert 10 < darkest < brightest - 20 < 120
 
 
+@pytest.mark.parametrize("rgba", ["0.8 0.1 0.1 1", "0 0 0 1", "1 1 1 1"])
+def test_a_surface_has_the_colour_that_it_has_in_the_image(
+    page: Page, tmp_path: Path, rgba: str
+) -> None:
+    """Both faces of a box that are seen from the front and above, away from its edges."""
+    image = pytest.importorskip("PIL.Image")
+    from urdfkit.render import build, render_image
+
+    box = '<geometry><box size="0.4 0.6 0.4"/></geometry>'
+    robot = tmp_path / "box.urdf"
+    robot.write_text(
+        f'<robot name="r"><link name="a"><visual>{box}<material name="m"><color rgba="{rgba}"/>'
+        "</material></visual></link></robot>"
+    )
+    page.open(written(robot, tmp_path))
+    drawn = render_image(build(read(str(robot))), size=(600, 600), floor=False).convert("RGB")
+    shot = image.open(BytesIO(page.find("#stage canvas").screenshot_as_png)).convert("RGB")
+    size = shot.size
+    for up in (-0.1, 0.1):
+        here = shot.getpixel((size[0] // 2, size[1] // 2 + int(up * size[0])))
+        there = drawn.getpixel((300, 300 + int(up * 600)))
+        assert here == pytest.approx(there, abs=20), up
+
+
+def test_the_shadow_on_the_ground_has_a_soft_edge(page: Page, tmp_path: Path) -> None:
+    image = pytest.importorskip("PIL.Image")
+    robot = tmp_path / "table.urdf"
+    shapes = "".join(
+        f'<visual><origin xyz="0 0 {z}"/><geometry><box size="{size}"/></geometry></visual>'
+        for z, size in ((0.5, "0.5 0.5 0.02"), (0.25, "0.02 0.02 0.5"))
+    )
+    robot.write_text(f'<robot name="r"><link name="a">{shapes}</link></robot>')
+    page.open(written(robot, tmp_path))
+    shot = image.open(BytesIO(page.find("#stage canvas").screenshot_as_png)).convert("L")
+    width, height = shot.size
+    ground = [shot.getpixel((x, int(0.7 * height))) for x in range(width // 2 + 10, width)]
+    low, high = min(ground), max(ground)
+    assert high - low > 25
+    edge = [one for one in ground if low + 6 < one < high - 12]
+    assert len(edge) >= 4  # pixels between shadow and light
+
+
+def test_no_word_of_a_table_is_broken_into_letters(page: Page, tmp_path: Path) -> None:
+    page.resize(390, 844)
+    try:
+        page.open(written(MISSION, tmp_path))
+        broken = page.run(
+            """const found = [];
+            for (const cell of document.querySelectorAll("td, th")) {
+              const walker = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+              while (walker.nextNode()) {
+                for (const { 0: word, index } of walker.currentNode.data.matchAll(/[^\\s_/,]+/g)) {
+                  const range = document.createRange();
+                  range.setStart(walker.currentNode, index);
+                  range.setEnd(walker.currentNode, index + word.length);
+                  if (range.getClientRects().length > 1) found.push(word);
+                }
+              }
+            }
+            return found"""
+        )
+        assert broken == []
+    finally:
+        page.resize(1280, 900)
+
+
 def test_names_do_not_cover_one_another(page: Page, tmp_path: Path) -> None:
     page.open(written(MISSION, tmp_path))
     page.find("[data-layer=names]").click()

@@ -75,7 +75,7 @@ def test_nothing_is_loaded(page: Elements) -> None:
     ]
     assert addresses
     assert {value.partition(":")[0] for value in addresses if not value.startswith("#")} == {"data"}
-    style = (TEMPLATES / "page.css").read_text(encoding="utf-8")
+    style = "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.glob("*.css"))
     assert "url(" not in style
     assert "@import" not in style
 
@@ -89,7 +89,7 @@ def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
     named = set(re.findall(r"'sha256-([^']+)'", policy))
     digests = (hashlib.sha256(script.encode()).digest() for script in page.scripts)
     assert {base64.b64encode(digest).decode() for digest in digests} == named
-    assert len(named) == 7
+    assert len(named) == 8
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     assert "unsafe" not in policy.partition("style-src")[0]
     assert not any(name.startswith("on") for _, attributes in page.found for name in attributes)
@@ -165,6 +165,34 @@ def test_a_robot_of_which_little_is_known_has_a_short_page(content: str, tmp_pat
     assert text.count("the description cannot be read") <= 2
 
 
+def test_reasons_that_differ_in_names_only_are_one(tmp_path: Path) -> None:
+    """Links that are fixed to the base by joints that have the names of the links."""
+    mass = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    parts = "".join(
+        f'<link name="{name}"/><joint name="{name}" type="fixed"><parent link="base"/>'
+        f'<child link="{name}"/></joint>'
+        for name in ("left", "right", "rear")
+    )
+    robot = tmp_path / "r.urdf"
+    robot.write_text(f'<robot name="r"><link name="base">{mass}</inertial></link>{parts}</robot>')
+    text, document = report(str(robot), quick=True)
+    assert len(document["gazebo"]["rejected"]) == 3
+    shown = unescape(text)
+    assert shown.count("rejects this robot") == 1
+    assert "the frame of the merged 'left' has the name" in shown
+    assert "2 more like this: right, rear" in shown
+    assert "()" not in shown.partition('id="gazebo"')[2].partition("</section>")[0]
+
+
+def test_counts_are_singular_for_one_only() -> None:
+    text, document = report(MISSION, quick=True)
+    count = document["summary"]
+    assert count["error"] == 1
+    assert "<b>1</b>error<" in text
+    assert f"<b>{count['warning']}</b>warnings<" in text
+    assert f"warnings ({count['warning']})" in text
+
+
 def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None:
     html._environment.cache_clear()
     monkeypatch.setitem(__import__("sys").modules, "jinja2", None)
@@ -179,6 +207,13 @@ def test_the_engine_carries_its_licence() -> None:
     assert "Permission is hereby granted, free of charge" in found.licence
     assert "Three.js Authors" in found.licence
     assert "$B64GLTF" not in found.script
+
+
+def test_the_playground_has_the_engine_of_the_page() -> None:
+    """Its 3D view consists of the same scripts."""
+    package = json.loads((ROOT / "docs" / "playground" / "package.json").read_text("utf-8"))
+    revision = re.findall(r'const e="(\d+)"', engine.load().script[:1000])
+    assert package["dependencies"]["three"].split(".")[1] == revision[0]
 
 
 def test_an_unknown_engine_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -50,7 +50,7 @@ def test_what_has_changed_meanwhile_stops_all(tmp_path: Path):
         file.write_bytes(b"<a/>")
     rewrites = [Rewrite(str(file), b"<a/>", b"<b/>") for file in files]
     files[1].write_bytes(b"<c/>")
-    with pytest.raises(UnwritableFile, match="it has changed meanwhile"):
+    with pytest.raises(UnwritableFile, match="the file changed meanwhile"):
         write(rewrites)
     assert [file.read_bytes() for file in files] == [b"<a/>", b"<c/>"]
 
@@ -60,7 +60,7 @@ def test_what_has_changed_since_it_was_read_is_not_rewritten(tmp_path: Path):
     source = Source.read(tmp_path / "a.urdf")
     assert rewrites([Edit(Span(source, 1, 2), "b")])[0].after == b"<b/>"
     (tmp_path / "a.urdf").write_bytes(b"<c/>")
-    with pytest.raises(UnwritableFile, match="it has changed meanwhile"):
+    with pytest.raises(UnwritableFile, match="the file changed meanwhile"):
         rewrites([Edit(Span(source, 1, 2), "b")])
 
 

@@ -6,7 +6,8 @@ by the wrong angle. The model says where the wheels are and, if their collision 
 sphere, how large. Write its values into the plugin or the parameter file, corrections into
 multipliers, of which a controller's length is not reported. A separation larger than the track is
 not reported where wheels slip in turns, nor any if the collision of a wheel is farther from its
-joint than its diameter.
+joint than its diameter. Of several controllers of a file for the same wheels, those that fit best
+are reported: the others may be for another robot.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -17,6 +18,7 @@ Sources:
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, length, minus
@@ -26,6 +28,8 @@ from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from urdfkit.lint.context import Context
     from urdfkit.ros.catalog.plugins import Drive
     from urdfkit.ros.catalog.ros_control import Measure
@@ -55,9 +59,16 @@ def check(context: Context) -> Findings:
     for use in context.plugins:
         if kind := drive_of(use):
             yield from _of_plugin(use, kind, context)
-    for file, controller in context.controllers:
-        for finding in _of_controller(controller, context):
-            yield finding._replace(related=(file.note,))
+    if not context.controllers:
+        return
+    from urdfkit.ros.controllers import by_file  # it reads YAML, which few robots have
+
+    for file, controllers in by_file(context.controllers):
+        for several in _by_wheels(controllers):
+            found = [list(_of_controller(controller, context)) for controller in several]
+            fewest = min(map(len, found))
+            for finding in chain.from_iterable(one for one in found if len(one) == fewest):
+                yield finding._replace(related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
@@ -87,6 +98,15 @@ def _separations(driven: list[DrivenWheel]) -> list[float]:
         if left.is_parallel(right) and left.is_at_joint:
             return _distances(left, right, left.axis) if left.hub and right.hub else []
     return []
+
+
+def _by_wheels(controllers: Iterable[Controller]) -> Iterable[list[Controller]]:
+    """The controllers that name the same joints together."""
+    found: dict[frozenset[str], list[Controller]] = {}
+    for controller in controllers:
+        joints = controller.values(controller.kind.joints) if controller.kind else ()
+        found.setdefault(frozenset(joint.text for joint in joints), []).append(controller)
+    return found.values()
 
 
 def _of_controller(controller: Controller, context: Context) -> Findings:

@@ -2,9 +2,10 @@
 
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
-usual cause. Properties of a link whose name is like no other are a warning: a file that several
-robots include may hold those of all their links. So is a link that a file of the robot defines
-where an argument switches it off: without it the sensor is not wanted either.
+usual cause. Properties of a link whose name is like no other, or only like that of a link which has
+them already, are a warning: a file that several robots include may hold those of all their links.
+So is a link that a file of the robot defines where an argument switches it off: without it the
+sensor is not wanted either.
 
 A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the tags can
 stand in that link. A joint added in this way must name links that are there.
@@ -15,10 +16,12 @@ Sources:
 """
 
 import re
+from collections.abc import Collection
 from functools import lru_cache
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.comments import blank_comments
@@ -31,6 +34,7 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 
 #: What the robot lacks without the block; the rest is about a link that the robot does not have.
 _THINGS = frozenset(("sensor", "plugin"))
+_NONE: frozenset[str] = frozenset()
 #: The name of a link or joint, behind the expressions that it begins with.
 _DEFINITION = (
     rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
@@ -49,6 +53,7 @@ def check(context: Context) -> Findings:
     suggester = Suggester(known)
     parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
     added = {one.get("name") for one in parts}
+    properties = _properties(model)
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
@@ -58,23 +63,19 @@ def check(context: Context) -> Findings:
         if not block.children:
             continue
         tags = {child.tag: None for child in block.children}
-        lost = ", ".join(f"<{tag}>" for tag in tags)
         if reference.value in added:
             yield Finding(
                 reference,
                 f"'{reference.value}' is SDF of another <gazebo>, not of the URDF: Gazebo ignores "
-                f"{lost}",
+                f"{_listed(tags)}",
                 "write the tags as SDF into that element",
                 severity=Severity.WARNING,
             )
         else:
-            found = _unknown(context, reference, suggester.suggested(reference.value), lost)
-            is_left_over = not found.help and _THINGS.isdisjoint(tags)
-            if _is_switched_off(context, reference.value):
-                help = "put the <gazebo> behind the condition of the link"
-                yield found._replace(severity=Severity.WARNING, help=help, fix=None)
-            else:
-                yield found._replace(severity=Severity.WARNING) if is_left_over else found
+            suggested = suggester.suggested(reference.value)
+            if not properties.get(suggested, _NONE).isdisjoint(tags):
+                suggested = ""  # the block would replace what another one says of that link
+            yield _unknown(context, reference, suggested, tags)
     if context.is_part or not any(block.all("joint") for block in model.gazebo):
         return
     for joint, end, into in context.gazebo.lost_joint_ends():
@@ -85,6 +86,15 @@ def check(context: Context) -> Findings:
                 "in the converted model",
                 "name a link that Gazebo has; 'urdfkit gazebo' lists them",
             )
+
+
+def _properties(model: RobotModel) -> dict[str, set[str]]:
+    """The properties that are set for each link and joint, by its name."""
+    found: dict[str, set[str]] = {}
+    for block in model.gazebo:
+        tags = {child.tag for child in block.children} - _THINGS
+        found.setdefault(block.get("reference") or "", set()).update(tags)
+    return found
 
 
 def _is_switched_off(context: Context, name: str) -> bool:
@@ -100,15 +110,26 @@ def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
     return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
 
 
-def _unknown(context: Context, reference: Attribute, suggested: str, lost: str) -> Finding:
-    message = f"unknown link or joint '{reference.value}': Gazebo ignores {lost}"
+def _unknown(
+    context: Context, reference: Attribute, suggested: str, tags: Collection[str]
+) -> Finding:
+    message = f"unknown link or joint '{reference.value}': Gazebo ignores {_listed(tags)}"
     help = f"did you mean '{suggested}'?" if suggested else ""
-    fix = None
-    if suggested:
+    fix = severity = None
+    if _is_switched_off(context, reference.value):
+        help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
+    elif suggested:
         from urdfkit.lint.misspelt_names import corrected_definition  # for few robots
 
         model = context.model
         defined = model.links_by_name.get(suggested) or model.joints_by_name.get(suggested)
         fix = corrected_definition(context, defined, reference.value)
         fix = fix or fix_value(reference, suggested)
-    return Finding(reference, message, help, fix, group_key="" if suggested else "unknown")
+    elif _THINGS.isdisjoint(tags):
+        severity = Severity.WARNING
+    group_key = "" if suggested else "unknown"
+    return Finding(reference, message, help, fix, group_key=group_key, severity=severity)
+
+
+def _listed(tags: Collection[str]) -> str:
+    return ", ".join(f"<{tag}>" for tag in tags)

@@ -8,6 +8,7 @@ is not fixed: a warning.
 A block without a reference belongs to the whole model, which has no friction, material or sensor of
 its own: the converter stores these tags and never uses them, without a message. That is an error.
 Write one block per link, with `reference="..."`. The `<physics>` of a world there is a warning.
+A tag with the value that holds without it, such as `<gravity>true</gravity>`, is not reported.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -36,6 +37,9 @@ FIXED = GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
 
 #: Without which a robot moves as it does with them: its colour, and which links it is made of.
 _HARMLESS = {"material", "visual", *KEEPING_TAGS}
+#: Tags of SDF that are false unless they are set, as those of the converter; gravity is true.
+_FLAGS = ("enable_wind", "kinematic", "must_be_base_link", "self_collide")
+_TRUE, _FALSE = ("1", "true", "yes"), ("0", "false", "no")
 #: Tags of a block that a message names.
 _NAMED = 4
 
@@ -49,7 +53,7 @@ def check(context: Context) -> Findings:
         name = block.get("reference") or ""
         is_link, joint = name in model.links_by_name, model.joints_by_name.get(name)
         if not name:
-            yield from _without_reference(model, block, owners)
+            yield from _without_reference(model, block, owners, handled)
         elif is_link != (joint is not None):  # neither: GAZ001, both: NAM003
             yield from _of_other_kind(context, block, handled, joint)
 
@@ -61,6 +65,8 @@ def _of_other_kind(
     name, kind = block.get("reference") or "", "joint" if joint else "link"
     for child in block.children:
         extension = handled.get(child.tag)
+        if _is_default(child, extension):
+            continue
         if extension and extension.on in ("link", "joint") and extension.on != kind:
             message = f"<{child.tag}> is for a {extension.on}, but '{name}' is a {kind} (ignored)"
             other = _other(context, name, kind)
@@ -81,7 +87,19 @@ def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
     return owners
 
 
-def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, str]) -> Findings:
+def _is_default(child: Element, extension: Extension | None) -> bool:
+    """True if nothing is lost with a tag, because its value is that of a robot without it."""
+    text = child.text.strip().lower()
+    is_flag = child.tag in _FLAGS or (extension is not None and extension.type == "bool")
+    return text in _FALSE if is_flag else child.tag == "gravity" and text in _TRUE
+
+
+def _without_reference(
+    model: RobotModel,
+    block: Element,
+    owners: Mapping[str, str],
+    handled: Mapping[str, Extension],
+) -> Findings:
     """At the misspelt attribute, at the tag, or at the block if it holds several."""
     for attribute in block.attributes.values():
         name, value = attribute.name, attribute.value
@@ -94,7 +112,13 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
     for child in of_world:
         message = "<physics> in a <gazebo> without a reference (ignored): it is that of a world"
         yield Finding(child, message, "write it into the <world> of the SDF file")
-    misplaced = [child for child in block.children if child.tag in owners and child not in of_world]
+    misplaced = [
+        child
+        for child in block.children
+        if child.tag in owners
+        and child not in of_world
+        and not _is_default(child, handled.get(child.tag))
+    ]
     if not misplaced:
         return
     child, owner = misplaced[0], owners[misplaced[0].tag]

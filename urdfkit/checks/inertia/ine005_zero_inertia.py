@@ -2,7 +2,8 @@
 
 It can be rotated about that axis without effort: the equations of motion have no solution, or
 engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
-comes from a failed export, or from too few decimal places; compute it from mass and size. A single
+comes from a failed export, or from too few decimal places; compute it from mass and size, or take
+that of the left/right counterpart, with its centre of mass. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
 thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
 and so is a link of at most a gram, a stand-in for a part that a plugin of Gazebo computes, and a
@@ -22,13 +23,23 @@ from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import HEAVIEST, LIGHTEST
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
+from urdfkit.robot.inertials.diagnosis import (
+    MAX_RELATED,
+    as_solid,
+    is_possible,
+    replacement,
+    values,
+)
 from urdfkit.robot.inertials.link_comparison import LinkInertia
-from urdfkit.robot.model import Joint
+from urdfkit.robot.inertials.masses import PAIR_MOMENTS
+from urdfkit.robot.inertials.mirroring import along_inertial, center_edits, mirror_image
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
+from urdfkit.text.diagnostic import Edit
 
 BAD = robot_xml(
     link_xml("base"),
@@ -75,27 +86,63 @@ def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
         assert body.joint is not None
         for link, _ in body.links:
             if one := masses.by_name.get(link.name):
-                found = _finding(one, body.joint)
+                found = _finding(one, body.joint, context)
                 is_stand_in = body.mass <= STAND_IN or masses.moments_of(body)[2] > 0
                 is_warning = is_stand_in and not is_rejected
                 yield one, found._replace(severity=Severity.WARNING) if is_warning else found
 
 
-def _finding(one: LinkInertia, joint: Joint) -> Finding:
-    help, fix = "", None
-    if one.is_measured and one.solid is not None:
-        help, fix = as_solid(one), replacement(one, one.expected)
-        if one.mass < MIN_DENSITY * one.solid.volume:  # a placeholder, which gives no tensor
-            size = f"{one.solid.volume:.3g} m³"
-            help = f"write the mass of the link, which has {size}, and its tensor"
-            if LIGHTEST < one.mass / (one.solid.volume * MILLIMETRE**3) < HEAVIEST:
-                help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
-            fix = None
+def _finding(one: LinkInertia, joint: Joint, context: Context) -> Finding:
+    help, fix = _of_counterpart(one, context) or _of_shape(one)
     message = (
         f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
         f"{joint.kind} joint '{joint.name}'"
     )
     return Finding(one.at, message, help, fix, weight=one.mass)
+
+
+def _of_counterpart(one: LinkInertia, context: Context) -> tuple[str, Fix | None] | None:
+    """The tensor of the link on the other side, if that of the shape differs from it."""
+    other = context.masses.counterpart(one)
+    if other is None or other.is_noise or not is_possible(other.tensor):
+        return None
+    if _is_of_shape(one, other):
+        return None
+    image = mirror_image(one, other, frames(context.tree, {}))
+    fix = image and _fix(one, along_inertial(one, image.tensor), center_edits(one, image.center))
+    return f"its counterpart '{other.name}' of the same mass has {values(other.diagonal)}", fix
+
+
+def _is_of_shape(one: LinkInertia, other: LinkInertia) -> bool:
+    """True if another link has about the tensor of the shape of a link."""
+    if not one.is_measured or one.expected is None:
+        return False
+    pairs = zip(principal_moments(one.expected), other.moments, strict=True)
+    return all(max(pair) <= PAIR_MOMENTS * min(pair) for pair in pairs)
+
+
+def _of_shape(one: LinkInertia) -> tuple[str, Fix | None]:
+    if not one.is_measured or one.solid is None or one.expected is None:
+        return "", None
+    if one.mass < MIN_DENSITY * one.solid.volume:  # a placeholder, which gives no tensor
+        size = f"{one.solid.volume:.3g} m³"
+        help = f"write the mass of the link, which has {size}, and its tensor"
+        if LIGHTEST < one.mass / (one.solid.volume * MILLIMETRE**3) < HEAVIEST:
+            help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
+        return help, None
+    is_unplaced = not any(one.inertial.origin.position)  # a failed export has zeros there as well
+    center = one.solid.properties(one.mass).center
+    edits = center_edits(one, center) if is_unplaced else ()
+    return as_solid(one), _fix(one, one.expected, edits or ())
+
+
+def _fix(one: LinkInertia, tensor: Tensor, center: tuple[Edit, ...] | None) -> Fix | None:
+    """Writes a tensor, and the centre of mass if it is another one."""
+    fix = replacement(one, tensor)
+    if fix is None or center is None:
+        return None
+    title = " and ".join([fix.title, *(f'xyz="{edit.text}"' for edit in center)])
+    return Fix(title, (*fix.edits, *center))
 
 
 def _thin(context: Context) -> Findings:

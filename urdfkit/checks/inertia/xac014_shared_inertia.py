@@ -19,8 +19,9 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, values
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, thrown_by, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Link
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Step, Tag
@@ -75,7 +76,10 @@ def check(context: Context) -> Findings:
     for tag, links in context.masses.shared_by_macro.items():
         from urdfkit.robot.inertials.macro_fixes import computing
 
-        yield _by_macro(links, tag)._replace(fix=computing(context, links, tag))
+        fix = computing(context, links, tag)
+        if fix and any(_is_too_light(link, context.masses) for link in links):
+            fix = None
+        yield _by_macro(links, tag)._replace(fix=fix)
     for group in context.masses.copies:
         yield _copied(sorted(group, key=lambda one: -one.mass))
 
@@ -96,6 +100,12 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
             Related(step.span, f"link '{link.name}' of {link.mass:g} kg") for link, step in calls
         ),
     )
+
+
+def _is_too_light(link: Link, masses: Masses) -> bool:
+    """True if the joint of a link has too much effort for the tensor of its shape."""
+    one = masses.by_name.get(link.name)
+    return bool(one and one.expected and thrown_by(one, one.expected))
 
 
 def _innermost_call(link: Link, tag: Tag) -> Step | None:

@@ -7,6 +7,7 @@
   other ROS, which calls the executable of a node `type` (ROS 1) or `exec` (ROS 2).
 - A substitution is that of the other ROS (error): `$(find x)` and `$(arg x)` are
   `$(find-pkg-share x)` and `$(var x)` in ROS 2.
+- A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
 - A tag is misspelt. Packages may bring tags of their own, so only typos of known tags are reported.
 - The pieces of a `Command` have no space between them (error). launch joins them as they are:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the

@@ -3,10 +3,10 @@
 - A static_transform_publisher publishes the transform of a link that has a joint above it, beside
   the robot_state_publisher: tf keeps what came last, and the robot flickers where the two differ.
 - joint_state_publisher and the joint_state_broadcaster of ros2_control, joint_state_controller in
-  ROS 1, publish on `/joint_states`: the model jumps between the real positions and those of the
-  sliders.
-- Two controllers that are started claim the same command interface of a joint: the second does not
-  become active. Load it with `--inactive`.
+  ROS 1, publish on the same `joint_states`: the model jumps between the real positions and those of
+  the sliders.
+- Two controllers that one controller manager starts claim the same command interface of a joint:
+  the second does not become active. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot:
   it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is a link with a joint above it, which gives the link two parents. The same
@@ -37,7 +37,7 @@ from urdfkit.robot.model import Joint
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import activates, controllers
+from urdfkit.ros.launch.spawned_controllers import activates, controllers, manager_name
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 
 NAME = "launch/robot.launch.py"
@@ -62,7 +62,8 @@ def check(context: Context) -> Findings:
     launch = context.launch
     started = [one for one in (*launch.started, *launch.included) if one.is_sure]
     yield from _transforms(context, started)
-    yield from _joint_states(started)
+    if not launch.has_scopes:  # which give them namespaces
+        yield from _joint_states(started)
     yield from _claims(context, started)
     yield from second_publisher(context, started)
     yield from second_manager(context, started)
@@ -102,12 +103,17 @@ def _frame(word: Word) -> str:
 
 
 def _joint_states(started: list[StartedProgram]) -> Findings:
-    spawned = [word for one in started if activates(one) for word in controllers(one)]
-    broadcaster = next((word for word in spawned if word.text in _BROADCASTERS), None)
+    """A joint_state_publisher in the namespace of the broadcaster's controller manager."""
+    broadcasters = {
+        name.rpartition("/")[0]: word
+        for word, one in _activated(started)
+        if word.text in _BROADCASTERS and (name := manager_name(one))
+    }
     for one in started:
-        if broadcaster is None or one.package not in _PUBLISHERS:
+        if one.package not in _PUBLISHERS or one.namespace is None or one.is_remapped:
             continue
-        if not one.is_remapped and b"source_list" not in one.span.source.data:
+        broadcaster = broadcasters.get(f"/{one.namespace}".rstrip("/"))
+        if broadcaster and b"source_list" not in one.span.source.data:
             yield Finding(
                 Location(one.span, one.frame),
                 f"{one.package} and {broadcaster.text} both publish the joint states",
@@ -118,16 +124,16 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
 
 def _claims(context: Context, started: list[StartedProgram]) -> Findings:
     defined = defined_controllers(context)
-    owners: dict[tuple[str, str], Word] = {}
+    owners: dict[tuple[str | None, str, str], Word] = {}
     for word, one in _activated(started):
         controller = defined.get((word.text or "").strip("/"))
-        for claim in _claimed(controller) if controller else ():
-            owner = owners.setdefault(claim, word)
+        for joint, interface in _claimed(controller) if controller else ():
+            owner = owners.setdefault((manager_name(one), joint, interface), word)
             if owner.text != word.text:
                 yield Finding(
                     Location(word.span, one.frame),
                     f"controllers '{owner.text}' and '{word.text}' are both started and claim "
-                    f"the command interface '{claim[1]}' of joint '{claim[0]}'",
+                    f"the command interface '{interface}' of joint '{joint}'",
                     "start one of them with --inactive",
                     related=(Related(owner.span, f"controller '{owner.text}'"),),
                 )

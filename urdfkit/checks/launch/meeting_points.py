@@ -4,8 +4,14 @@ from collections.abc import Iterator
 
 from urdfkit.checks.launch.rviz_displays import unpublished_models
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
-from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import controllers, manager
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import (
+    MANAGER,
+    controllers,
+    manager,
+    manager_name,
+    resolve_name,
+)
 from urdfkit.ros.launch.spawning import options, spawner_of
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
@@ -13,7 +19,6 @@ from urdfkit.text.source import Span
 
 _PUBLISHER = "robot_state_publisher"
 _DESCRIPTION = "robot_description"
-_MANAGER = "controller_manager"
 #: Parameters of ros2_control_node that define no controller.
 _OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 
@@ -23,14 +28,14 @@ def unpublished_description(context: Context, started: tuple[StartedProgram, ...
     publishers = [one for one in started if one.package == _PUBLISHER]
     if not publishers or any(one.is_remapped or one.namespace is None for one in publishers):
         return
-    published = {_resolved(_DESCRIPTION, one.namespace): one for one in publishers}
+    published = {resolve_name(_DESCRIPTION, one.namespace): one for one in publishers}
     yield from unpublished_models(context, {name: one.span for name, one in published.items()})
     for one in started:
         spawner = spawner_of(one)
         topic = options(one, spawner)[0].get("topic") if spawner else None
         if topic is None or not topic.text or one.namespace is None or one.is_remapped:
             continue
-        name = _resolved(topic.text, one.namespace)
+        name = resolve_name(topic.text, one.namespace)
         if name not in published:
             known = next(iter(published))
             yield Finding(
@@ -50,15 +55,9 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
         return
     known = {name: place for name, place in running if name}
     for one in started:
-        wanted: Word | None = manager(one)
-        if one.namespace is None or (wanted is not None and not wanted.text):
-            continue
-        if any((word.text or "").startswith("--namespace") for word in one.words):
-            continue  # of ROS 1
-        if not any(True for _ in controllers(one)):
-            continue
-        name = _resolved(wanted.text or "" if wanted else _MANAGER, one.namespace)
-        if name not in known:
+        name = manager_name(one)
+        if name and name not in known and any(True for _ in controllers(one)):
+            wanted = manager(one)
             other, place = next(iter(known.items()))
             yield Finding(
                 Location(wanted.span if wanted else one.span, one.frame),
@@ -79,7 +78,7 @@ def without_types(started: tuple[StartedProgram, ...]) -> Findings:
         return
     for one in started:
         every = one.parameters.every
-        is_manager = (one.package, one.executable) == (_MANAGER, "ros2_control_node")
+        is_manager = (one.package, one.executable) == (MANAGER, "ros2_control_node")
         if is_manager and every is not None and _OF_NODE.issuperset(every):
             yield Finding(
                 Location(one.span, one.frame),
@@ -100,9 +99,9 @@ def _managers(
 ) -> Iterator[tuple[str | None, Span]]:
     """The controller managers that are started; None for a name that is not known."""
     for one in started:
-        if one.package == _MANAGER and one.executable == "ros2_control_node":
-            is_plain = one.namespace is not None and one.name in ("", _MANAGER)
-            yield _resolved(_MANAGER, one.namespace) if is_plain else None, one.span
+        if one.package == MANAGER and one.executable == "ros2_control_node":
+            is_plain = one.namespace is not None and one.name in ("", MANAGER)
+            yield resolve_name(MANAGER, one.namespace) if is_plain else None, one.span
     if not any(map(spawner_of, started)):
         return
     for description, robot in context.described_robots:
@@ -116,7 +115,7 @@ def _managers(
 def _of_ros1(plugin: Element) -> str | None:
     """The controller manager of gazebo_ros_control; without a namespace in that of the model."""
     namespace = plugin.child("robotNamespace")
-    return None if namespace is None else _resolved(_MANAGER, namespace.text.strip().strip("/"))
+    return None if namespace is None else resolve_name(MANAGER, namespace.text.strip().strip("/"))
 
 
 def _of_plugin(plugin: Element) -> str | None:
@@ -126,10 +125,5 @@ def _of_plugin(plugin: Element) -> str | None:
     named = plugin.child("controller_manager_name") or plugin.child("controller_manager_node_name")
     if named is None and plugin.child("controller_manager_prefix_node_name") is not None:
         return None
-    name = named.text.strip() if named is not None else _MANAGER
-    return _resolved(name, namespace.text.strip().strip("/") if namespace is not None else "")
-
-
-def _resolved(name: str, namespace: str | None) -> str:
-    """A name of ROS in a namespace."""
-    return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")
+    name = named.text.strip() if named is not None else MANAGER
+    return resolve_name(name, namespace.text.strip().strip("/") if namespace is not None else "")

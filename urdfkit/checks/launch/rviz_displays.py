@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
+from urdfkit.ros.launch.spawned_controllers import resolve_name
 from urdfkit.text.located_yaml import Node, Value
 from urdfkit.text.source import Span
 
@@ -75,14 +77,28 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
         is_topic = not isinstance(source, Value) or source.text == "Topic"
         if topic is None or not name.endswith("/RobotModel") or not is_topic:
             continue
-        if f"/{topic.text.strip('/')}" not in published:
+        read = f"/{topic.text.strip('/')}"
+        if read not in published:
             other = next(iter(published))
+            is_shared = _is_shown_elsewhere(context, file.path, read)
             yield _finding(
                 topic.span,
                 f"RobotModel of RViz reads '{topic.text}', on which nothing publishes a robot",
-                f"write {other}",
+                f"remap {read} to {other} for RViz" if is_shared else f"write {other}",
                 file,
             )
+
+
+def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
+    """True if another launch file shows a robot on a topic by the same configuration of RViz."""
+    for launch in launches_of_workspace(context.source.path, context.resolver):
+        names = any(file.path == path for file in launch.files)
+        for one in (*launch.started, *launch.included) if names else ():
+            is_known = one.namespace is not None and not one.is_remapped and not launch.has_scopes
+            published = resolve_name("robot_description", one.namespace)
+            if one.package == "robot_state_publisher" and (published == topic or not is_known):
+                return True
+    return False
 
 
 def relative_meshes(context: Context) -> Findings:

@@ -84,7 +84,7 @@ def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Spa
     for source in sources:
         for mention in mentions(source):
             if mention.package == name and mention.relative.partition("/")[0]:
-                yield mention.relative, mention.span
+                yield os.path.normpath(mention.relative), mention.span
 
 
 def _launched(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:

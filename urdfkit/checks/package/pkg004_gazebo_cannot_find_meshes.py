@@ -4,8 +4,9 @@ RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it f
 `model://arm_description/meshes/...` and searches its own resource path: "Unable to find file with
 URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
 gz-sim need the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`,
-most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read. A URDF that no launch
-file names, as an expanded copy, is in no Gazebo.
+most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read; or a launch file
+replaces `package://` by a path. A URDF that no launch file names, as an expanded copy, is in no
+Gazebo.
 
 Sources:
     Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md
@@ -66,9 +67,10 @@ def check(context: Context) -> Findings:
     variable = "GZ_SIM_RESOURCE_PATH" if context.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
     for package, meshes in found.items():
         more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""
+        first = next(iter(meshes.values()))
         yield Finding(
-            meshes[0].at,
-            f"Gazebo cannot find '{meshes[0].at.value}'{more}: nothing in the "
+            first.at,
+            f"Gazebo cannot find '{first.at.value}'{more}: nothing in the "
             f"workspace sets {variable} or exports gazebo_model_path",
             f'write <gazebo_ros gazebo_model_path="${{prefix}}/.."/> into the <export> of the '
             f"package.xml of {package}, or set {variable} in the launch file",
@@ -76,10 +78,10 @@ def check(context: Context) -> Findings:
         )
 
 
-def _of_packages(context: Context) -> dict[str, list[MeshReference]]:
-    """The meshes that are there and are named by a package, by the package."""
-    found: dict[str, list[MeshReference]] = {}
+def _of_packages(context: Context) -> dict[str, dict[str, MeshReference]]:
+    """The meshes that are there and are named by a package: by the package, and by their names."""
+    found: dict[str, dict[str, MeshReference]] = {}
     for mesh in context.files.meshes:
         if mesh.located.scheme == "package" and mesh.located.path and mesh.located.package:
-            found.setdefault(mesh.located.package, []).append(mesh)
+            found.setdefault(mesh.located.package, {}).setdefault(mesh.at.value, mesh)
     return found

@@ -61,7 +61,8 @@ def _parameter(who: str, element: Element) -> Findings:
         if number(text) is None and not is_expression(text):
             shown = f"'{text}'" if text else "empty"
             message = f"{who}: parameter '{name.value}' is {shown}, not a number"
-            help = f"write ${text}: xacro needs the dollar" if text[:1] == "{" else "write a number"
+            lacks_dollar = text[:1] == "{" and text[-1:] == "}" and _is_python(text[1:-1])
+            help = f"write ${text}: xacro needs the dollar" if lacks_dollar else "write a number"
             yield Finding(
                 element, message, help, group_key="not a number", severity=Severity.WARNING
             )
@@ -69,3 +70,13 @@ def _parameter(who: str, element: Element) -> Findings:
         fix = fix_value(name, suggested)
         message = f"{who}: unknown parameter '{name.value}'; did you mean '{suggested}'?"
         yield Finding(name, message, f"write {suggested}", fix, severity=Severity.WARNING)
+
+
+def _is_python(text: str) -> bool:
+    from urdfkit.text import python_source  # for few robots
+
+    try:
+        python_source.parse(text.strip())
+    except SyntaxError:
+        return False
+    return True

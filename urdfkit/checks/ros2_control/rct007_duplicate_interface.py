@@ -12,10 +12,14 @@ Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
-from urdfkit.ros.ros_control import Component, components
+from urdfkit.ros.ros_control import Component, ControlPart, Interface, components
 from urdfkit.text.grammar import is_expression
 
 BAD = robot_xml(
@@ -24,6 +28,9 @@ BAD = robot_xml(
     control_xml("mock_components/GenericSystem", driven_xml("shoulder"), name="arm_sim"),
 )
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
+
+#: Joints that a message names.
+_NAMED = 3
 
 
 @rule(Severity.ERROR, help="keep one of them")
@@ -50,28 +57,46 @@ def _duplicate_names(blocks: list[Component]) -> Findings:
 
 
 def _duplicate_interfaces(blocks: list[Component]) -> Findings:
-    """One finding for each joint: with two blocks, all of its interfaces are there twice."""
-    first: dict[tuple[str, ...], Related] = {}
-    reported: set[tuple[int, str]] = set()
-    named = (
-        (number, component, part, interface)
-        for number, component in enumerate(blocks)
-        for part in component.parts
-        for interface in part.interfaces
-        if part.name and interface.name
+    """One finding for two blocks, or for each joint that has an interface twice in one block."""
+    first: dict[tuple[str, ...], tuple[int, Interface]] = {}
+    again: dict[tuple[int, int], dict[str, _Duplicate]] = {}
+    for number, component in enumerate(blocks):
+        for part in component.parts:
+            for interface in part.interfaces if part.name else ():
+                # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
+                key = (part.kind, part.name, interface.direction, interface.name)
+                before, known = first.setdefault(key, (number, interface))
+                if interface.name and known is not interface:
+                    found = _Duplicate(part, interface, known)
+                    again.setdefault((number, before), {}).setdefault(part.name, found)
+    for (number, before), parts in again.items():
+        if number != before and len(parts) > 1:
+            yield _of_blocks(blocks[number], blocks[before], list(parts))
+        else:
+            yield from (_of_part(one, blocks[before]) for one in parts.values())
+
+
+class _Duplicate(Record):
+    part: ControlPart
+    interface: Interface
+    first: Interface
+
+
+def _of_blocks(block: Component, first: Component, names: list[str]) -> Finding:
+    shown = few([f"'{name}'" for name in names], _NAMED)
+    return Finding(
+        block.at,
+        f"{block.called} declares interfaces of {shown} that another block has already",
+        "keep one of the two blocks, chosen by a xacro argument",
+        related=(Related(first.at.span, f"first declared here, in {first.called}"),),
     )
-    for number, component, part, interface in named:
-        # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
-        key = (part.kind, part.name, interface.direction, interface.name)
-        if key not in first:
-            note = f"first declared here, in {component.called}"
-            first[key] = Related(interface.at.span, note)
-        elif (number, part.name) not in reported:
-            reported.add((number, part.name))
-            yield Finding(
-                interface.at,
-                f"{part.kind} '{part.name}': {interface.direction} interface "
-                f"'{interface.name}' is declared twice",
-                related=(first[key],),
-                group_key=component.called,
-            )
+
+
+def _of_part(one: _Duplicate, first: Component) -> Finding:
+    return Finding(
+        one.interface.at,
+        f"{one.part.kind} '{one.part.name}': {one.interface.direction} interface "
+        f"'{one.interface.name}' is declared twice",
+        related=(Related(one.first.at.span, f"first declared here, in {first.called}"),),
+        group_key=first.called,
+    )

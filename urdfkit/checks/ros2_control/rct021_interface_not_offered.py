@@ -144,17 +144,18 @@ def _without_state(context: Context) -> Findings:
 
 
 def _offered(context: Context, direction: str) -> _Offered:
-    """The interfaces of one direction of the joints in ``<ros2_control>``.
+    """The interfaces of one direction of the joints in all ``<ros2_control>``.
 
     A hardware component may export others than these by itself. One that has none here does.
     """
-    return {
-        # gazebo_ros2_control offers position_pid as position, with a PID of its own behind it.
-        part.name: {interface.name.removesuffix("_pid") for interface in part.of(direction)}
-        for component in components(context.model)
-        for part in component.joints
-        if part.interfaces or _offers_what_is_listed(component)
-    }
+    offered: _Offered = {}
+    for component in components(context.model):
+        for part in component.joints:
+            if part.interfaces or _offers_what_is_listed(component):
+                # gazebo_ros2_control offers position_pid as position, with a PID of its own.
+                names = {interface.name.removesuffix("_pid") for interface in part.of(direction)}
+                offered.setdefault(part.name, set()).update(names)
+    return offered
 
 
 def _transmitted(context: Context) -> _Offered:

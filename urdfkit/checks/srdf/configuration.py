@@ -19,6 +19,7 @@ from urdfkit.ros.moveit.config import (
 )
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
 from urdfkit.text.located_yaml import Value
 
 _SOLVERS = (
@@ -78,17 +79,19 @@ _NAMED = 8
 
 def unknown_names(context: Context, srdf: Srdf) -> Findings:
     """The unknown joints, groups, controllers and solvers in the configuration files."""
-    yield from _joint_limits(context)
+    yield from _joint_limits(context, srdf)
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
     yield from _planners(context, srdf)
     yield from _controllers(context, srdf)
 
 
-def _joint_limits(context: Context) -> Findings:
+def _joint_limits(context: Context, srdf: Srdf) -> Findings:
     known = context.model.joints_by_name
     planned = list(planned_limits(context))
     unknown = [limit for limit in planned if limit.joint not in known]
+    others = names_of_other_robots(context, srdf, {limit.joint for limit in unknown})
+    unknown = [limit for limit in unknown if limit.joint not in others]
     if len(unknown) == len(planned) > 1:
         unknown = unknown[:1]  # of another robot altogether
     for limit in unknown:
@@ -100,10 +103,11 @@ def _joint_limits(context: Context) -> Findings:
 def _groups(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("group")
     entries = list(group_entries(srdf, context.resolver))
+    others = names_of_other_robots(context, srdf, {str(entry.name) for entry in entries} - known)
     for entry in entries:
         # Several groups none of which is there are those of another robot.
         is_ours = entry.is_alone or any(other.name in known for other in entries)
-        if known and entry.name not in known and is_ours:
+        if known and entry.name not in known | others and is_ours:
             yield Finding(
                 Location(entry.name.span),
                 f"settings of unknown group '{entry.name}'{did_you_mean(entry.name, known)}",
@@ -164,7 +168,8 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
 def _controllers(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
     named = list(joint_entries(srdf, context.resolver))
-    unknown = [(who, joint) for who, joint in named if joint.text not in known]
+    of_others = names_of_other_robots(context, srdf, {joint.text for _, joint in named} - known)
+    unknown = [(who, joint) for who, joint in named if joint.text not in known | of_others]
     if 2 * len(unknown) > len(named) > 2:
         unknown = []  # of another robot, or of another variant of this one
     for who, joint in unknown:

@@ -5,15 +5,18 @@ overlap was found among some thousand samples within the joint limits, with the 
 as MoveIt reads it, and no pair that MoveIt checks overlaps in that pose: it would have been avoided
 otherwise. The matrix is of an older robot, or was computed from too few samples. `urdfkit
 collisions --srdf` computes it again and keeps the rest of the file. Pairs with another reason, such
-as "User", are a decision and not reported.
+as "User", are a decision and not reported; nor are adjacent links, which MoveIt always disables.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
+from urdfkit.ros.moveit.srdf import pair_of
+from urdfkit.text.document import Element
 
 _UP, _FAR = '<origin xyz="0 0 0.5"/>', '<origin xyz="0 0 0.7"/>'
 _LIMIT = '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
@@ -47,13 +50,19 @@ _WORK = 400_000
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
-    said = [
-        (element, element.get("link1") or "", element.get("link2") or "")
-        for element in srdf.root.all("disable_collisions")
-        if (element.get("reason") or "").lower() == "never"
-    ]
+    adjacency = Adjacency(context.tree)
+    every = srdf.root.all("disable_collisions")
+    decided = {pair_of(element) for element in every if not _is_never(element)}
     known = context.model.links_by_name
-    said = [one for one in said if one[1] in known and one[2] in known and one[1] != one[2]]
+    said = [
+        (element, first, second)
+        for element in every
+        if pair_of(element) not in decided
+        and (first := element.get("link1") or "") in known
+        and (second := element.get("link2") or "") in known
+        and first != second
+        and not adjacency.is_adjacent(first, second)
+    ]
     if not said:
         return
     configurations = context.collisions.sampled_in_moveit
@@ -73,3 +82,7 @@ def check(context: Context) -> Findings:
                 f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}"
             )
             yield Finding(element, message, weight=collision.depth, group_key="never")
+
+
+def _is_never(element: Element) -> bool:
+    return (element.get("reason") or "").lower() == "never"

@@ -9,6 +9,7 @@ find resource". Reported are
 - a type without its package or misspelt, and a number of joints or actuators that the type does not
   have;
 - a `mechanicalReduction` that is 0 or not a number, and misspelt elements, whose default is used;
+  Gazebo's own hardware reads neither the type, nor the actuators, nor the ratio (warning);
 - two transmissions with one name, of which the second is kept, or for one joint, usually a copy in
   which a name was not changed (warning);
 - transmissions in a robot of ROS 2, where nothing reads them: ros2_control has its own
@@ -18,6 +19,7 @@ Sources:
     URDF, transmission: https://wiki.ros.org/urdf/XML/Transmission
     ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
     ros_control, transmission_interface_loader.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_interface_loader.cpp
+    gazebo_ros_control, default_robot_hw_sim.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/default_robot_hw_sim.cpp
     ros-controls/ros_control#177: https://github.com/ros-controls/ros_control/issues/177
     ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
 """
@@ -59,6 +61,8 @@ _CHILDREN = {
 _COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
 #: Similarity from which an unknown word is a typo.
 _TYPO = 0.85
+#: Elements of a transmission that Gazebo reads.
+_READ_BY_GAZEBO = ("type", "joint", "actuator", "hardwareInterface")
 #: Places that a finding lists after the first.
 _MAX_RELATED = 20
 
@@ -72,6 +76,7 @@ def check(context: Context) -> Findings:
         yield _unread(*transmissions)
         return
     read = [transmission for transmission in transmissions if not is_of_pr2(transmission)]
+    unread = Severity.WARNING if "classic-ros1" in context.targets.names else None
     for transmission in read:
         if missing := _missing(transmission):
             yield Finding(
@@ -81,10 +86,10 @@ def check(context: Context) -> Findings:
                 "<actuator>",
             )
         yield from _interfaces(transmission)
-        yield from _type(transmission)
-        yield from _count(transmission)
+        yield from _type(transmission, unread)
+        yield from _count(transmission, unread)
         for element in (transmission, *transmission.children):
-            yield from _children(element, called(transmission))
+            yield from _children(element, called(transmission), unread)
     yield from _duplicates(read)
 
 
@@ -141,7 +146,7 @@ def _has_text(element: Element, tag: str) -> bool:
     return any(found.text.strip() for found in element.all(tag))
 
 
-def _type(transmission: Element) -> Findings:
+def _type(transmission: Element, unread: Severity | None) -> Findings:
     element, known = transmission.child("type"), words("transmission", "types")
     name = element.text.strip() if element else ""
     if element is None or name in known:
@@ -152,10 +157,10 @@ def _type(transmission: Element) -> Findings:
         fix = fix_value(element, suggested)
         message = "has no package name" if full else f"is unknown; did you mean '{suggested}'?"
         message = f"{called(transmission)}: type '{name}' {message}"
-        yield Finding(element, message, f"write {suggested}", fix)
+        yield Finding(element, message, f"write {suggested}", fix, severity=unread)
 
 
-def _count(transmission: Element) -> Findings:
+def _count(transmission: Element, unread: Severity | None) -> Findings:
     """One joint and actuator for a simple transmission, two of each for the others."""
     element = transmission.child("type")
     kind = element.text.strip().rpartition("/")[2] if element else ""
@@ -165,10 +170,11 @@ def _count(transmission: Element) -> Findings:
             message = f"{len(found)} <{tag}> elements; a {kind} has {_COUNTS[kind]}"
             help = "write one transmission per joint" if kind == "SimpleTransmission" else ""
             help = help or f"write {_COUNTS[kind]} <{tag}> elements"
-            yield Finding(found[-1], f"{called(transmission)}: {message}", help)
+            severity = unread if tag == "actuator" else None
+            yield Finding(found[-1], f"{called(transmission)}: {message}", help, severity=severity)
 
 
-def _children(element: Element, who: str) -> Findings:
+def _children(element: Element, who: str, unread: Severity | None) -> Findings:
     """Misspelt elements, and invalid gear ratios."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
@@ -176,11 +182,13 @@ def _children(element: Element, who: str) -> Findings:
         if suggested:
             fix = fix_tag(child, suggested)
             message = f"{who}: unknown element <{child.tag}>; did you mean '{suggested}'?"
-            yield Finding(child, message, "fix the name of the element", fix)
+            severity = None if suggested in _READ_BY_GAZEBO else unread
+            yield Finding(child, message, "fix the name of the element", fix, severity=severity)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
             shown = child.text.strip() or "empty"
             message = f"{who}: {child.tag} is {shown}, not a number other than 0"
-            yield Finding(child, message, "write the gear ratio, such as 50")
+            help = "write the gear ratio, such as 50"
+            yield Finding(child, message, help, severity=unread)
 
 
 def _duplicates(transmissions: Iterable[Element]) -> Findings:

@@ -12,17 +12,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import (
-    NAMES,
-    Context,
-    Finding,
-    Findings,
-    Location,
-    Need,
-    Related,
-    Severity,
-    rule,
-)
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
@@ -38,6 +28,9 @@ GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
 
 #: What the prefix becomes in the second expansion.
 _PREFIX = "left_"
+_DEFINED = ("link", "joint")
+#: Attributes that name a link or a joint; ``name`` does in `_DEFINED` inside of other elements.
+_ATTRIBUTES = ("link", "joint", "reference")
 #: Tags whose text is the name of a link or a joint.
 _NAMING = ("frame", "link", "joint", "body")
 
@@ -85,15 +78,15 @@ def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:
     """The links and joints, and where their names are."""
     for element in root.children:
         attribute = element.attributes.get("name")
-        if element.tag in ("link", "joint") and attribute:
+        if element.tag in _DEFINED and attribute:
             yield attribute.value, attribute
 
 
 def _references(root: Element, names: set[str]) -> Iterator[tuple[str, Span, Element]]:
     """Where names are used: in attributes, and as the text of tags that name a link or a joint."""
     for element in root.walk():
-        is_definition = element.parent is root and element.tag in ("link", "joint")
-        for key in NAMES if not is_definition else ():
+        is_named = element.tag in _DEFINED and element.parent is not root
+        for key in ("name", *_ATTRIBUTES) if is_named else _ATTRIBUTES:
             attribute = element.attributes.get(key)
             if attribute and attribute.value in names:
                 yield attribute.value, attribute.span, element

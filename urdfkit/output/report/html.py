@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from urdfkit import __version__
 from urdfkit.core.installation import needing
 from urdfkit.output.report.document import ReportDocument
-from urdfkit.output.report.translations import Translator
+from urdfkit.output.report.translations import PLURALS, Translator
 from urdfkit.robot.stability import VERDICTS
 from urdfkit.text.terminal import printable
 
@@ -35,8 +35,9 @@ MAX_MATRIX = 60
 
 _DIRECTORY = os.path.join(os.path.dirname(__file__), "templates")
 #: The scripts of the 3D view, in the order of their needs.
-_SCENE = ("joints.js", "surfaces.js", "overlays.js", "camera.js", "scene.js")
+_SCENE = ("joints.js", "surfaces.js", "model.js", "overlays.js", "camera.js", "scene.js")
 _SEVERITIES = ("error", "warning", "info")
+_QUOTED = re.compile(r"'([^']*)'")
 
 
 def render(
@@ -64,7 +65,7 @@ def render(
     inline = [*scripts, *([engine.script] if engine else [])]
     return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
         **_context(document, translator, drawings),
-        style=_safe(_read("page.css")),
+        style=_safe(_read("scene.css") + _read("page.css")),
         policy=_policy(inline, live=bool(shape)),
         shape=shape,
         scripts=[_safe(script) for script in scripts],
@@ -96,6 +97,11 @@ def render_plain(template: str, translator: Translator, **context: object) -> st
     )
 
 
+def render_view(translator: Translator) -> str:
+    """The elements that the scripts of the 3D view expect."""
+    return _environment().get_template("scene.html.j2").render(_=translator)
+
+
 def render_content(
     document: ReportDocument, translator: Translator, drawings: Mapping[str, str]
 ) -> str:
@@ -121,6 +127,8 @@ def _context(
         "more": max(0, len(found) - MAX_FINDINGS),
         "rows": MAX_ROWS,
         "verdicts": VERDICTS,
+        "plurals": PLURALS,
+        "rejections": _rejections(document["gazebo"]),
         "matrix": _matrix(document["collisions"]),
         "colliding": _colliding(document["collisions"]),
         "sections": [
@@ -162,6 +170,29 @@ def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
         if pair["near_miss"] or pair["verdict"] not in ("adjacent", "never")
     ]
     return sorted(pairs, key=lambda pair: -(pair["frequency"] or 0.0))
+
+
+def _rejections(
+    converted: dict[str, Any] | None,
+) -> list[tuple[str, list[tuple[str, str, list[str]]]]]:
+    """Why each reader rejects the robot: messages with the codes of their rules.
+
+    Messages that differ only in names are one, with the first name of each of the others.
+    """
+    readers: dict[str, dict[tuple[str, str], list[str]]] = {}
+    for found in converted["rejected"] if converted else ():
+        alike = (_QUOTED.sub("''", found["message"]), found["code"])
+        readers.setdefault(found["by"], {}).setdefault(alike, []).append(found["message"])
+    return [
+        (
+            reader,
+            [
+                (first, code, [name for text in others for name in _QUOTED.findall(text)[:1]])
+                for (_, code), (first, *others) in reasons.items()
+            ],
+        )
+        for reader, reasons in readers.items()
+    ]
 
 
 def _by_reason(missing: Iterable[tuple[str, str]]) -> dict[str, list[str]]:

@@ -4,11 +4,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from urdfkit.output.report.document import ReportDocument
-from urdfkit.output.report.translations import Translator
+from urdfkit.output.report.translations import PLURALS, Translator
 from urdfkit.text.markdown import code, escape, fitted, table
 
 _SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
-_PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 _VERDICTS = {"passes": "🟢", "passes with warnings": "🟡", "fails": "🔴"}
 
 
@@ -43,7 +42,7 @@ def _sections(document: ReportDocument, _: Translator) -> Iterator[str]:
 
 
 def _counted(count: int, noun: str, _: Translator) -> str:
-    return f"{count} {_(noun if count == 1 else _PLURALS[noun])}"
+    return f"{count} {_(noun if count == 1 else PLURALS[noun])}"
 
 
 def _target(target: dict[str, Any], _: Translator) -> list[str]:

@@ -5,6 +5,8 @@ import os
 
 #: Languages by their code; English is the key that the others are found under.
 LANGUAGES = ("en", "zh")
+#: Severities after any number but 1.
+PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 
 
 class Translator:

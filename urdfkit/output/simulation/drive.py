@@ -4,16 +4,14 @@ from collections.abc import Iterator
 
 import mujoco
 
-from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, diverged, unit_of
+from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
 from urdfkit.robot.model import Joint
 
 #: Within so many seconds a joint reaches a tenth of its velocity, this one in rad/s or m/s, or an
 #: end of its range. Talos' grippers reach half of theirs.
 DRIVEN, SPEED, PART = 1.0, 0.1, 0.1
-#: A joint that one step takes to so many times its velocity, or of this one in rad/s or m/s, is
-#: moved by nothing that has mass. A sound UR5e has 136.
-FASTEST, ROTOR = 1e4, 10.0
 #: A joint that moves by less, in rad or m, is at the end of its range already.
 _LEAST = 1e-3
 

@@ -7,8 +7,9 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, diverged
+from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.stability import is_freestanding, lowest_links
 
 #: The height in m that a robot is dropped from, and the seconds until it is to lie still; one that

@@ -10,12 +10,12 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.output.simulation.simulated_robot import (
     FINE_STEP,
-    STEP,
     SimulatedRobot,
     diverged,
     unit_of,
 )
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.values import number
 from urdfkit.text.source import Span
 

@@ -16,12 +16,13 @@ from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.text.source import Span
 
-#: Seconds of a step, and of a finer one: where that is calm, the coarser is at fault.
-STEP, FINE_STEP = 0.002, 0.0005
+#: Seconds of a finer step than `STEP`: where that is calm, the coarser is at fault.
+FINE_STEP = 0.0005
 #: Links that are in one another by more, push each other away.
 OVERLAP = 1e-3
 

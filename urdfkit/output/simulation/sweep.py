@@ -8,8 +8,9 @@ import mujoco
 import numpy as np
 
 from urdfkit.output.simulation.hold import SAG, torques
-from urdfkit.output.simulation.simulated_robot import OVERLAP, STEP, SimulatedRobot, unit_of
+from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.kinematics import SLIDING, positions
 
 #: Positions of a joint that are looked at between its ends.

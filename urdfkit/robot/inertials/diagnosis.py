@@ -16,7 +16,9 @@ from urdfkit.core.spatial import rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.joint_loads import is_thrown
+from urdfkit.robot.model import Joint, Tensor
+from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.shapes import OTHER_UNIT
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Confidence, Fix
@@ -265,8 +267,28 @@ def _shifted_from_origin(link: LinkInertia, mass: float) -> Tensor:
     return inertia.shifted(link.tensor, mass, offset)
 
 
+def thrown_by(link: LinkInertia, tensor: Tensor) -> Joint | None:
+    """The joint whose effort would throw a link of another tensor, but not of its own.
+
+    ``urdfkit simulate`` fails such a robot: a virtual link of 1 g between two joints of a hand.
+    """
+    joint = link.body.joint
+    if joint is None or is_thrown(joint, link.body.properties):
+        return None
+    parts = (
+        own._replace(tensor=inertia.rotated(tensor, (frame @ link.inertial.origin).rotation))
+        if one is link.link
+        else own
+        for one, frame in link.body.links
+        for own in (properties_of(one, frame),)
+    )
+    return joint if is_thrown(joint, inertia.combined(parts)) else None
+
+
 def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
     """What to do about a tensor, in one line; empty if the help of the rule says it."""
+    if diagnosis.tensor and (joint := thrown_by(link, diagnosis.tensor)):
+        return f"give it more mass first: joint '{joint.name}' has too much effort for less inertia"
     if not from_macro(link.at):
         return str(diagnosis)
     return f"the tensor {diagnosis.cause}; compute it in the macro" if diagnosis.cause else ""
@@ -291,9 +313,9 @@ def replacement(link: LinkInertia, tensor: Tensor | None) -> Fix | None:
     """A fix that writes a tensor in the place of one that stands in the file as numbers.
 
     Entries that are right stay as they are written; one that stood elsewhere, or had the other
-    sign, keeps its digits.
+    sign, keeps its digits. None if the effort of a joint is too large for the tensor.
     """
-    if tensor is None:
+    if tensor is None or thrown_by(link, tensor):
         return None
     changed = _changed(link, tensor)
     attributes = link.at.attributes

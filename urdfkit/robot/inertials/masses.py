@@ -171,6 +171,13 @@ class Masses:
                 found.append((self.by_name[left], self.by_name[right]))
         return found
 
+    def counterpart(self, link: LinkInertia) -> LinkInertia | None:
+        """The link on the other side of the robot, if its mass is the same."""
+        for left, right in self.symmetric_pairs:
+            if link in (left, right) and unlike(left, right) != "mass":
+                return right if link is left else left
+        return None
+
     def _parent(self, name: str) -> str:
         joint = next(iter(self.tree.parents[name]), None)
         return joint.parent_name if joint else ""
@@ -187,6 +194,7 @@ class Masses:
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Pairs of which one has clearly more mass or larger moments, without another defect."""
         wrong = {one.name for one in self._defective}
+        wrong |= {link.name for body in self.without_inertia for link, _ in body.links}
         return [
             (left, right)
             for left, right in self.symmetric_pairs

@@ -3,12 +3,14 @@
 Gazebo takes ``package://arm/...`` for ``model://arm/...`` and searches its resource path, which
 knows nothing of ROS packages. The path must be set: by a package.xml that exports
 ``gazebo_model_path``, a launch file or an environment hook that sets the variable, or the shell.
+A launch file that replaces ``package://`` by a path does without.
 Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_gz_sim.
 """
 
 from __future__ import annotations
 
 import os
+import re
 
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import Directories
@@ -25,6 +27,8 @@ _VARIABLES = (
     b"IGN_GAZEBO_RESOURCE_PATH",
     b"SDF_PATH",
 )
+#: Calls of Python, and of the shell, that give the meshes another scheme or an absolute path.
+_REPLACES = re.compile(rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]{0,200}package:""")
 #: Ends of the names of files that can set it: shell and build files, hooks, instructions.
 _TEXTS = (
     ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
@@ -36,7 +40,9 @@ class ResourcePaths(Record):
     """What the files of a workspace say."""
 
     starter: str | None  # a launch file that starts Gazebo; None if there is none
-    is_mentioned: bool  # True if a file mentions Gazebo's resource path, or not all could be read
+    #: True if a file mentions Gazebo's resource path or replaces ``package://``, or if not all
+    #: could be read.
+    is_mentioned: bool
 
 
 def survey(root: str, directories: Directories) -> ResourcePaths:
@@ -47,7 +53,7 @@ def survey(root: str, directories: Directories) -> ResourcePaths:
     starter = None
     for path in files[:MAX_FILES]:
         data = read_head(path, MAX_BYTES)
-        if any(word in data for word in _VARIABLES):
+        if any(word in data for word in _VARIABLES) or _REPLACES.search(data):
             return ResourcePaths(starter, True)
         if starter is None and _is_launch(path) and any(word in data for word in _STARTERS):
             starter = path

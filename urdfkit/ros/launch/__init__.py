@@ -5,11 +5,15 @@ a launch file is run.
 """
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 from urdfkit.ros.launch.collect import Collector
 from urdfkit.ros.launch.contents import Launch, LaunchedFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
+
+#: Launch files that are kept: a check plans with one, checks it, and asks it about each robot.
+KEPT = 256
 
 
 def read_launch(
@@ -20,8 +24,13 @@ def read_launch(
     Args:
         arguments: of the launch file, ``name:=value``.
     """
+    return _launch(source, resolver, tuple((arguments or {}).items()))
+
+
+@lru_cache(KEPT)
+def _launch(source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...]) -> Launch:
     collector = Collector(resolver, _read)
-    _read(collector, LaunchedFile(source, arguments or {}))
+    _read(collector, LaunchedFile(source, dict(arguments)))
     return collector.launch()
 
 

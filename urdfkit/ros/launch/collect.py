@@ -127,9 +127,9 @@ class Collector:
         is_expanded: bool = True,
     ) -> None:
         """A file that is the robot description, expanded with arguments; None is not known."""
-        if not disk.exists(path):
-            path = self.resolver.installed(path) or path
         if self.file(path, span, "robot description"):
+            if not disk.exists(path):
+                path = self.resolver.installed(path) or path
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
             found = LaunchedDescription(path, known, frame, is_whole, is_yaml, is_expanded)

@@ -5,9 +5,12 @@ in it an attribute, and each item of a list one of several elements.
 Source: ``launch_yaml/entity.py`` of ros2/launch.
 """
 
+from collections.abc import Sequence
+from functools import lru_cache
+
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
-from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
+from urdfkit.text.located_yaml import KEPT, Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
@@ -44,20 +47,21 @@ class _Action(Element):
         return self._span
 
 
-def parsed(source: Source) -> tuple[Document | None, list[Problem]]:
+@lru_cache(KEPT)
+def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
     """The document of a launch file, None if there is none, and what is wrong with its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
     if found := mistake(source):
         span, reason = found
-        return None, [Problem("XML001", span, f"not YAML: {reason}")]
+        return None, (Problem("XML001", span, f"not YAML: {reason}"),)
     top = load(source)
     key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None
     if not isinstance(top, dict) or not isinstance(key, Key):
-        return None, []
+        return None, ()
     root = _Action("launch", key.span, None)
     _fill(root, top[key])
-    return Document(root, (source,)), []
+    return Document(root, (source,)), ()
 
 
 def _fill(element: Element, node: Node) -> None:

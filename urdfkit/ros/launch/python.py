@@ -30,7 +30,7 @@ from urdfkit.ros.launch.python_mistakes import (
 )
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
-from urdfkit.ros.launch.values import JOINED, Values, argument, called
+from urdfkit.ros.launch.values import Values, argument, called, parts_of_path
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
@@ -139,7 +139,7 @@ class _PythonReader:
         """Paths that are put together for a use which is not known, such as that of a world."""
         for node in self._expressions:
             is_path = isinstance(node, (ast.BinOp, ast.JoinedStr)) or (
-                isinstance(node, ast.Call) and called(node) in JOINED
+                isinstance(node, ast.Call) and bool(parts_of_path(node))
             )
             if is_path and node not in self._idle:
                 path = self.values.text(node)

@@ -81,9 +81,7 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
 
 
 def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
-    """A path that begins with a slash behind others, which ``os.path.join`` then drops."""
-    if called(call) not in ("join", "PathJoinSubstitution"):
-        return None
+    """A part of a path that begins with a slash: the parts before it are dropped."""
     for part in parts_of_path(call)[1:]:
         text = part.value if isinstance(part, ast.Constant) else None
         if isinstance(text, str) and text.startswith("/"):

@@ -19,7 +19,7 @@ from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, shown
 from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
 
@@ -147,7 +147,7 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
             yield workspace, package[0]
 
 
-@lru_cache(maxsize=2)  # the robots of a package are queried one after the other
+@lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
 def _started(
     directory: str, mentioned: str, resolver: Resolver
 ) -> tuple[tuple[str, RobotArguments], ...]:
@@ -174,7 +174,7 @@ def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterato
     """The launch files of a directory whose text mentions a package."""
     files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     for path in islice(files, MAX_FILES):
-        source = resolver.readable(path)
+        source = resolver.readable(shown(path))
         if source and mentioned.encode() in source.data:
             yield source
 

@@ -12,6 +12,7 @@ from urdfkit.ros.launch.contents import StartedProgram, Word
 _SPAWNERS = ("spawner", "spawner.py")
 _LOADS = ("load", "spawn")
 _LOAD_CONTROLLER = ("ros2", "control", "load_controller")
+MANAGER = "controller_manager"
 _MANAGER = ("-c", "--controller-manager")
 #: Options with a value.
 _VALUED = frozenset(
@@ -51,6 +52,21 @@ def manager(started: StartedProgram) -> Word | None:
     return found and Word((found.text or "").partition("=")[2], found.span)
 
 
+def manager_name(started: StartedProgram) -> str | None:
+    """The controller manager that a program talks to, in its namespace; None if it is not known."""
+    wanted = manager(started)
+    is_named = wanted is None or bool(wanted.text)
+    is_elsewhere = any((word.text or "").startswith("--namespace") for word in started.words)
+    if started.namespace is None or not is_named or is_elsewhere:  # --namespace is of ROS 1
+        return None
+    return resolve_name(wanted.text or "" if wanted else MANAGER, started.namespace)
+
+
+def resolve_name(name: str, namespace: str | None) -> str:
+    """A name of ROS in a namespace."""
+    return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")
+
+
 def activates(started: StartedProgram) -> bool:
     """True if a program that loads controllers starts them, too."""
     texts = {word.text for word in started.words}
@@ -60,10 +76,10 @@ def activates(started: StartedProgram) -> bool:
 def _arguments(started: StartedProgram) -> tuple[Word, ...]:
     """The words after the command; none if it loads no controllers."""
     words = started.words
-    if started.package == "controller_manager":
+    if started.package == MANAGER:
         if started.executable in _SPAWNERS:
             return words
-        if started.executable == "controller_manager" and words and words[0].text in _LOADS:
+        if started.executable == MANAGER and words and words[0].text in _LOADS:
             return words[1:]
     if tuple(word.text for word in words[:3]) == _LOAD_CONTROLLER:
         return words[3:]

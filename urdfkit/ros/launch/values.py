@@ -14,7 +14,6 @@ from urdfkit.text.source import Span
 MAX_DEPTH = 40
 
 PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
-JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
     "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
@@ -102,8 +101,8 @@ class Values:
         name = called(call)
         if name in PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
-        if name in JOINED:
-            return _path(self.text(part, depth + 1) for part in parts_of_path(call))
+        if parts := parts_of_path(call):
+            return _path(self.text(part, depth + 1) for part in parts)
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
         if name == "ThisLaunchFileDir":
@@ -157,10 +156,19 @@ def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None
 
 
 def parts_of_path(call: ast.Call) -> list[ast.expr]:
-    """What one of `JOINED` puts together: its arguments, or the items of the only one."""
-    if len(call.args) == 1 and isinstance(call.args[0], (ast.List, ast.Tuple)):
-        return call.args[0].elts
-    return call.args
+    """The parts that a call joins to a path; empty if it joins none.
+
+    ``join`` of a text, as in ``os.pathsep.join([...])``, takes one argument.
+    """
+    name, function, parts = called(call), call.func, call.args
+    if name == "PathJoinSubstitution":
+        return parts[0].elts if parts and isinstance(parts[0], (ast.List, ast.Tuple)) else []
+    if name == "joinpath" and isinstance(function, ast.Attribute):
+        return [function.value, *parts]
+    if name == "Path":
+        return parts if len(parts) > 1 else []
+    is_path = name == "join" and (len(parts) > 1 or ast.unparse(function) == "os.path.join")
+    return parts if is_path else []
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:

@@ -20,7 +20,7 @@ from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import Element
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
 
@@ -194,6 +194,9 @@ class _XmlReader(XmlLaunchFile):
         source = self.collector.resolver.readable(path)
         if source is None:
             return
+        if self.ros == 1 and path.endswith((".py", *YAML)):
+            self._of_other_ros(element.attributes["file"], path)
+            return
         taken = signature(source)
         self._is_whole = self._is_whole and taken.is_whole
         self._compare(element, taken, source)
@@ -215,6 +218,13 @@ class _XmlReader(XmlLaunchFile):
             inherited |= self._arguments.declared
         file = LaunchedFile(source, self._passed(element), frame)
         _XmlReader(self.collector, file, inherited, here).read()
+
+    def _of_other_ros(self, attribute: Attribute, path: str) -> None:
+        message = f"roslaunch reads XML alone, and '{os.path.basename(path)}' is of ROS 2"
+        help = "include a launch file of ROS 1, or write this one for ROS 2"
+        problem = Problem("LAU010", attribute.span, message, help, self.frame)
+        self.collector.problems.append(problem)
+        self.collector.unread.append(path)
 
     def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""

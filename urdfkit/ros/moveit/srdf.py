@@ -17,7 +17,7 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files
+from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files, srdf_in
 
 
 class Srdf:
@@ -184,17 +184,53 @@ def find(robot: RosDescription) -> Srdf | None:
     return chosen[0] if len(chosen) == 1 else None
 
 
+def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
+    """The other SRDFs in the directory of one."""
+    for path in srdf_in([os.path.dirname(srdf.path)], robot.resolver):
+        if path != srdf.path and (other := read(path, robot)):
+            yield other
+
+
 def read(path: str, robot: RosDescription) -> Srdf | None:
     """An SRDF file of a robot; None if it cannot be read.
 
-    A xacro has the arguments of the robot, as far as they have the same names.
+    A xacro has the arguments of the robot, as far as they have the same names, and those that
+    launch files give it, unless it then fits the robot worse than without.
     """
-    document, _ = _parsed(path, robot.resolver, robot.trust, robot.arguments)
+    srdf, names = _expanded(path, robot, {})
+    for arguments in _launched(path, robot, names) if names else ():
+        launched, _ = _expanded(path, robot, arguments)
+        if launched and (srdf is None or len(launched.unknown) <= len(srdf.unknown)):
+            return launched
+    return srdf
+
+
+def _expanded(
+    path: str, robot: RosDescription, arguments: Mapping[str, str]
+) -> tuple[Srdf | None, set[str]]:
+    """An SRDF file with some arguments, and the names of those that it has besides the robot's."""
+    given = {**arguments, **robot.arguments}
+    document, _, names = _parsed(path, robot.resolver, robot.trust, given)
+    names -= robot.arguments.keys()
     if document is None or document.root.tag != "robot":
-        return None
+        return None, names
     if path.endswith(".xacro") and not document.root.children:
-        return None  # macros, for other files
-    return Srdf(path, document.root, robot.tree)
+        return None, set()  # macros, for other files
+    return Srdf(path, document.root, robot.tree), names
+
+
+def _launched(path: str, robot: RosDescription, names: set[str]) -> Iterator[dict[str, str]]:
+    """The arguments that launch files give to an SRDF: all of them, and all but one.
+
+    The robot may be checked with the default of one, such as that of its prefix.
+    """
+    from urdfkit.ros.launch.robot_arguments import given
+
+    for launched in given(path, (), robot.resolver):
+        whole = {name: value for name, value in launched.arguments.items() if name in names}
+        if launched.frame:
+            yield whole
+            yield from ({name: whole[name] for name in whole if name != one} for one in whole)
 
 
 def is_srdf(root: Element) -> bool:
@@ -207,7 +243,7 @@ def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
     paths = srdf_files(path, resolver)
     for one in paths:
         if len(paths) == 1 or _stem(one) in (name, _stem(path)):
-            document, problems = _parsed(one, resolver, False, {})
+            document, problems, _ = _parsed(one, resolver, False, {})
             if document is None:
                 yield from problems
 
@@ -218,13 +254,15 @@ def _stem(path: str) -> str:
 
 def _parsed(
     path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
-) -> tuple[Document | None, Sequence[Problem]]:
+) -> tuple[Document | None, Sequence[Problem], set[str]]:
+    """A file, what is wrong with it, and the names of its xacro arguments."""
     source = resolver.readable(path)
     if source is None:
-        return None, ()
+        return None, (), set()
     if is_xacro(source):
         from urdfkit.xacro import expand
 
         # What it lacks may be what a launch file passes.
-        return expand(source, resolver, arguments, trust=trust).document, ()
-    return read_xml(source)
+        xacro = expand(source, resolver, arguments, trust=trust)
+        return xacro.document, (), set(xacro.defaults)
+    return *read_xml(source), set()

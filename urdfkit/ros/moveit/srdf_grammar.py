@@ -66,11 +66,13 @@ def mistakes(root: Element) -> Iterator[SrdfDeviation]:
 def lacking(root: Element) -> Iterator[tuple[Element, str]]:
     """The elements without an attribute that they need, each with the attribute.
 
-    Typos are left out.
+    Typos are left out, and empty values of expressions: they may be arguments that users pass.
     """
     misspelt = {(id(mistake.parent), mistake.suggested) for mistake in mistakes(root)}
     for element, grammar in _elements(root):
         for word in grammar.attributes:
             name = word.rstrip("!")
-            if name != word and not element.get(name) and (id(element), name) not in misspelt:
+            given = element.attributes.get(name)
+            is_empty = given is None or (not given.value and given.literal)
+            if name != word and is_empty and (id(element), name) not in misspelt:
                 yield element, name

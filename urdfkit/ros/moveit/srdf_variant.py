@@ -1,4 +1,4 @@
-"""Whether an SRDF is made for another variant of a robot: with more parts, or without a prefix."""
+"""Robots of a package that share its SRDFs and the YAML files of MoveIt next to them."""
 
 import re
 from collections import Counter
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.ros import RosDescription
-from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf import Srdf, neighbours
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.file_head import read_head
@@ -37,8 +37,24 @@ def other_variant(description: RosDescription, srdf: Srdf) -> str:
     prefix = _prefix(known - srdf.named, unknown)
     if prefix:
         return f"{reported}; they begin with '{prefix}'"
-    other = next(_robots_with(unknown, description), "")
+    others = (path for path, names in _other_robots(description) if _fits(unknown, names))
+    other = next(others, "")
     return f"{reported}; they are in {shown(other)}" if other else ""
+
+
+def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[str]) -> set[str]:
+    """Those of some links, joints and groups that another robot with an SRDF next to this one has.
+
+    The robots share the YAML files of MoveIt there.
+    """
+    others = list(neighbours(srdf, description)) if names else []
+    found = {name for other in others for name in names & {*other.named, *other.groups_by_name}}
+    if others and found != names:
+        for _, known in _other_robots(description):
+            found |= names & known
+            if found == names:
+                break
+    return found
 
 
 def _prefix(bare: set[str], prefixed: set[str]) -> str:
@@ -54,8 +70,8 @@ def _prefix(bare: set[str], prefixed: set[str]) -> str:
     return min(fitting, key=len, default="")
 
 
-def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
-    """The other descriptions of the package that have nearly all of some links and joints."""
+def _other_robots(description: RosDescription) -> Iterator[tuple[str, set[str]]]:
+    """The links and joints of the other descriptions of the package: as written, and expanded."""
     package = description.resolver.packages.enclosing(description.source.path)
     if package is None:
         return
@@ -66,19 +82,12 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     xacros = 0
     for path in robots[:_MAX_FILES]:
         data = read_head(path, _MAX_BYTES)
-        if _fits(names, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}):
-            yield path
-        elif xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
+        yield path, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}
+        if xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
-            if _has(names, description.other_robot(path, description.arguments)):
-                yield path
-
-
-def _has(names: set[str], robot: RosDescription) -> bool:
-    """True if a robot has nearly all of some links and joints."""
-    if not robot.is_readable:
-        return False
-    return _fits(names, {*robot.model.links_by_name, *robot.model.joints_by_name})
+            robot = description.other_robot(path, description.arguments)
+            if robot.is_readable:
+                yield path, {*robot.model.links_by_name, *robot.model.joints_by_name}
 
 
 _NAME = re.compile(rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["']([^"'<>]*)""")

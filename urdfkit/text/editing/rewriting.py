@@ -7,12 +7,10 @@ from collections.abc import Iterable
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import UnwritableFile
+from urdfkit.errors import FileChanged, UnwritableFile
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.source import Source
-
-_CHANGED = "it has changed meanwhile; run it again"
 
 
 class Rewrite(Record):
@@ -62,7 +60,7 @@ def write(rewrites: Iterable[Rewrite]) -> None:
         if now is None:
             raise UnwritableFile(f"{one.path}: file not found")
         if now != one.before:
-            raise UnwritableFile(f"{one.path}: {_CHANGED}")
+            raise FileChanged(one.path)
     for one in rewrites:
         atomic.write(one.path, one.after, before=one.before)
 
@@ -75,7 +73,7 @@ def unchanged(source: Source) -> bytes:
     """
     now = on_disk(source.path)
     if now is not None and Source(source.path, now).data != source.data:
-        raise UnwritableFile(f"{source.path}: {_CHANGED}")
+        raise FileChanged(source.path)
     return now or b""
 
 

@@ -18,9 +18,10 @@
     const squares = 2 * Math.ceil(1.5 * size / step);
     const grid = new THREE.GridHelper(squares * step, squares, GRID, GRID);
     grid.rotation.x = Math.PI / 2;
-    Object.assign(grid.material, { transparent: true, opacity: 0.3 });
-    const shadows = new THREE.Mesh(new THREE.PlaneGeometry(squares * step, squares * step), new THREE.ShadowMaterial({ opacity: 0.22 }));
+    Object.assign(grid.material, { transparent: true, opacity: 0.3, depthWrite: false });
+    const shadows = new THREE.Mesh(new THREE.PlaneGeometry(squares * step, squares * step), new THREE.ShadowMaterial({ opacity: 0.22, depthWrite: false }));
     shadows.receiveShadow = true;
+    [shadows.renderOrder, grid.renderOrder] = [-2, -1]; // the lines on the shadows
     const made = new THREE.Group();
     made.add(grid, shadows);
     made.position.z = height - 1e-4 * size;

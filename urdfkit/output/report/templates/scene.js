@@ -8,8 +8,9 @@
   const picked = document.getElementById("picked");
   const ACCENT = new THREE.Color(0x1f7cf2), NONE = new THREE.Color(0);
   // As in the images; what has no findings steps back.
-  const SEVERITIES = { error: new THREE.Color(0xde2121), warning: new THREE.Color(0xff9e0d) };
-  const QUIET = new THREE.Color(0xccd1d9);
+  const written = (hex) => new THREE.Color(hex).convertSRGBToLinear();
+  const SEVERITIES = { error: written(0xde2121), warning: written(0xff9e0d) };
+  const QUIET = written(0xccd1d9);
 
   let renderer;
   try {
@@ -23,7 +24,7 @@
   }
   renderer.outputEncoding = THREE.sRGBEncoding;
   renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+  renderer.shadowMap.type = THREE.VSMShadowMap; // soft edges
   const canvas = renderer.domElement;
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application");
@@ -32,14 +33,16 @@
 
   const view = page.orbit(canvas, { changed: draw, pick, release: () => { select([]); page.showLink(null); } });
   const scene = new THREE.Scene();
-  const sky = new THREE.HemisphereLight(0xffffff, 0x6a6f78, 0.5);
+  // The lamps of the images (urdfkit/render/light.py): they go with the camera.
+  const sky = new THREE.HemisphereLight(new THREE.Color(0.5, 0.52, 0.55), new THREE.Color(0.27, 0.265, 0.26), 1);
   sky.position.set(0, 0, 1);
-  const sun = new THREE.DirectionalLight(0xfff8ec, 0.4);
+  const sun = new THREE.DirectionalLight(new THREE.Color(1.02, 0.99, 0.94), 1);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(2048, 2048);
-  const lamp = new THREE.DirectionalLight(0xffffff, 0.16); // goes with the camera
+  sun.shadow.mapSize.set(1024, 1024);
+  Object.assign(sun.shadow, { radius: 9, blurSamples: 20, bias: -0.0005 });
+  const fillLamp = new THREE.DirectionalLight(new THREE.Color(0.12, 0.125, 0.135), 1);
   const world = new THREE.Group();
-  scene.add(sky, sun, lamp, lamp.target, sun.target, world);
+  scene.add(sky, sun, fillLamp, sun.target, fillLamp.target, world);
 
   const layers = {}; // whether each is shown
   for (const box of document.querySelectorAll("[data-layer]")) layers[box.dataset.layer] = box.checked;
@@ -122,7 +125,9 @@
   function measure() {
     const box = new THREE.Box3();
     for (const mesh of surfaces) box.expandByObject(mesh);
-    for (const group of groups) box.expandByPoint(new THREE.Vector3().setFromMatrixPosition(group.matrix));
+    for (const group of box.isEmpty() ? groups : []) {
+      box.expandByPoint(new THREE.Vector3().setFromMatrixPosition(group.matrix));
+    }
     const edge = box.getSize(new THREE.Vector3()).length();
     size = edge > 0 && Number.isFinite(edge) ? edge : 1;
     return box;
@@ -162,23 +167,26 @@
       if (name) one.visible = layers[name] && !one.userData.empty;
     });
     for (const mesh of surfaces) {
-      const { material, userData: { role, number, color, opacity, map, vertexColors } } = mesh;
+      const { material, userData: { role, number, looks } } = mesh;
       const severity = layers.findings && SEVERITIES[worst.get(robot.links[number].name)];
       const marked = layers.findings && (severity || QUIET);
       const isChosen = chosen.has(number);
       const isAside = chosen.size > 0 && !isChosen;
       const isCovered = layers.collision && role === "visual" && !severity;
       mesh.visible = layers[role];
-      material.color.copy(marked || color);
-      material.map = marked ? null : map;
-      material.vertexColors = !marked && vertexColors;
-      material.emissive.copy(isChosen ? ACCENT : NONE);
-      material.emissiveIntensity = isChosen ? 0.55 : 0;
-      material.opacity = Math.min(opacity, isAside ? 0.3 : isCovered ? 0.6 : 1);
-      material.transparent = material.opacity < 1;
-      mesh.castShadow = !material.transparent && !layers.collision;
-      material.depthWrite = role !== "collision" && !isAside;
-      material.needsUpdate = true;
+      [material].flat().forEach((paint, part) => {
+        const { color, opacity, map, vertexColors } = looks[part];
+        paint.color.copy(marked || color);
+        paint.map = marked ? null : map;
+        paint.vertexColors = !marked && vertexColors;
+        paint.emissive.copy(isChosen ? ACCENT : NONE);
+        paint.emissiveIntensity = isChosen ? 0.55 : 0;
+        paint.opacity = Math.min(opacity, isAside ? 0.3 : isCovered ? 0.6 : 1);
+        paint.transparent = paint.opacity < 1;
+        paint.depthWrite = role !== "collision" && !isAside;
+        paint.needsUpdate = true;
+      });
+      mesh.castShadow = mesh.receiveShadow = ![material].flat()[0].transparent && !layers.collision;
     }
     draw();
   }
@@ -232,16 +240,23 @@
     renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     renderer.setSize(width, height, false);
     view.place(width, height);
-    lamp.position.copy(view.camera.position);
-    lamp.target.position.copy(view.target);
-    sun.target.position.copy(view.target);
-    sun.position.set(0.6, -0.8, 1.6).multiplyScalar(size).add(view.target);
+    light();
     world.traverse((one) => { // ranges of joints do not turn with them
       const joint = one.userData.still;
       if (joint) one.matrix.makeRotationAxis(axis.fromArray(joint.axis), -page.joints.position(joint));
     });
     renderer.render(scene, view.camera);
     placeTags(width, height);
+  }
+  function light() {
+    const [right, up, back] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+    view.camera.matrixWorld.extractBasis(right, up, back);
+    const lamps = [[sun, up.z > -0.2 ? 1 : 0, -0.55, 0.12, 0.62], [fillLamp, 0.25, 0.9, 0, 0.45]];
+    for (const [lamp, above, x, y, z] of lamps) {
+      lamp.position.set(0, 0, above).addScaledVector(right, x).addScaledVector(up, y).addScaledVector(back, z);
+      lamp.position.setLength(2 * size).add(view.target);
+      lamp.target.position.copy(view.target);
+    }
   }
   // Where names would cover one another, those of chosen and of near links are shown.
   function placeTags(width, height) {

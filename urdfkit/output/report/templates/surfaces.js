@@ -1,57 +1,55 @@
-// The surfaces of a robot, as a page carries them: glTF, packed with gzip, in base64.
+// How the surfaces of a robot look: as in the images of urdfkit render (urdfkit/render/shading.py).
 (function () {
   "use strict";
-  const DARKEST = 0.02; // of paint, in linear light
+  const DARKEST = 0.012; // of paint, in linear light
+  // What the sky adds: more where a surface is seen at a flat angle and mirrors what is above. What
+  // is too bright for a screen is bent towards white.
+  const GLOSS = `
+    vec3 toViewer = normalize(vViewPosition);
+    vec3 above = (viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz;
+    float facing = clamp(dot(normal, toViewer), 0.0, 1.0);
+    float mirrored = 2.0 * facing * dot(normal, above) - dot(toViewer, above);
+    float grazing = 0.04 + 0.96 * pow(1.0 - facing, 5.0);
+    outgoingLight += 0.32 * grazing * clamp(0.5 * mirrored + 0.5, 0.0, 1.0);
+    vec3 over = max(outgoingLight - 0.72, 0.0);
+    outgoingLight = min(outgoingLight, 0.72) + 0.28 * over / (over + 0.28);
+  `;
+  const OUTPUT = "#include <output_fragment>";
 
-  async function unpacked(text) {
-    const bytes = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return new Response(stream).arrayBuffer();
-  }
-  function parsed(buffer) {
-    return new Promise((resolve, reject) => new THREE.GLTFLoader().parse(buffer, "", resolve, reject));
-  }
   // Without the model of metals and roughness: a machine without a graphics card draws it, too.
-  // No paint is blacker than coal, and it shines: black parts are told apart from one another.
   function painted({ color, map, opacity, transparent, vertexColors }) {
     const [r, g, b] = color.toArray().map((part) => Math.max(part, DARKEST));
-    return new THREE.MeshPhongMaterial({
+    const made = new THREE.MeshPhongMaterial({
       color: new THREE.Color(r, g, b), map, opacity, transparent, vertexColors,
-      specular: 0x2c2e32, shininess: 28, side: THREE.DoubleSide,
+      specular: new THREE.Color(0.029, 0.029, 0.029), shininess: 42, side: THREE.DoubleSide,
     });
+    made.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(OUTPUT, GLOSS + OUTPUT);
+    };
+    return made;
   }
   function shaded(geometry) { // without normals every face is flat
     if (geometry.attributes.normal) return geometry;
-    const flat = geometry.toNonIndexed();
+    const flat = geometry.index ? geometry.toNonIndexed() : geometry;
     flat.computeVertexNormals();
     return flat;
   }
-  // This three.js finds what is under the pointer only where positions are plain numbers.
-  function widened(geometry) {
-    const { array, normalized, isInterleavedBufferAttribute, count } = geometry.attributes.position;
-    if (!normalized) return geometry;
-    const stride = isInterleavedBufferAttribute ? geometry.attributes.position.data.stride : 3;
-    const plain = new Float32Array(3 * count);
-    for (let i = 0; i < 3 * count; i++) plain[i] = array[Math.floor(i / 3) * stride + (i % 3)] / 65535;
-    geometry.setAttribute("position", new THREE.BufferAttribute(plain, 3));
-    return geometry;
-  }
 
-  // Nodes in the frames of their links; their meshes know the link, the role and how they look.
-  window.urdfkit.surfaces = async (packed) => {
-    const nodes = [...(await parsed(await unpacked(packed))).scene.children];
-    for (const node of nodes) {
-      node.traverse((one) => {
-        if (!one.isMesh) return;
-        one.geometry = shaded(widened(one.geometry));
-        one.material = painted(one.material);
-        const { color, opacity, map, vertexColors } = one.material;
-        one.userData = { ...node.userData, color: color.clone(), opacity, map, vertexColors };
-        if (one.userData.role !== "collision") return;
-        one.renderOrder = 1; // many lie on their visuals
-        Object.assign(one.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
-      });
-    }
-    return nodes;
+  // Makes the meshes of a node a link's: they know the link, the role and how they look.
+  window.urdfkit.surface = (node, { link, role }) => {
+    node.userData.link = link;
+    node.traverse((one) => {
+      if (!one.isMesh) return;
+      one.geometry = shaded(one.geometry);
+      one.material = Array.isArray(one.material) ? one.material.map(painted) : painted(one.material);
+      one.userData = { link, role, looks: [one.material].flat().map(({ color, opacity, map, vertexColors }) => (
+        { color: color.clone(), opacity, map, vertexColors })) };
+      if (role !== "collision") return;
+      one.renderOrder = 1; // many lie on their visuals
+      for (const material of [one.material].flat()) {
+        Object.assign(material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
+      }
+    });
+    return node;
   };
 })();

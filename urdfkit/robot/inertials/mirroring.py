@@ -1,0 +1,59 @@
+"""The inertial of a link as the mirror image of that of its left/right counterpart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import dist
+
+from urdfkit.core.spatial import Transform, Vector, transposed, vector
+from urdfkit.robot.inertia import MassProperties, rotated
+from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.model import Tensor
+from urdfkit.robot.rigid_bodies import properties_of
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.edits import replace_value
+
+#: In m: links that are mirror images are no farther from where they should be.
+_NEAR = 1e-3
+#: The products of inertia that change their sign where an axis does: y, else x.
+_PLANES = ((1, ("ixy", "iyz")), (0, ("ixy", "ixz")))
+
+
+def mirror_image(
+    link: LinkInertia, other: LinkInertia, placed: Mapping[str, Transform]
+) -> MassProperties | None:
+    """The mass properties of another link, mirrored, in the frame of a link.
+
+    None unless the origins of the two are mirror images in the plane y = 0 or x = 0 of the root.
+
+    Args:
+        placed: the frames of the links in that of the root.
+    """
+    own, its = placed.get(link.name), placed.get(other.name)
+    if own is None or its is None:
+        return None
+    for axis, products in _PLANES:
+        if dist(_flipped(its.position, axis), own.position) <= _NEAR:
+            whole = properties_of(other.link, its)
+            signs = {key: -getattr(whole.tensor, key) for key in products}
+            center, tensor = _flipped(whole.center, axis), whole.tensor._replace(**signs)
+            return MassProperties(whole.mass, center, tensor).moved(own.inverse)
+    return None
+
+
+def _flipped(point: Vector, axis: int) -> Vector:
+    return vector(-value if index == axis else value for index, value in enumerate(point))
+
+
+def along_inertial(link: LinkInertia, tensor: Tensor) -> Tensor:
+    """A tensor along the axes of a link, along those of its ``<inertial>``."""
+    return rotated(tensor, transposed(link.inertial.origin.rotation))
+
+
+def center_edits(link: LinkInertia, center: Vector) -> tuple[Edit, ...] | None:
+    """What writes another centre of mass; nothing if it is there, None if it cannot be written."""
+    if dist(center, link.inertial.origin.position) <= _NEAR:
+        return ()
+    origin = link.inertial.at.child("origin")
+    xyz = origin.attributes.get("xyz") if origin else None
+    return replace_value(xyz, " ".join(f"{value:.6g}" for value in center)) if xyz else None
