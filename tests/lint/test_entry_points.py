@@ -79,7 +79,9 @@ def test_a_robot_of_a_macro_call_with_an_unusual_suffix(tmp_path: Path, name: st
     write(tmp_path, "whole.urdf", '<link name="whole"/>')
     found = discover(str(tmp_path), Config(), Resolver())
     others = {Path(path).name for path in found.others}
-    assert others == ({name} if "srdf" not in name else set())
+    assert others == ({name, "m.xacro"} if "srdf" not in name else {"m.xacro"})
     (tmp_path / "a.launch").write_text(f'<launch><param textfile="{name}"/></launch>')
-    robots = names(discover(str(tmp_path), Config(), Resolver()))
-    assert robots == sorted({"whole.urdf", *others})
+    found = discover(str(tmp_path), Config(), Resolver())
+    is_robot = "srdf" not in name
+    assert names(found) == sorted({"whole.urdf", *([name] if is_robot else [])})
+    assert set(found.others) == (set() if is_robot else {str(tmp_path / "m.xacro")})

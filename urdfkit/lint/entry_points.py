@@ -21,7 +21,7 @@ _NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PART = "a part of a robot that no file includes"
-_OF_OTHERS = "defines no link, and what includes it is not a robot"
+_OF_OTHERS = "defines no link, and no robot that is checked includes it"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _CONTENT = re.compile(
     rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
@@ -63,19 +63,19 @@ class EntryPoints:
             for path, name in self.graph.names.items()
             if path not in included and is_description(name)
         ]
-        roots += self._in_rings(roots)
-        libraries = tuple(filter(self._is_library, roots))
-        whole = [path for path in roots if path not in libraries]
-        parts = self._parts(whole)
-        outer = [path for path in whole if path not in parts]
-        if not outer:  # what nothing is a part of
-            parts, outer = [], whole
         unusual = [
             name
             for path, name in self.graph.names.items()
             if path not in included and not name.lower().endswith(SUFFIXES) and self._is_robot(path)
         ]
         started = self._launched(unusual)
+        roots += self._in_rings([*roots, *started])
+        libraries = tuple(filter(self._is_library, roots))
+        whole = [path for path in roots if path not in libraries]
+        parts = self._parts(whole)
+        outer = [path for path in whole if path not in parts]
+        if not outer:  # what nothing is a part of
+            parts, outer = [], whole
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
