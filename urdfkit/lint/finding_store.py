@@ -1,5 +1,6 @@
 """The findings of a check, each once, with the robots that it is found in."""
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import IO, overload
@@ -14,19 +15,16 @@ IN_MEMORY = 100
 #: Files whose findings a report holds in memory.
 MAX_REPORTED = 500
 
+#: A name in quotes; a path or file name in quotes has a dot.
+_NAME = re.compile(r"'[^'.]*'")
 
-class _Place:
-    """The findings of one rule at one place, by message."""
+#: The findings of one rule at one place that differ by names only, by message: each with the
+#: robots that it is found in, by path and variant.
+_Alike = dict[str, tuple[Diagnostic, list[tuple[str, str]]]]
 
-    def __init__(self) -> None:
-        #: Each with the robots that it is found in: path and variant.
-        self.found: dict[str, tuple[Diagnostic, list[tuple[str, str]]]] = {}
-        self.last = ""  # the description that was added last
-        self.of_last: list[str] = []  # the messages with which its findings are kept
-
-
-#: The findings of a file, by the code of the rule and the place: first and last byte.
-_OfFile = dict[tuple[str, int, int], _Place]
+#: The findings of a file, by the code of the rule, the place (first and last byte) and the message
+#: without names.
+_OfFile = dict[tuple[str, int, int, str], _Alike]
 
 
 class FindingStore:
@@ -58,47 +56,45 @@ class FindingStore:
         """Add what is found in a description with one set of arguments."""
         if variant:
             self._variants.setdefault(path, set()).add(variant)
-        places: dict[tuple[object, ...], list[Diagnostic]] = {}
+        by_file: dict[str, dict[tuple[str, int, int, str], list[Diagnostic]]] = {}
         for one in diagnostics:
-            places.setdefault((one.code, one.span.source.path, *one.span[1:]), []).append(one)
-        for found in places.values():
-            self._add_at_place(found, path, [(path, variant)] if path else [])
+            groups = by_file.setdefault(one.span.source.path, {})
+            key = (one.code, *one.span[1:], _NAME.sub("''", one.message))
+            groups.setdefault(key, []).append(one)
+        for file, groups in by_file.items():
+            of_file = self._opened(file)
+            for key, group in groups.items():
+                self._add_group(of_file.setdefault(key, {}), group, (path, variant))
         while self._spills and len(self._memory) > IN_MEMORY:
             self._spill(next(iter(self._memory)))
 
-    def _add_at_place(
-        self, found: list[Diagnostic], description: str, found_in: list[tuple[str, str]]
-    ) -> None:
-        """Add the findings of one rule at one place.
+    def _add_group(self, known: _Alike, group: list[Diagnostic], robot: tuple[str, str]) -> None:
+        """Add findings of one robot that differ by names only.
 
-        With another set of arguments a description has other names, and the same defects. What is
-        found with other words than before is the same finding, once more.
+        In another robot, or with other arguments, the same element has other names: a finding that
+        this robot lacks is the same one with other names.
         """
-        file, name = self._real_and_shown(found[0].span.source.path)
-        of_file = self._memory[file] = self._of_file(file)
-        place = of_file.setdefault((found[0].code, *found[0].span[1:]), _Place())
-        is_same = place.last == description
-        messages = {one.message for one in found}
-        others = [one for one in place.of_last if one not in messages] if is_same else []
-        kept = place.of_last if is_same else []
-        for one in found:
+        messages = {one.message for one in group}
+        renamed = [name for name, (one, _) in known.items() if name not in messages and one.element]
+        for one in group:
             message = one.message
-            if message not in place.found and others:
-                message = others.pop(0)
-            if message in place.found:
-                first, known_in = place.found[message]
-                worst = _together(first, one)
-                place.found[message] = (worst, known_in + found_in)
+            if message not in known and renamed and one.element:
+                message = renamed.pop(0)
+            first, robots = known.get(message, (one, []))
+            if robots:
                 self.counts[first.severity] -= 1
-                self.counts[worst.severity] += 1
-            else:
-                place.found[message] = (one, found_in)
-                self.counts[one.severity] += 1
-            kept.append(message)
-        place.last, place.of_last = description, list(dict.fromkeys(kept))
+            worst = _merged(first, one)
+            self.counts[worst.severity] += 1
+            known[message] = (worst, [*robots, robot])
+
+    def _opened(self, path: str) -> _OfFile:
+        """The findings of a file, for additions."""
+        file, name = self._real_and_shown(path)
+        of_file = self._memory[file] = self._of_file(file)
         files = self._files.get(name, ())
         if file not in files:
             self._files[name] = (*files, file)
+        return of_file
 
     def _real_and_shown(self, path: str) -> tuple[str, str]:
         """A path without links, and as it is shown; worked out once for all findings of a file."""
@@ -114,8 +110,8 @@ class FindingStore:
     def in_order(self) -> Iterator[Diagnostic]:
         """As ``diagnostics``, one after another."""
         for name, files in sorted(self._files.items()):
-            places = (place for file in files for place in self._peek(file).values())
-            found = [pair for place in places for pair in place.found.values()]
+            groups = (group for file in files for group in self._peek(file).values())
+            found = [pair for group in groups for pair in group.values()]
             names = {one.span.source.path: "" for one, _ in found}
             names = {path: shown(path) for path in names}
             found = [pair for pair in found if names[pair[0].span.source.path] == name]
@@ -176,13 +172,17 @@ class StoredFindings(Sequence[Diagnostic]):
         return next(islice(self, range(len(self))[index], None))
 
 
-def _together(first: Diagnostic, other: Diagnostic) -> Diagnostic:
+def _merged(first: Diagnostic, other: Diagnostic) -> Diagnostic:
     """One finding in two robots: the worse one, with the calls of the other, if they differ."""
     if other.severity.rank < first.severity.rank:  # with other arguments it is an error
         first, other = other, first
     known = {call.message for call in first.calls}
     calls = tuple(call for call in other.calls if call.message not in known)
-    return first._replace(calls=first.calls + calls) if calls else first
+    both = first.variants and other.variants
+    variants = tuple(dict.fromkeys(first.variants + other.variants)) if both else ()
+    if not calls and variants == first.variants:
+        return first
+    return first._replace(calls=first.calls + calls, variants=variants)
 
 
 def _partial(found_in: list[tuple[str, str]], variants: Mapping[str, set[str]]) -> tuple[str, ...]:
