@@ -152,6 +152,11 @@ FREED = {
     "one of two links": ("a b c", "j a b; k a c floating", "j 7; c 8"),
     "two trees": ("a b c d", "k a b floating; j b c; m a d", "m 7; b 8; j 15"),
     "the root is written last": ("b a c d", "k a b floating; j b c; m a d", "b 0; j 7; m 15"),
+    "the root has more joints": (
+        "b a c d e",
+        "k a b floating; j b c; m a d; n a e",
+        "m 7; n 8; b 9; j 16",
+    ),
     "the root has no other joint": (
         "a c b d e",
         "k a b floating; l a c floating; m c d; n b e",

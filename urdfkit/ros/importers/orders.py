@@ -36,8 +36,8 @@ def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> l
 def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None]:
     """The joints by the trees that floating joints cut a robot into; None is a free root.
 
-    What is connected to the world comes first, then trees in the order of their roots in the
-    document, and at last links without a joint of their own.
+    What is connected to the world comes first; then come the trees whose root has most joints, of
+    equal ones in the order of the links in the document.
 
     Args:
         order: of the joints, depth first.
@@ -50,7 +50,12 @@ def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None
         base_of[joint.child_name] = base
         trees.setdefault(base, []).append(joint)
     place = {name: index for index, name in enumerate(tree.model.links_by_name)}
-    bases = sorted(trees, key=lambda name: (name != WORLD, len(trees[name]) == 1, place[name]))
+
+    def rank(base: str) -> tuple[bool, int, int]:
+        joints = sum(joint.kind != "floating" for joint in tree.children[base])
+        return base != WORLD, -joints, place[base]
+
+    bases = sorted(trees, key=rank)
     return [joint for base in bases for joint in trees[base]]
 
 
