@@ -7,7 +7,7 @@ transforms a vector from the child frame to the parent frame.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, hypot, sin, sqrt
 
 from urdfkit.core.record import Record
 
@@ -50,6 +50,19 @@ def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
         (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
         (-sp, cp * sr, cp * cr),
+    )
+
+
+def from_quaternion(x: float, y: float, z: float, w: float) -> Rotation:
+    """Rotation of a quaternion of any length, as urdfdom reads one; none if its length is 0."""
+    size = sqrt(x * x + y * y + z * z + w * w)
+    if not size:
+        return IDENTITY
+    x, y, z, w = x / size, y / size, z / size, w / size
+    return (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
     )
 
 

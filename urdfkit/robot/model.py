@@ -12,10 +12,19 @@ from functools import cached_property
 from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, from_rpy
+from urdfkit.core.spatial import (
+    IDENTITY,
+    ORIGIN,
+    Rotation,
+    Transform,
+    Vector,
+    from_quaternion,
+    from_rpy,
+)
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step
+from urdfkit.text.schema import VERSIONS
 from urdfkit.text.source import Span
 
 T = TypeVar("T", covariant=True)
@@ -294,9 +303,27 @@ def _origin(element: Element) -> Transform:
     origin = element.child("origin")
     if origin is None:
         return Transform()
-    xyz = vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
+    return Transform(_rotation(origin), vector(origin.get("xyz")) or ORIGIN)
+
+
+def _rotation(origin: Element) -> Rotation:
+    """The rotation by ``rpy``, or by ``quat_xyzw`` in a robot whose version of URDF has it."""
     rpy = vector(origin.get("rpy"))
-    return Transform(from_rpy(*rpy) if rpy else IDENTITY, xyz)
+    if rpy:
+        return from_rpy(*rpy)
+    quaternion = numbers(origin.get("quat_xyzw")) or ()
+    if len(quaternion) == 4 and reads_quaternions(origin):
+        return from_quaternion(*quaternion)
+    return IDENTITY
+
+
+def reads_quaternions(element: Element) -> bool:
+    """True if urdfdom reads ``quat_xyzw`` in the robot of an element: from URDF 1.1 on."""
+    from urdfkit.text.grammar import version_of
+
+    while element.parent is not None:
+        element = element.parent
+    return version_of(element) != VERSIONS[0]
 
 
 def _link(element: Element) -> Link:

@@ -96,6 +96,7 @@ class TargetFacts(Record):
     ignores_units: bool = False  # True if the numbers of COLLADA files are metres to it
     ignores_limits: bool = False  # True if it takes a joint without ``<limit>``, effort or velocity
     reads_capsules: bool = False  # True if it reads ``<capsule>`` in each version of URDF
+    ignores_quaternions: bool = False  # True if it reads no ``quat_xyzw``, in no version of URDF
     reads_ball_joints: bool = False  # True if it reads joints of the type ``spherical``
     reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
     reads_planes: bool = False  # True if it reads the shape ``<plane>``

@@ -59,3 +59,31 @@ def test_a_quaternion_that_is_read_has_four_numbers() -> None:
     assert messages("URD005", robot) == [
         "link 'a': quat_xyzw of <origin> has 3 numbers, not 4 (x y z w)"
     ]
+
+
+NEW = FEATURES.format(' version="1.1"', TURNED)
+BOTH = NEW.replace("<origin", '<origin rpy="0 0 1"')
+
+
+def of_quaternions(robot: str, *targets: str) -> list[str]:
+    return [found.message for found in reported("URD011", robot, targets=targets)][1:]
+
+
+def test_programs_that_ignore_quaternions() -> None:
+    assert of_quaternions(NEW) == of_quaternions(NEW, "pinocchio") == []
+    assert of_quaternions(NEW, "ros2", "mujoco", "drake") == [
+        "link 'a': quat_xyzw of <origin> is ignored by Drake and MuJoCo"
+    ]
+    turned = NEW.replace("0 0 0 1", "0 1 0 1")
+    (_, found) = reported("URD011", turned, targets=("mujoco",))
+    assert found.help == 'write rpy="0 1.5708 0", which every parser reads'
+
+
+def test_an_origin_with_both_rotations() -> None:
+    assert of_quaternions(BOTH) == [
+        "link 'a': quat_xyzw of <origin> stands next to rpy, which urdfdom rejects"
+    ]
+    assert of_quaternions(BOTH, "mujoco") == []
+    assert messages("URD011", BOTH.replace('"1.1"', '"1.0"')) == [
+        "link 'a': quat_xyzw needs URDF 1.1, and the robot is URDF 1.0"
+    ]

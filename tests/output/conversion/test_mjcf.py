@@ -21,7 +21,10 @@ pytest.importorskip("pinocchio")
 pytest.importorskip("trimesh")
 
 from tests.physics.dynamics.test_against_pinocchio import robots
+from urdfkit.core.spatial import IDENTITY
+from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_proof import LENGTH, PART, prove
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.result import REPORT, proven
 
 #: Each tree is converted, loaded and compared in 100 poses, which takes 0.1 s.
@@ -100,12 +103,12 @@ def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
     robot = read(arm(LIMIT))
     file = tmp_path / "o" / convert(robot, tmp_path / "o").file
     model = mujoco.MjModel.from_xml_path(str(file))
-    assert prove(model, robot).holds
+    assert prove(model, robot, {}).holds
     model.body("tip").mass += 0.001
-    assert not prove(model, robot).holds
+    assert not prove(model, robot, {}).holds
     model = mujoco.MjModel.from_xml_path(str(file))
     model.body("tip").pos += 1e-8
-    found = prove(model, robot)
+    found = prove(model, robot, {})
     assert not found.holds
     with pytest.raises(UrdfkitError, match=PLACE_AND_REMEDY) as raised:
         proven(found, robot)
@@ -118,11 +121,90 @@ def test_dynamics_that_differ_do_not_hold(tmp_path: Path) -> None:
     robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=outwards))
     file = tmp_path / "o" / convert(robot, tmp_path / "o").file
     model = mujoco.MjModel.from_xml_path(str(file))
-    assert prove(model, robot).gravity == 0
+    assert prove(model, robot, {}).gravity == 0
     model.opt.gravity = (0, -9.81, 0)
-    assert prove(model, robot).mass_matrix < PART < prove(model, robot).gravity
+    assert prove(model, robot, {}).mass_matrix < PART < prove(model, robot, {}).gravity
     model.body("tip").inertia *= 1.0001
-    assert prove(model, robot).mass_matrix > PART
+    assert prove(model, robot, {}).mass_matrix > PART
+
+
+#: A robot with one of each, and errors in the writer: a method, the body or joint, what it sets.
+WHOLE = arm(
+    LIMIT + '<dynamics damping="0.5" friction="0.2"/>',
+    tip=f'{INERTIAL}<visual>{BOX}</visual><collision><origin xyz="0 0 1"/>{BOX}</collision>',
+    more=f'<link name="drone">{INERTIAL}</link><joint name="flies" type="floating">'
+    '<parent link="tip"/><child link="drone"/></joint>'
+    f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
+    f'<parent link="tip"/><child link="finger"/>{LIMIT}<mimic joint="turn" offset="1"/></joint>',
+)
+ERRORS = [
+    (MjcfRobot, "_inertial", "base", {"ipos": (0.1, 0, 0)}),
+    (MjcfRobot, "_inertial", "base", {"inertia": (0.1, 0.1, 0.101)}),
+    (MjcfRobot, "_inertial", "drone", {"ipos": (1e-4, 0, 0)}),
+    (MjcfRobot, "_limits", "turn", {"range": (-9, 9)}),
+    (MjcfRobot, "_limits", "turn", {"limited": False}),
+    (MjcfRobot, "_limits", "turn", {"actfrcrange": (-1, 1)}),
+    (MjcfRobot, "_damping", "turn", {"damping": (9, 0, 0)}),
+    (MjcfRobot, "_damping", "turn", {"frictionloss": 0}),
+    (Geoms, "_placed", "tip", {"pos": (1, 1, 1)}),
+    (Geoms, "_placed", "tip", {"size": (0.1, 0.2, 0.4)}),
+    (Geoms, "_placed", "tip", {"group": 0}),
+    (Geoms, "_placed", "tip", {"type": mujoco.mjtGeom.mjGEOM_ELLIPSOID}),
+]
+
+
+@pytest.mark.parametrize(("owner", "method", "part", "fields"), ERRORS)
+def test_errors_of_the_writer(
+    owner: type,
+    method: str,
+    part: str,
+    fields: dict[str, Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    write = getattr(owner, method)
+
+    def wrong(self: Any, made: Any, *more: Any) -> Any:
+        result = write(self, made, *more)
+        for name, value in fields.items() if made.name == part else ():
+            setattr(result or made, name, value)
+        return result
+
+    convert(read(WHOLE), tmp_path / "right", base="free")
+    monkeypatch.setattr(owner, method, wrong)
+    with pytest.raises(UrdfkitError, match="do not agree on the robot"):
+        convert(read(WHOLE), tmp_path / "wrong", base="free")
+
+
+@pytest.mark.parametrize("offset", [None, 1.1])
+def test_equalities_that_are_missing_or_wrong(
+    offset: float | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    couple = MjcfRobot._couple
+
+    def wrong(self: MjcfRobot, tree: Any) -> None:
+        if offset is not None:
+            couple(self, tree)
+            self.spec.equalities[0].data[0] = offset
+
+    monkeypatch.setattr(MjcfRobot, "_couple", wrong)
+    with pytest.raises(UrdfkitError, match=r"joints 0?\.?1"):
+        convert(read(WHOLE), tmp_path / "o")
+
+
+def test_an_error_of_our_own_reading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pinocchio reads the text, whatever urdfkit makes of it."""
+    monkeypatch.setattr("urdfkit.robot.model._rotation", lambda _: IDENTITY)
+    turned = arm(LIMIT).data.replace(b'0 0 0.5"', b'0 0 0.5" rpy="0 1 0"')
+    with pytest.raises(UrdfkitError, match="do not agree on the robot"):
+        convert(read(Source("arm.urdf", turned)), tmp_path / "o")
+
+
+def test_a_robot_that_pinocchio_rejects(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    proof = convert(read(arm()), tmp_path / "o").proof
+    assert proof.holds
+    assert "of the URDF as urdfkit reads it" in proof.agreed
+    assert capfd.readouterr().err == ""
 
 
 def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None:

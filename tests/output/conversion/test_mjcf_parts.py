@@ -252,7 +252,72 @@ def test_a_fixed_joint_that_is_measured_is_not_merged(tmp_path: Path) -> None:
     tag = '<gazebo reference="f"><sensor name="ft" type="force_torque"/></gazebo>'
     model, parts = loaded(arm(LIMIT, more=FIXED + tag), tmp_path / "o", fixed="merge")
     assert model.body("flange").mass[0] == 2
-    assert parts["gazebo/f/sensor/ft"] == "kept: site and sensors"
+    opposite = "approximated: MuJoCo measures what the parent applies to the child"
+    assert parts["gazebo/f/sensor/ft"].startswith(opposite)
+
+
+@pytest.mark.parametrize(
+    ("pose", "position", "turn"),
+    [
+        ('<pose degrees="true">0.1 0 0 0 0 90</pose>', (0.1, 0, 0), 90),
+        ('<pose rotation_format="quat_xyzw">0.1 0 0 0 0 1 1</pose>', (0.1, 0, 0), 90),
+        ('<pose relative_to="base">0.1 0 0 0 0 0.5</pose>', (0.1, 0, -0.5), np.degrees(0.5)),
+        ('<pose relative_to="turn">0.1 0 0 0 0 0</pose>', (0.1, 0, 0), 0),
+    ],
+)
+def test_poses_of_sensors(
+    pose: str, position: tuple[float, ...], turn: float, tmp_path: Path
+) -> None:
+    tag = f'<gazebo reference="tip"><sensor name="s" type="imu">{pose}</sensor></gazebo>'
+    model, parts = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    half = np.radians(turn) / 2
+    assert model.site("s").pos == pytest.approx(position)
+    assert model.site("s").quat == pytest.approx([np.cos(half), 0, 0, np.sin(half)])
+    assert parts["gazebo/tip/sensor/s/pose"] == "kept: pose"
+
+
+@pytest.mark.parametrize(
+    ("pose", "reason"),
+    [
+        ("<pose>1 2 3</pose>", "the pose is not 6 finite numbers"),
+        ('<pose relative_to="x">1 2 3 0 0 0</pose>', "relative to 'x', which is not a link"),
+    ],
+)
+def test_a_pose_without_meaning_is_lost(pose: str, reason: str, tmp_path: Path) -> None:
+    tag = f'<gazebo reference="tip"><sensor name="s" type="imu">{pose}</sensor></gazebo>'
+    model, parts = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    assert not model.site("s").pos.any()
+    assert parts["gazebo/tip/sensor/s/pose"].startswith("lost")
+    assert reason in parts["gazebo/tip/sensor/s/pose"]
+
+
+def test_the_pose_of_a_camera_is_in_its_sensor(tmp_path: Path) -> None:
+    tag = (
+        '<gazebo reference="tip"><sensor name="s" type="camera"><pose>1 0 0 0 0 1.5707963267948966'
+        "</pose><camera><pose>0.2 0 0 0 0 0</pose></camera></sensor></gazebo>"
+    )
+    model, _ = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    assert model.cam_pos[0] == pytest.approx([1, 0.2, 0])
+
+
+@pytest.mark.parametrize(
+    ("frame", "turn"), [("", 0.0), ("<frame>sensor</frame>", 1.0), ("<frame>parent</frame>", -0.5)]
+)
+def test_axes_and_place_of_a_force_torque_sensor(frame: str, turn: float, tmp_path: Path) -> None:
+    tag = (
+        '<gazebo reference="turn"><sensor name="s" type="force_torque"><pose>0.1 0 0 0 0 1</pose>'
+        f"<force_torque>{frame}<measure_direction>parent_to_child</measure_direction>"
+        "</force_torque></sensor></gazebo>"
+    )
+    text = arm(LIMIT, more=tag).data.replace(b'"0 0 0.5"', b'"0 0 0.5" rpy="0 0 0.5"')
+    model, parts = loaded(Source("arm.urdf", text), tmp_path / "o")
+    assert model.site("s").pos == pytest.approx([0.1, 0, 0])
+    assert model.site("s").quat == pytest.approx([np.cos(turn / 2), 0, 0, np.sin(turn / 2)])
+    at = "gazebo/turn/sensor/s/force_torque"
+    assert parts[f"{at}/measure_direction"] == "kept: sensors"
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.sensordata[2] == pytest.approx(2 * 9.81)  # the parent bears the child
 
 
 @settings(suppress_health_check=list(HealthCheck), derandomize=True)
@@ -312,15 +377,65 @@ def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
 
 
 def test_a_mesh_that_mujoco_rejects_is_named_at_its_line(tmp_path: Path) -> None:
-    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
-    lines = [f"v {x} {y} {z}" for x, y, z in corners]
-    faces = ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
-    (tmp_path / "tiny.obj").write_text("\n".join([*lines, *faces]))
-    shape = '<geometry>\n<mesh filename="tiny.obj" scale="1e-6 1e-6 1e-6"/></geometry>'
+    shape = pyramid(tmp_path / "tiny.obj").replace("<mesh", '\n<mesh scale="1e-6 1e-6 1e-6"')
     file = tmp_path / "arm.urdf"
     file.write_bytes(arm(LIMIT, tip=f"{INERTIAL}<collision>{shape}</collision>").data)
     with pytest.raises(UrdfkitError, match=r"arm\.urdf:4:1: .*too small.*; correct its scale"):
         convert(read(file), tmp_path / "o")
+
+
+def pyramid(path: Path, height: float = 1, faces: int = 4) -> str:
+    """A mesh file; its element."""
+    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, height))
+    sides = ["f 1 3 2", "f 1 2 4", "f 1 4 3", "f 2 3 4"]
+    lines = [*(f"v {x} {y} {z}" for x, y, z in corners), *sides[:faces]]
+    path.write_text("\n".join(lines))
+    return f'<geometry><mesh filename="{path.name}"/></geometry>'
+
+
+def test_meshes_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    """A mesh that is a visual and a collision is two; the second one was called like a file."""
+    first, second = (
+        pyramid(tmp_path / name, 1 + at) for at, name in enumerate(("p.obj", "p_2.obj"))
+    )
+    tip = f"{INERTIAL}<visual>{first}</visual>" + "".join(
+        f"<collision>{one}</collision>" for one in (first, second)
+    )
+    file = tmp_path / "arm.urdf"
+    file.write_bytes(arm(LIMIT, tip=tip).data)
+    model, _ = loaded(file, tmp_path / "o")
+    assert [model.mesh(number).name for number in range(3)] == ["p", "p_2", "p_2_2"]
+
+
+def test_joints_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    hand = (
+        HAND.split("<ros2_control", maxsplit=1)[0]
+        .replace("grip", "turn[1]")
+        .replace('<mimic joint="turn" multiplier="2"/>', "")
+    )
+    model, _ = loaded(arm(kind="planar", more=hand), tmp_path / "o")
+    names = [model.joint(number).name for number in range(model.njnt)]
+    assert names == ["turn[0]", "turn[1]_2", "turn[2]", "turn[1]"]
+
+
+def test_rays_whose_names_are_those_of_others(tmp_path: Path) -> None:
+    sensors = "".join(
+        f'<sensor name="{name}" type="gpu_lidar"><lidar/></sensor>' for name in ("a", "a_0", "A")
+    )
+    tag = f'<gazebo reference="tip">{sensors}</gazebo>'
+    model, _ = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    assert len({model.sensor(number).name for number in range(model.nsensor)}) == 3
+
+
+def test_a_visual_of_one_triangle_is_lost(tmp_path: Path) -> None:
+    shape = pyramid(tmp_path / "t.obj", faces=1)
+    file = tmp_path / "arm.urdf"
+    tip = f"{INERTIAL}<visual>{shape}</visual><collision>{shape}</collision>"
+    file.write_bytes(arm(LIMIT, tip=tip).data)
+    model, parts = loaded(file, tmp_path / "o")
+    assert model.ngeom == 1
+    why = "lost: MuJoCo reads no mesh with fewer than 4 vertices"
+    assert parts["link/tip/visual"] == why
 
 
 def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:

@@ -290,6 +290,16 @@ def test_a_merged_link_is_a_frame_and_gives_its_parts(tmp_path: Path) -> None:
     assert text(model, "link/sensor/pose") == "2 2 3 0 0 0"
 
 
+def test_a_pose_in_degrees_is_one_in_radians_once_it_is_moved(tmp_path: Path) -> None:
+    """As libsdformat 12.3 has it: it moves sensors of merged links alone."""
+    pose = '<pose degrees="true">1 0 0 0 0 90</pose>'
+    tags = sensor("imu", pose, "arm"), sensor("imu", pose).replace('"s"', '"own"')
+    found = convert(robot(ARM, *tags), tmp_path / "o", to="sdf")
+    results = {one.part: one.result.value for one in found.entries}
+    assert results["gazebo/arm/sensor/s/pose"] == "approximated"
+    assert results["gazebo/base/sensor/own/pose"] == "kept"
+
+
 def test_a_link_without_mass_is_lost_with_all_below(tmp_path: Path) -> None:
     made = robot(child("tip", inside=""), child("end", parent="tip"))
     found = convert(made, tmp_path / "o", to="sdf")

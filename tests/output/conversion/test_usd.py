@@ -18,11 +18,12 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.text.source import Source
 
 np = pytest.importorskip("numpy")
+Image = pytest.importorskip("PIL.Image")
 pytest.importorskip("trimesh")
 pytest.importorskip("pinocchio")
 pytest.importorskip("urdf_usd_converter")
 
-from pxr import Usd, UsdGeom
+from pxr import Gf, Usd, UsdGeom
 
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.result import REPORT
@@ -68,7 +69,12 @@ def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> No
 
 
 def test_a_wrong_stage_does_not_hold(tmp_path: Path) -> None:
-    robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=INERTIAL + f"<visual>{BOX}</visual>"))
+    joint = f'<axis xyz="0 0 1"/>{LIMIT}<dynamics damping="0.5" friction="0.2"/>'
+    more = (
+        f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
+        f'<parent link="tip"/><child link="finger"/>{LIMIT}<mimic joint="turn" offset="1"/></joint>'
+    )
+    robot = read(arm(joint, tip=f"{INERTIAL}<visual>{BOX}</visual>", more=more))
     found = convert(robot, tmp_path / "o", to="usd")
 
     def holds(path: str, attribute: str, value: Any) -> bool:
@@ -87,6 +93,13 @@ def test_a_wrong_stage_does_not_hold(tmp_path: Path) -> None:
     assert not holds(tip, "xformOp:translate", (0, 0, 0.501))
     assert not holds(turn, "physics:upperLimit", 100.0)
     assert not holds(turn, "physics:axis", "X")
+    assert not holds(turn, "physics:localRot0", Gf.Quatf(1, 1e-4, 0, 0))
+    assert not holds(turn, "physics:localPos0", (0, 0, 0.501))
+    assert not holds(turn, "newton:velocityLimit", 3.0)
+    assert not holds(turn, "newton:damping", 0.5)
+    assert not holds(f"{tip}/box", "xformOp:orient", Gf.Quatd(1, 1e-4, 0, 0).GetNormalized())
+    assert not holds(f"{tip}/box", "xformOp:scale", (0.2, 0.4, 0.601))
+    assert not holds("/arm/Physics/follow", "newton:mimicCoef0", 1.0)
 
 
 def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
@@ -139,10 +152,37 @@ def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:
     assert convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof.holds
 
 
-@pytest.mark.parametrize(("x", "result"), [(5e-5, "approximated: axis, off by"), (5e-3, "kept")])
-def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path: Path) -> None:
-    _, parts = loaded(arm(f'<axis xyz="{x} 0 1"/>{LIMIT}'), tmp_path / "o")
-    assert parts["joint/turn/axis"].startswith(result)
+@pytest.mark.parametrize("kind", ["revolute", "planar"])
+def test_axes_near_a_coordinate_axis_are_kept(kind: str, tmp_path: Path) -> None:
+    """The converter rounds axes, and the rotations of the frames of joints."""
+    text = arm(f'<axis xyz="5e-5 0 1"/>{LIMIT}', kind=kind).data
+    text = text.replace(b'xyz="0 0 0.5"', b'xyz="0 0 0.5" rpy="3e-4 0 0"')
+    proof = convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof
+    assert isinstance(proof, UsdProof)
+    assert proof.axes < 1e-6
+
+
+def test_small_rotations_of_shapes_are_kept(tmp_path: Path) -> None:
+    at = '<origin xyz="0 0 1" rpy="3e-4 0.5 0"/>'
+    tip = f"{INERTIAL}<visual>{at}{BOX}</visual><collision>{at}{BOX}</collision>"
+    proof = convert(read(arm(LIMIT, tip=tip)), tmp_path / "o", to="usd").proof
+    assert isinstance(proof, UsdProof)
+    assert proof.shapes < 1e-6
+
+
+def test_a_warning_about_no_part_loses_no_part(tmp_path: Path) -> None:
+    """A texture makes the converter warn of a function of its own that is deprecated."""
+    Image.new("RGB", (2, 2)).save(tmp_path / "t.png")
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
+    material = '<material name="m"><texture filename="t.png"/></material>'
+    mesh = f'<visual><geometry><mesh filename="m.obj"/></geometry>{material}</visual>'
+    robot = tmp_path / "arm.urdf"
+    robot.write_bytes(arm(LIMIT, tip=f"{INERTIAL}{mesh}<visual>{BOX}{material}</visual>").data)
+    _, parts = loaded(robot, tmp_path / "o")
+    assert parts["robot"].startswith("kept")
+    assert parts["link/tip/visual"].startswith("kept")
+    note = "approximated: Textures are not projection mapped for Cube, Sphere, and Cylinder"
+    assert parts["link/tip/visual[2]"].startswith(note)
 
 
 @pytest.mark.parametrize(

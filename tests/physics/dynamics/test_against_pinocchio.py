@@ -195,6 +195,15 @@ def test_trees_against_pinocchio(text: str) -> None:
     compare(text.encode(), *drawn(text))
 
 
+@settings(suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+@given(robots(), st.sampled_from(("1.0", "1.1", "1.2")))
+def test_quaternions(text: str, version: str) -> None:
+    """urdfdom reads them from URDF 1.1 on, of any length."""
+    text = re.sub(r' rpy="([^"]*)"', r' quat_xyzw="\1 0.7"', text)
+    text = text.replace('name="r"', f'name="r" version="{version}"')
+    compare(text.encode(), *drawn(text))
+
+
 # --- robots with branches
 
 

@@ -156,6 +156,15 @@ def test_writing_makes_declared_what_was_computed_and_changes_nothing_else(tmp_p
     assert rewrites(propose(read(file)))[0] == ()
 
 
+def test_a_quaternion_is_replaced_with_the_tensor(tmp_path: Path) -> None:
+    turned = INERTIAL.replace('rpy="0 0 0"', 'quat_xyzw="0 1 0 1"')
+    file = robot(tmp_path, collision('<box size="1 2 3"/>'), turned)
+    file.write_text(file.read_text().replace('name="r"', 'name="r" version="1.1"'))
+    rewriting.write(rewrites(propose(read(file)))[0])
+    assert only(file).verdict == "agrees"
+    assert '<origin xyz="0 0 0" quat_xyzw="0 0 0 1"/>' in file.read_text()
+
+
 def test_a_missing_inertial_is_put_in(tmp_path: Path) -> None:
     file = robot(tmp_path, collision('<sphere radius="0.1"/>'), "")
     rewriting.write(rewrites(propose(read(file), density=1000.0))[0])

@@ -10,6 +10,9 @@ ignored, and the part is not rotated. Build the capsule from a cylinder and two 
 `rpy`, which every parser reads, or declare the version. MuJoCo and Drake read a `<capsule>` of any
 version; where they are the only targets it is not reported.
 
+With the version, urdfdom rejects an `<origin>` with both `rpy` and `quat_xyzw`. MuJoCo, Drake,
+PyBullet, Newton and yourdfpy ignore `quat_xyzw` all the same: an error for these targets.
+
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
     ros/urdfdom#238: https://github.com/ros/urdfdom/issues/238
@@ -18,7 +21,11 @@ Sources:
     MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
 """
 
+from urdfkit.core.spatial import from_quaternion, to_rpy
+from urdfkit.core.words import listed, rounded
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.values import numbers
+from urdfkit.ros.targets import facts_of
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import owner, version_of
@@ -28,6 +35,8 @@ BAD = '<robot name="cart" version="2.3">\n  <link name="base"/>\n</robot>\n'
 GOOD = BAD.replace(' version="2.3"', "")
 FIXED = BAD.replace("2.3", "1.0")
 
+_WITH_ORIGIN = ("inertial", "visual", "collision", "joint")
+
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
@@ -36,6 +45,8 @@ def check(context: Context) -> Findings:
         if not since:
             assert attribute is not None
             yield _declared(attribute, version)
+            if version in VERSIONS:
+                yield from _quaternions(context)
         elif element.tag != "capsule" or not context.targets.all_are("reads_capsules"):
             what = f"<{element.tag}>" if attribute is None else attribute.name
             yield Finding(
@@ -54,3 +65,21 @@ def _declared(attribute: Attribute, version: str) -> Finding:
     message = f"URDF version '{attribute.value}' does not exist; there are {', '.join(VERSIONS)}"
     help = 'leave it out, or write version="1.0"'
     return Finding(attribute, message, help, fix_value(attribute, VERSIONS[0]))
+
+
+def _quaternions(context: Context) -> Findings:
+    """Quaternions that urdfdom rejects, or that a target ignores."""
+    titles = [facts_of(name).title for name in context.targets.that("ignores_quaternions")]
+    for origin in context.document.root.walk():
+        quaternion = origin.attributes.get("quat_xyzw") if origin.tag == "origin" else None
+        if quaternion is None or origin.parent is None or origin.parent.tag not in _WITH_ORIGIN:
+            continue
+        what = f"{owner(origin)}: quat_xyzw of <origin>"
+        if "rpy" in origin.attributes and not context.targets.all_are("ignores_quaternions"):
+            message = f"{what} stands next to rpy, which urdfdom rejects"
+            yield Finding(quaternion, message, "remove one of them")
+        elif titles and "rpy" not in origin.attributes:
+            values = numbers(quaternion.value) or ()
+            rpy = rounded(to_rpy(from_quaternion(*values)), 9) if len(values) == 4 else "..."
+            message = f"{what} is ignored by {listed(titles)}"
+            yield Finding(quaternion, message, f'write rpy="{rpy}", which every parser reads')

@@ -51,6 +51,7 @@ _OWN = {
     "mimic": ("joint", "multiplier", "offset"),
     "gazebo": ("reference",),
     "sensor": ("name", "type"),
+    "pose": ("relative_to", "rotation_format", "degrees"),
     "mu1": ("value",),
     "mu2": ("value",),
     "transmission": ("name",),

@@ -44,11 +44,11 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
         exclude_neighbours(made, robot)
         if options.exclude == "computed":
             exclude_computed(made, robot)
-        with rejections(robot):
+        with rejections(robot, made.mesh_places):
             add_keyframes(made, robot)
         _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
-        proof = proven(prove(model, robot), robot)
+        proof = proven(prove(model, robot, made.shapes), robot)
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
@@ -88,7 +88,7 @@ def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     compiled(made, robot)
     _write_all_digits()
     atomic.make_directory(os.path.dirname(path))  # of a robot without files
-    with rejections(robot):
+    with rejections(robot, made.mesh_places):
         atomic.write(path, made.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)
 

@@ -4,7 +4,6 @@ import re
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from pathlib import PurePath
 from typing import Any
 
 import mujoco
@@ -19,7 +18,7 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import lowest_links
-from urdfkit.text.source import shown
+from urdfkit.text.source import Span, shown
 
 #: What an error of MuJoCo's compiler is about.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
@@ -88,27 +87,31 @@ def compiled(made: MjcfRobot, robot: Context) -> Any:
     Raises:
         UrdfkitError: MuJoCo rejects it.
     """
-    with rejections(robot):
+    with rejections(robot, made.mesh_places):
         return made.spec.compile()
 
 
 @contextmanager
-def rejections(robot: Context) -> Iterator[None]:
-    """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check."""
+def rejections(robot: Context, meshes: Mapping[str, Span] | None = None) -> Iterator[None]:
+    """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check.
+
+    Args:
+        meshes: where they are written, by name.
+    """
     mujoco.set_mju_user_warning(_ignore)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     except (ValueError, mujoco.FatalError) as error:
-        raise _explained(str(error), robot) from error
+        raise _explained(str(error), robot, meshes or {}) from error
 
 
 def _ignore(warning: str) -> None:
     """MuJoCo writes what it warns of to a file in the current directory otherwise."""
 
 
-def _explained(text: str, robot: Context) -> UrdfkitError:
+def _explained(text: str, robot: Context, meshes: Mapping[str, Span]) -> UrdfkitError:
     """An error of MuJoCo's compiler, at the link, joint or mesh that it names."""
     what = " ".join(text.split()).removeprefix("Error: ")
     what = what.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
@@ -117,12 +120,8 @@ def _explained(text: str, robot: Context) -> UrdfkitError:
     what = f"{what[: named.start()].strip()} ('{name}')" if named else what
     if repeated := _REPEATED.search(what):
         name = repeated.group(1)
-    stems = {name, re.sub(r"_\d+$", "", name)}  # of the same file, meshes have numbers
-    place = robot.model.place(name)
-    for shape in robot.model.shapes if what.startswith("mesh ") else ():
-        if shape.filename and PurePath(shape.filename.value).stem in stems:
-            place = shape.at.span
-            break
+    place = meshes.get(name) if "mesh" in text or "vertices" in text else None
+    place = place or robot.model.place(name)
     remedy = next((remedy for part, remedy in _REMEDIES.items() if part in what), "")
     remedy = remedy or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
     return UrdfkitError(f"{place}: MuJoCo rejects the robot: {what}; {remedy}")

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from urdfkit.core import atomic
-from urdfkit.core.spatial import Transform
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Mesh, MeshPart
@@ -23,6 +23,7 @@ from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Link, Material, Shape
 from urdfkit.text.document import Element
+from urdfkit.text.source import Span
 
 #: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
 VISUAL_GROUP, COLLISION_GROUP = 2, 3
@@ -31,7 +32,7 @@ FLAT, THICKNESS = 1e-6, 1e-3
 #: MuJoCo reads no mesh with fewer vertices.
 _LEAST_VERTICES = 4
 
-_KINDS = {
+KINDS = {
     "box": mujoco.mjtGeom.mjGEOM_BOX,
     "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
     "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
@@ -70,7 +71,12 @@ class Geoms:
         self._textures = Textures(spec, directory)
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
-        self._names = FreeNames()
+        self.shapes: dict[int, list[Any]] = {}  # the geoms, by the ``id`` of their element
+        self.simpler: set[int] = set()  # the elements with simpler shapes than theirs
+        self.places: dict[str, Span] = {}  # where meshes of the specification are written, by name
+        self._names, self._mesh_names, self._stems = FreeNames(), FreeNames(), FreeNames()
+        for file in dict.fromkeys(files.values()):
+            self._stems.take(_stem(file))
         self._gazebo = {
             block.get("reference"): block for block in robot.model.gazebo if block.child("material")
         }
@@ -91,7 +97,7 @@ class Geoms:
         visuals = link.visuals if self._options.visuals else ()
         for geometry in (*visuals, *link.collisions):
             shape = geometry.shape
-            if shape is None or shape.kind not in _KINDS:
+            if shape is None or shape.kind not in KINDS:
                 continue
             size = _size(shape)
             is_visual = any(geometry is one for one in link.visuals)
@@ -99,6 +105,10 @@ class Geoms:
                 what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
                 if not is_visual:
                     raise UrdfkitError(f"{shape.at.span}: {what}; give it one, or remove it")
+                self._losses.lose(geometry.at, what)
+                continue
+            if is_visual and has_few_vertices(self._robot, shape):
+                what = f"MuJoCo reads no mesh with fewer than {_LEAST_VERTICES} vertices"
                 self._losses.lose(geometry.at, what)
                 continue
             place = frame @ geometry.origin
@@ -113,6 +123,7 @@ class Geoms:
             else:
                 pieces = self._collided(geometry, shape, size)
                 colliding += [self._placed(body, place, one, COLLISION_GROUP) for one in pieces]
+            self.shapes[id(geometry.at)] = body.geoms[before:]
             self._name(geometry, body.geoms[before:])
         return colliding
 
@@ -128,7 +139,7 @@ class Geoms:
     def _placed(self, body: Any, frame: Transform, piece: Piece, group: int) -> Any:
         place = frame @ piece.frame
         made = body.add_geom(
-            type=_KINDS[piece.kind],
+            type=KINDS[piece.kind],
             pos=place.position,
             quat=quaternion(place.rotation),
             size=piece.size,
@@ -178,9 +189,9 @@ class Geoms:
             if len(groups) > 1 or (material.texture and has_uv and not file.endswith(".obj")):
                 assert loaded is not None
                 plain = [part._replace(material=None, colors=None) for part in parts]
-                path = f"{os.path.splitext(file)[0]}_material_{number}.obj"
-                self._write(path, loaded._replace(parts=tuple(plain)))
-            mesh = self._mesh(path, shape.scale, is_visual=True)
+                made = loaded._replace(parts=tuple(plain))
+                path = self._write(file, f"material_{number}.obj", made)
+            mesh = self._mesh(path, shape, shape.scale, is_visual=True)
             yield Piece("mesh", _NO_SIZE, mesh=mesh), material, has_uv
 
     def _paint(self, made: Any, material: SurfaceMaterial, *, has_uv: bool) -> None:
@@ -241,18 +252,21 @@ class Geoms:
         if self._options.collision != "hull":
             key = file, shape.scale
             if key not in self._simpler:
-                self._simpler[key] = self._simplified(geometry, file)
+                self._simpler[key] = self._simplified(geometry, shape, file)
             pieces, note = self._simpler[key]
             if pieces:
+                self.simpler.add(id(geometry.at))
                 self._losses.approximate(shape.at, note)
                 return pieces
         plate = self._plate(geometry, shape, file)
         if plate:
             note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, since it is flat"
+            self.simpler.add(id(geometry.at))
             self._losses.approximate(shape.at, note)
             return (plate,)
         self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")
-        return (Piece("mesh", size, mesh=self._mesh(file, shape.scale, is_visual=False)),)
+        mesh = self._mesh(file, shape, shape.scale, is_visual=False)
+        return (Piece("mesh", size, mesh=mesh),)
 
     def _plate(self, geometry: Body, shape: Shape, file: str) -> Piece | None:
         """A plate for a flat mesh, of which MuJoCo makes no hull; None for another mesh."""
@@ -266,13 +280,12 @@ class Geoms:
         sides = [vertices + side * THICKNESS / 2 * normal for side in (-1, 1)]
         corners = np.concatenate(sides)
         faces = np.resize(np.arange(len(corners)), (-(-len(corners) // 3), 3))  # each in some face
-        path = f"{os.path.splitext(file)[0]}_plate_{len(self._meshes) + 1}.stl"
-        self._write(path, Mesh((MeshPart(corners, faces),)))
-        name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
+        path = self._write(file, "plate.stl", Mesh((MeshPart(corners, faces),)))
+        name = self._mesh(path, shape, is_visual=False)
         self._spec.mesh(name).inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
         return Piece("mesh", _NO_SIZE, mesh=name)
 
-    def _simplified(self, geometry: Body, file: str) -> tuple[list[Piece], str]:
+    def _simplified(self, geometry: Body, shape: Shape, file: str) -> tuple[list[Piece], str]:
         """Simpler shapes for a mesh, and what they are; none where it is flat."""
         # Its libraries take longer to import than most robots to convert.
         from urdfkit.output.conversion.simpler_collisions import simplified
@@ -284,30 +297,38 @@ class Geoms:
             return [found.primitive], found.note
         pieces = []
         for number, part in enumerate(found.meshes, 1):
-            path = f"{os.path.splitext(file)[0]}_piece_{len(self._simpler) + 1}_{number}.stl"
-            self._write(path, part)
-            name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
+            path = self._write(file, f"piece_{number}.stl", part)
+            name = self._mesh(path, shape, is_visual=False)
             pieces.append(Piece("mesh", _NO_SIZE, mesh=name))
         return pieces, found.note
 
-    def _write(self, path: str, mesh: Mesh) -> None:
-        """A mesh file in the directory of the conversion."""
-        directory, name = os.path.split(os.path.join(self._directory, path))
-        atomic.make_directory(directory)
-        for one, data in encode(mesh, name).items():
-            atomic.write(os.path.join(directory, one), data, durable=False)
+    def _write(self, file: str, name: str, mesh: Mesh) -> str:
+        """Add a mesh file that is made of another one; returns its path."""
+        stem, suffix = os.path.splitext(name)
+        directory = os.path.dirname(file)
+        called = self._stems.take(f"{_stem(file)}_{stem}") + suffix
+        folder = os.path.join(self._directory, directory)
+        atomic.make_directory(folder)
+        for one, data in encode(mesh, called).items():
+            atomic.write(os.path.join(folder, one), data, durable=False)
+        return f"{directory}/{called}" if directory else called
 
-    def _mesh(self, file: str, scale: tuple[float, ...], *, is_visual: bool) -> str:
+    def _mesh(
+        self, file: str, shape: Shape, scale: Vector = (1.0, 1.0, 1.0), *, is_visual: bool
+    ) -> str:
         """The name of a mesh of the specification."""
         key = (file, scale, is_visual)
         if key not in self._meshes:
-            stem = os.path.splitext(os.path.basename(file))[0]
-            number = sum(one[0] == file for one in self._meshes)
-            self._meshes[key] = f"{stem}_{number + 1}" if number else stem
-            made = self._spec.add_mesh(name=self._meshes[key], file=file, scale=scale)
+            self._meshes[key] = name = self._mesh_names.take(_stem(file))
+            self.places[name] = shape.at.span
+            made = self._spec.add_mesh(name=name, file=file, scale=scale)
             if is_visual:  # which may be flat
                 made.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
         return self._meshes[key]
+
+
+def _stem(path: str) -> str:
+    return os.path.splitext(os.path.basename(path))[0]
 
 
 def _join_small(groups: dict[SurfaceMaterial, list[MeshPart]]) -> None:
@@ -321,7 +342,15 @@ def _join_small(groups: dict[SurfaceMaterial, list[MeshPart]]) -> None:
                 groups[largest].append(part._replace(uv=uv))
 
 
-def _count_vertices(parts: list[MeshPart]) -> int:
+def has_few_vertices(robot: Context, shape: Shape) -> bool:
+    """True for a mesh that is too small for MuJoCo, such as one triangle."""
+    mesh = robot.meshes.mesh(shape) if shape.filename else None
+    if mesh is None or not 0 < len(mesh.faces) <= _LEAST_VERTICES:
+        return False
+    return _count_vertices(mesh.parts) < _LEAST_VERTICES
+
+
+def _count_vertices(parts: Iterable[MeshPart]) -> int:
     """Vertices at the same place are one."""
     corners = np.concatenate([one.vertices[one.faces].reshape(-1, 3) for one in parts])
     return len(np.unique(corners, axis=0))

@@ -17,6 +17,13 @@ class Piece(Record):
     mesh: str = ""  # the name of its mesh; empty for a primitive
 
 
+class WrittenShape(Record):
+    """The geoms of a visual or collision."""
+
+    geoms: tuple[int, ...]  # their numbers
+    is_exact: bool  # False for simpler shapes
+
+
 def halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
     """Half the edges of a box; radius and half the length of what has them."""
     if kind == "box":

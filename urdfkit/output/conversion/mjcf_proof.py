@@ -12,19 +12,29 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
+from urdfkit.output.conversion.mjcf_comparison import (
+    LEAST,
+    inertias,
+    joints,
+    names,
+    relative,
+    residual,
+    shapes,
+)
+from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.own_dynamics import OwnDynamics
 from urdfkit.output.conversion.random_poses import random_poses
+from urdfkit.output.conversion.text_reading import read_text
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics
 from urdfkit.robot.kinematics import laws, positions
-from urdfkit.robot.rigid_bodies import rigid_bodies
 
 #: Random poses that the frames and the dynamics are compared at.
 POSES, DYNAMIC_POSES = 100, 10
-#: Bounds: of frames in m; of masses, mass matrix and torques relative to the largest entry.
+#: Bounds: of frames in m; of the others as a part.
 LENGTH, PART = 1e-9, 1e-6
-#: Entries below this, in N·m, kg or kg·m², are rounding.
-LEAST = 1e-9
-#: So is a torque below the weight of the robot on a lever of so many metres.
+#: Of shapes: MuJoCo has the vertices of meshes in single precision.
+SHAPE = 1e-5
+#: A torque below the weight of the robot on a lever of so many metres is rounding.
 LEVER = 1e-6
 #: Moving joints of the largest robot that is compared; beyond `MAX_JOINTS` with our own dynamics.
 MAX_OWN = 1000
@@ -33,41 +43,47 @@ MAX_OWN = 1000
 class MjcfProof(Record):
     """The largest differences between MuJoCo and the robot."""
 
-    mass: float  # of links that are fixed together, in kg
     frames: float  # of the placement of a link, in m and of entries of its rotation
-    #: mass_matrix and gravity: as a part of the largest entry.
+    #: As a part of the largest entry: inertia of links that are fixed together, in the others of
+    #: the whole robot.
+    inertia: float
     mass_matrix: float
     gravity: float
-    link: str  # whose placement differs most
-    engine: str = "Pinocchio"  # that MuJoCo is compared with
-
-    @property
-    def part(self) -> str:
-        return self.link
+    joints: float  # of a range, effort, damping, friction or equality, as a part of it
+    shapes: float  # of the place or size of a visual or collision, as a part of its size
+    part: str  # that differs most; empty if none does
+    engine: str  # that MuJoCo is compared with
+    reader: str  # of the URDF
 
     @property
     def holds(self) -> bool:
-        return self.frames <= LENGTH and max(self.mass, self.mass_matrix, self.gravity) <= PART
+        parts = self.inertia, self.mass_matrix, self.gravity, self.joints
+        return self.frames <= LENGTH and max(parts) <= PART and self.shapes <= SHAPE
 
     @property
     def agreed(self) -> str:
-        what = "masses, frames, mass matrix and gravity torques"
-        return f"MuJoCo and {self.engine} agree on {what}"
+        what = "frames, inertia, mass matrix and gravity torques"
+        reader = "" if self.reader == self.engine else f", of the URDF as {self.reader} reads it"
+        return (
+            f"MuJoCo and {self.engine} agree on {what}{reader}; joints and shapes are the robot's"
+        )
 
     @property
     def disagreed(self) -> str:
         return (
             f"MuJoCo and {self.engine} do not agree on the robot: "
-            f"frames {self.frames:.2g} m (link '{self.link}'), masses {self.mass:.2g} kg, "
-            f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}"
+            f"frames {self.frames:.2g} m, inertia {self.inertia:.2g}, "
+            f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}, "
+            f"joints {self.joints:.2g}, shapes {self.shapes:.2g}; most at '{self.part}'"
         )
 
 
-def prove(model: Any, robot: Context) -> MjcfProof:
+def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> MjcfProof:
     """Compare a compiled model of MuJoCo with a robot.
 
     Args:
         model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
+        written: the geoms of visuals and collisions, by the ``id`` of the element.
 
     Raises:
         UrdfkitError: the robot has too many joints, or numbers that no robot has.
@@ -79,25 +95,73 @@ def prove(model: Any, robot: Context) -> MjcfProof:
             "split the robot, or fix some of them"
         )
     is_large = moving > MAX_JOINTS
-    dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
-    data = mujoco.MjData(model)
-    joints = _Coordinates(model, robot, dynamics)
-    least_torque = max(LEAST, LEVER * 9.81 * sum(float(mass) for mass in model.body_mass))
-    worst = (0.0, "")
-    matrix = gravity = 0.0
-    named = robot.model.joints_by_name
-    drawn = random_poses((named[name] for name in dynamics.columns if name in named), POSES)
-    for number, pose in enumerate(drawn):
-        joints.set(data, robot, pose)
-        mujoco.mj_forward(model, data)
-        worst = max(worst, _placed(data, dynamics.placements(pose)))
-        if number < DYNAMIC_POSES:
-            ours = joints.compared(dynamics.mass_matrix(pose))
-            matrix = max(matrix, _part(ours, joints.mass_matrix(data)))
-            ours = joints.compared(dynamics.gravity(pose))
-            gravity = max(gravity, _part(ours, joints.gravity(data), least_torque))
-    engine = "urdfkit" if is_large else "Pinocchio"
-    return MjcfProof(_masses(model, robot), worst[0], matrix, gravity, worst[1], engine)
+    poses = _Poses(model, robot, is_large=is_large)
+    data, placed = poses.at({})
+    shaped = max(shapes(data, robot, placed, written), default=(0.0, ""))
+    heavy = max(inertias(model, robot, poses.reading), default=(0.0, ""))
+    far, coupled, matrix, gravity = poses.compare()
+    joint = max((coupled, ""), *joints(model, robot))
+    measured = ((far, LENGTH), (heavy, PART), (joint, PART), (shaped, SHAPE))
+    return MjcfProof(
+        far[0],
+        heavy[0],
+        matrix,
+        gravity,
+        joint[0],
+        shaped[0],
+        max((1.0, ""), *((most / bound, name) for (most, name), bound in measured))[1],
+        "urdfkit" if is_large else "Pinocchio",
+        "Pinocchio" if poses.reading else "urdfkit",
+    )
+
+
+class _Poses:
+    """A robot in MuJoCo and in Pinocchio at the same poses.
+
+    Attributes:
+        reading: the URDF as Pinocchio reads it; None if it rejects it, or has no memory for it.
+    """
+
+    def __init__(self, model: Any, robot: Context, *, is_large: bool) -> None:
+        self._model, self._robot = model, robot
+        self._dynamics = OwnDynamics(robot.tree) if is_large else robot.dynamics
+        self.reading = None if is_large else read_text(robot.text)
+        self._data = mujoco.MjData(model)
+        self._coordinates = _Coordinates(model, robot, self._dynamics)
+
+    def at(self, pose: Mapping[str, float]) -> tuple[Any, dict[str, Floats]]:
+        """MuJoCo's data at a pose, and where Pinocchio has the links there."""
+        moved = positions(self._robot.tree, pose)
+        self._coordinates.set(self._data, moved)
+        mujoco.mj_forward(self._model, self._data)
+        reading = self.reading
+        placed = reading.placements(moved) if reading else self._dynamics.placements(pose)
+        return self._data, placed
+
+    def compare(self) -> tuple[tuple[float, str], float, float, float]:
+        """The largest differences at random poses.
+
+        Returns:
+            Of a frame, with its link; of joints from those that they follow; of the mass matrix;
+            of the gravity torques.
+        """
+        far, coupled, matrix, gravity = (0.0, ""), 0.0, 0.0, 0.0
+        dynamics, coordinates = self._dynamics, self._coordinates
+        weight = 9.81 * float(self._model.body_mass.sum())
+        named = self._robot.model.joints_by_name
+        moving = (named[name] for name in dynamics.columns if name in named)
+        for number, pose in enumerate(random_poses(moving, POSES)):
+            data, placed = self.at(pose)
+            far, coupled = max(far, _placed(data, placed)), max(coupled, residual(data))
+            if number < DYNAMIC_POSES:
+                ours = coordinates.compared(dynamics.mass_matrix(pose))
+                matrix = max(matrix, relative(ours, coordinates.mass_matrix(data)))
+                ours, theirs = (
+                    coordinates.compared(dynamics.gravity(pose)),
+                    coordinates.gravity(data),
+                )
+                gravity = max(gravity, relative(ours, theirs, max(LEAST, LEVER * weight)))
+        return far, coupled, matrix, gravity
 
 
 class _Coordinates:
@@ -122,9 +186,9 @@ class _Coordinates:
                     self._columns[model.jnt_dofadr[number], column] = factor
         self._is_compared = self._columns.any(axis=0)
 
-    def set(self, data: Any, robot: Context, pose: Mapping[str, float]) -> None:
-        """Put the model into a pose."""
-        for name, position in positions(robot.tree, pose).items():
+    def set(self, data: Any, moved: Mapping[str, float]) -> None:
+        """Put the model into a pose of all joints that one number moves."""
+        for name, position in moved.items():
             if name in self._q:
                 data.qpos[self._q[name]] = position
 
@@ -149,32 +213,10 @@ class _Coordinates:
 def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
     """The largest difference of a link's placement, and the name of the link."""
     worst = (0.0, "")
-    bodies = _bodies(data.model)
+    bodies = names(data.model, "nbody")
     for name, matrix in links.items():
         part = data.body(name) if name in bodies else data.site(name)  # of a link that is merged
         found = np.eye(4)
         found[:3, :3], found[:3, 3] = part.xmat.reshape(3, 3), part.xpos
         worst = max(worst, (float(np.abs(found - matrix).max()), name))
     return worst
-
-
-def _masses(model: Any, robot: Context) -> float:
-    """The largest difference of the mass of links that are fixed together, in kg."""
-    differences = [0.0]
-    bodies = _bodies(model)
-    for group in rigid_bodies(robot.tree):
-        if not group.is_ground:
-            own = (link.name for link, _ in group.links if link.name in bodies)
-            found = sum(float(model.body(name).mass[0]) for name in own)
-            differences.append(abs(found - group.mass))
-    return max(differences)
-
-
-def _bodies(model: Any) -> frozenset[str]:
-    return frozenset(model.body(number).name for number in range(model.nbody))
-
-
-def _part(ours: Floats, theirs: Floats, least: float = LEAST) -> float:
-    """The largest difference as a part of the largest entry, which counts as ``least`` at least."""
-    largest = max(float(np.abs(ours).max(initial=0.0)), least)
-    return float(np.abs(ours - theirs).max(initial=0.0)) / largest

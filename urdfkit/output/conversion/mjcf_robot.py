@@ -1,6 +1,6 @@
 """A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import Any
 
 import mujoco
@@ -12,6 +12,7 @@ from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
@@ -21,6 +22,7 @@ from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.source import Span
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
 NARROWEST = 1e-6
@@ -28,7 +30,7 @@ NARROWEST = 1e-6
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
 #: Joints that one number moves.
-_ONE_WAY = (*TURNING, *SLIDING)
+ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -61,12 +63,28 @@ class MjcfRobot:
         self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
         self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
         self.devices = FreeNames()  # of sites, sensors and cameras
+        self._joint_names = FreeNames()
+        for joint in tree.model.joints:
+            self._joint_names.take(joint.name)
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self._build(tree, is_free)
         self._couple(tree)
+
+    @property
+    def mesh_places(self) -> dict[str, Span]:
+        """Where the meshes of the specification are written, by name."""
+        return self._geoms.places
+
+    @property
+    def shapes(self) -> dict[int, WrittenShape]:
+        """The geoms of visuals and collisions, by the ``id`` of the element; once compiled."""
+        return {
+            key: WrittenShape(tuple(geom.id for geom in geoms), key not in self._geoms.simpler)
+            for key, geoms in self._geoms.shapes.items()
+        }
 
     def _build(self, tree: KinematicTree, is_free: bool) -> None:
         model = tree.model
@@ -82,7 +100,7 @@ class MjcfRobot:
             else:
                 self.bodies[name] = self._body(link, joint)
             if joint is None and is_free:
-                self.bodies[name].add_freejoint(name=f"{name}_free")
+                self.bodies[name].add_freejoint(name=self._joint_names.take(f"{name}_free"))
             self._fill(link)
 
     def _merge(self, link: Link, joint: Joint) -> None:
@@ -114,26 +132,30 @@ class MjcfRobot:
         keep(at, what if joint.kind != "fixed" else "body without a joint")
         for tag in ("origin", "parent", "child"):
             keep(at.child(tag), "place of the body")
-        if joint.kind in _ONE_WAY:
+        if joint.kind in ONE_WAY:
             kind = _SLIDE if joint.kind == "prismatic" else _HINGE
             made = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
             self._limits(made, joint)
             self._damping(made, joint)
         elif joint.kind == "floating":
-            for number, axis in enumerate(_AXES):
-                body.add_joint(name=f"{joint.name}[{number}]", type=_SLIDE, axis=axis)
-            body.add_joint(name=f"{joint.name}[3]", type=_BALL)
+            motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
+            self._several(body, joint, motions)
         elif joint.kind == "planar":
             first, second, normal = _plane(direction(joint))
-            for number, (kind, axis) in enumerate(
-                ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
-            ):
-                body.add_joint(name=f"{joint.name}[{number}]", type=kind, axis=axis)
+            motions = ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
+            self._several(body, joint, motions)
             keep(at.child("axis"), "axes")
         else:
             for tag in ("axis", "limit", "dynamics"):
                 self.losses.lose(at.child(tag), "a fixed joint does not move")
+
+    def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
+        """The joints of MuJoCo that make one of several coordinates."""
+        for at, (kind, axis) in enumerate(motions):
+            made = body.add_joint(name=self._joint_names.take(f"{joint.name}[{at}]"), type=kind)
+            if axis is not None:
+                made.axis = axis
 
     def _limits(self, made: Any, joint: Joint) -> None:
         limit = joint.limit
@@ -213,7 +235,7 @@ class MjcfRobot:
             if mimic is None:
                 continue
             leader, factor, shift = known[joint.name]
-            if not {joint.kind, joints[leader].kind if leader else ""} <= set(_ONE_WAY):
+            if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
                 continue
             made = self.spec.add_equality(
                 name=f"{joint.name}_mimic",

@@ -7,12 +7,13 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform, basis, from_rpy, multiply, transposed
+from urdfkit.core.spatial import Rotation, Transform, basis, multiply, transposed
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf_math import quaternion
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
-from urdfkit.robot.values import numbers
+from urdfkit.robot.model import Joint
+from urdfkit.ros.gazebo.poses import UnreadablePose, pose_in
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element
 
@@ -24,6 +25,8 @@ _HIDDEN = 4
 #: Gazebo's cameras look along x and have z up, MuJoCo's along -z and have y up.
 _CAMERA: Rotation = ((0.0, 0.0, -1.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 _CAMERAS = ("camera", "depth", "rgbd_camera", "depth_camera", "wideanglecamera")
+
+_IMUS = ("imu", "imu_sensor")
 
 _SENSOR, _OBJECT = mujoco.mjtSensor, mujoco.mjtObj
 _IMU = (
@@ -41,20 +44,76 @@ def add_sensors(made: MjcfRobot, robot: Context) -> None:
 
 
 def _add(made: MjcfRobot, robot: Context, sensor: Sensor) -> None:
-    body = made.bodies.get(sensor.reference)
-    frame = made.frames.get(sensor.reference, Transform()) @ _pose(sensor.at)
-    if sensor.type in ("imu", "imu_sensor") and body is not None:
-        _measured(made, sensor, body, frame, _IMU)
-    elif sensor.type in _CAMERAS and body is not None:
-        _camera(made, sensor, body, frame)
-    elif sensor.lidar and body is not None:
-        _lidar(made, sensor, body, frame)
-    elif sensor.type == "force_torque" and sensor.reference in robot.model.joints_by_name:
-        child = robot.model.joints_by_name[sensor.reference].child
-        if child is not None:
-            _measured(made, sensor, made.bodies[child.value], Transform(), _FORCE_TORQUE)
-    else:
+    joint = robot.model.joints_by_name.get(sensor.reference)
+    is_wrench = sensor.type == "force_torque" and joint is not None
+    is_known = is_wrench or sensor.type in (*_IMUS, *_CAMERAS) or bool(sensor.lidar)
+    link = joint.child_name if is_wrench and joint else sensor.reference
+    body = made.bodies.get(link)
+    if body is None or not is_known:
         made.losses.lose(sensor.at, f"MuJoCo has no sensor like '{sensor.type}'")
+        return
+    frame, pose = made.frames[link], _pose(made, robot, sensor.at, link)
+    if is_wrench and joint is not None:
+        _wrench(made, robot, sensor, joint, frame @ pose)
+    elif sensor.type in _IMUS:
+        _measured(made, sensor, body, frame @ pose, _IMU)
+    elif sensor.type in _CAMERAS:
+        camera = sensor.at.child("camera")
+        pose = pose if camera is None else _pose(made, robot, camera, link, pose)
+        _camera(made, sensor, body, frame @ pose)
+    else:
+        _lidar(made, sensor, body, frame @ pose)
+
+
+def _pose(
+    made: MjcfRobot,
+    robot: Context,
+    parent: Element,
+    link: str,
+    outer: Transform | None = None,
+) -> Transform:
+    """The pose of a sensor, or of the camera in it, in the frame of a link.
+
+    Args:
+        parent: the element with the ``<pose>``.
+        outer: the pose of the element around it.
+    """
+    pose = parent.child("pose")
+    try:
+        found = pose_in(parent, link, robot.tree)
+    except UnreadablePose as error:
+        made.losses.lose(pose, f"{error}; MJCF has none")
+        return outer or Transform()
+    made.losses.keep(pose, "pose")
+    is_in_outer = pose is None or not pose.get("relative_to")
+    return outer @ found if outer and is_in_outer else found
+
+
+def _wrench(made: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: Transform) -> None:
+    """Force and torque that the parent of a joint applies to its child, at the sensor.
+
+    Gazebo reports them in the axes of the child or, as ``<frame>`` says, of the parent or sensor.
+    """
+    keep, settings = made.losses.keep, sensor.at.child("force_torque")
+    frame = settings.child("frame") if settings else None
+    axes = frame.text.strip() if frame else "child"
+    rotation = at.rotation
+    if axes != "sensor":
+        rotation = made.frames[joint.child_name].rotation
+    if axes == "parent":
+        rotation = multiply(rotation, joint.origin.inverse.rotation)
+    site = Transform(rotation, at.position)
+    _measured(made, sensor, made.bodies[joint.child_name], site, _FORCE_TORQUE)
+    keep(settings, "sensors")
+    keep(frame, "axes of the site")
+    if axes == "parent" and joint.kind != "fixed":
+        made.losses.approximate(frame, "axes that the parent has while the joint is at zero")
+    direction = settings.child("measure_direction") if settings else None
+    if direction is not None and direction.text.strip() == "parent_to_child":
+        keep(direction, "sensors")
+    else:
+        note = "MuJoCo measures what the parent applies to the child: the signs are opposite"
+        made.losses.approximate(sensor.at if direction is None else direction, note)
 
 
 def _measured(
@@ -65,11 +124,13 @@ def _measured(
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
     for what, kind in kinds:
         made.spec.add_sensor(
-            name=f"{name}_{what}", type=kind, objtype=_OBJECT.mjOBJ_SITE, objname=name
+            name=made.devices.take(f"{name}_{what}"),
+            type=kind,
+            objtype=_OBJECT.mjOBJ_SITE,
+            objname=name,
         )
     made.losses.keep(sensor.at, "site and sensors")
     made.losses.keep(sensor.at.parent, "body")
-    made.losses.keep(sensor.at.child("pose"), "site")
 
 
 def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
@@ -83,23 +144,12 @@ def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     made.losses.keep(sensor.at, "camera")
     made.losses.keep(sensor.at.parent, "body")
     made.losses.keep(sensor.at.child("camera"), "camera")
-    made.losses.keep(sensor.at.child("pose"), "camera")
     if wide and width and height and width.value > 0 and height.value > 0:
         camera.fovy = degrees(2 * atan(tan(wide.value / 2) * height.value / width.value))
         camera.resolution = (round(width.value), round(height.value))
         made.losses.keep(sensor.find("camera/image"), "resolution")
         for placed, what in ((wide, "fovy"), (width, "resolution"), (height, "resolution")):
             made.losses.keep(placed.at, what)
-
-
-def _pose(sensor: Element) -> Transform:
-    """SDF's ``<pose>``: x y z roll pitch yaw in the frame of the link."""
-    pose = sensor.child("pose")
-    values = numbers(pose.text) if pose else None
-    if values is None or len(values) != 6:
-        return Transform()
-    x, y, z, *rpy = values
-    return Transform(from_rpy(*rpy), (x, y, z))
 
 
 def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
@@ -113,7 +163,7 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     for number, (up, turn) in enumerate(product(rows, columns)):
         way = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
         rotation = multiply(at.rotation, transposed(basis(way)))
-        ray = f"{name}_{number}"
+        ray = made.devices.take(f"{name}_{number}")
         body.add_site(name=ray, pos=at.position, quat=quaternion(rotation), group=_HIDDEN)
         found = made.spec.add_sensor(
             name=ray, type=_SENSOR.mjSENS_RANGEFINDER, objtype=_OBJECT.mjOBJ_SITE, objname=ray
@@ -124,7 +174,6 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
             made.losses.keep(sensor.find(f"{sensor.lidar}/range"), "rangefinders")
             made.losses.keep(sensor.find(f"{sensor.lidar}/range/max"), "cutoff")
     made.losses.keep(sensor.at.parent, "body")
-    made.losses.keep(sensor.at.child("pose"), "sites")
     made.losses.keep(sensor.at, "rangefinders")
     for path in (sensor.lidar, scan, f"{scan}/horizontal", f"{scan}/vertical"):
         made.losses.keep(sensor.find(path), "rangefinders")

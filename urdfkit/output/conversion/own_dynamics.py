@@ -10,6 +10,7 @@ import numpy as np
 
 from urdfkit.core.spatial import Transform, rotate
 from urdfkit.mesh.geometry import Floats
+from urdfkit.output.conversion.body_inertia import homogeneous
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, frames, laws
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
@@ -34,11 +35,7 @@ class OwnDynamics:
 
     def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
         """Where each link is in the frame of the root, as homogeneous matrices, (4, 4)."""
-        found = {}
-        for name, frame in frames(self._tree, pose).items():
-            found[name] = np.eye(4)
-            found[name][:3, :3], found[name][:3, 3] = frame.rotation, frame.position
-        return found
+        return {name: homogeneous(frame) for name, frame in frames(self._tree, pose).items()}
 
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
         """The joint-space mass matrix, the root fixed, (nv, nv)."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.robot.kinematics import SLIDING, TURNING
-from urdfkit.robot.model import Joint
-from urdfkit.robot.values import number, vector
+from urdfkit.robot.model import Joint, reads_quaternions
+from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Element
 from urdfkit.text.schema import JOINT_TYPES
 from urdfkit.text.source import Span
@@ -41,6 +41,7 @@ def require_meaning(robot: Context) -> None:
 
 def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:
     for element in part.walk():
+        yield from _unreadable_quaternion(element)
         for names, read, count in (
             (_VECTORS, vector, "3 finite numbers"),
             (_NUMBERS, number, "a finite number"),
@@ -50,6 +51,17 @@ def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:
                 if attribute is not None and read(attribute.value) is None:
                     what = f"{name} of <{element.tag}> is '{attribute.value}'"
                     yield attribute.span, f"{what}; write {count}"
+
+
+def _unreadable_quaternion(element: Element) -> Iterator[tuple[Span, str]]:
+    written = element.attributes.get("quat_xyzw") if element.tag == "origin" else None
+    if written is None or not reads_quaternions(element):
+        return
+    if "rpy" in element.attributes:
+        yield written.span, "<origin> has both rpy and quat_xyzw; remove one of them"
+    elif len(numbers(written.value) or ()) != 4:
+        what = f"quat_xyzw of <origin> is '{written.value}'"
+        yield written.span, f"{what}; write 4 finite numbers"
 
 
 def _meaningless(joint: Joint) -> Iterator[tuple[Span, str]]:

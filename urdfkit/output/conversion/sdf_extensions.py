@@ -46,7 +46,7 @@ _SCRIPTS = "file://media/materials/scripts/gazebo.material"
 #: That the converter reads.
 _LARGEST_INT = 2**31 - 1
 #: Tags with a pose in the frame of their link.
-_POSED = ("light", "projector", "sensor")
+POSED = ("light", "projector", "sensor")
 
 
 class GazeboBlock:
@@ -97,7 +97,7 @@ class GazeboBlocks:
         for one in moved:
             one.moved = frame
             for tag, at in one.others:
-                if tag.tag in _POSED:
+                if tag.tag in POSED:
                     _move(tag, at, frame)
         if moved:
             self._by_name.setdefault(into, []).extend(moved)
@@ -243,6 +243,12 @@ def _put_parts(tag: Tag, parts: list[Tag], single: str) -> None:
         if old is not None:
             tag.remove(old)
         tag.append(deepcopy(part))
+
+
+def is_read_as_rpy(pose: Element, *, is_moved: bool) -> bool:
+    """True if a pose has another format than that in which sdformat moves it with its link."""
+    is_other = pose.get("rotation_format") == "quat_xyzw" or pose.get("degrees") in ("true", "1")
+    return is_moved and is_other and not pose.get("relative_to")
 
 
 def _move(tag: Tag, at: Element, frame: Transform) -> None:

@@ -4,7 +4,12 @@ from urdfkit.core.spatial import Rotation, Transform, from_rpy
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.sdf_extensions import TAKERS, GazeboBlock
+from urdfkit.output.conversion.sdf_extensions import (
+    POSED,
+    TAKERS,
+    GazeboBlock,
+    is_read_as_rpy,
+)
 from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
@@ -188,6 +193,9 @@ def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -
             losses.lose(child, f"it is for {whom}, and none of '{reference}' takes it")
             continue
         _keep_all(losses, child, f"of the {taker}" if taker else "as written")
+        pose = child.child("pose") if child.tag in POSED else None
+        if pose is not None and is_read_as_rpy(pose, is_moved=reference in conversion.merged):
+            losses.approximate(pose, "sdformat moves it, and reads it as x y z and rpy in rad")
 
 
 def _keep_all(losses: LossTable, root: Element, what: str) -> None:

@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 import urdf_usd_converter
-from pxr import Gf, Sdf, Tf, Usd, UsdUtils
+from pxr import Tf, Usd, UsdUtils
 
 from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import transposed
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.io.facts import BINARY_STL, OBJ
@@ -27,6 +27,7 @@ from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.output.conversion.usd_rotations import write_rotations
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits
@@ -36,15 +37,17 @@ from urdfkit.text.xml_reader import read_xml
 
 #: COLLADA is converted: what it says of units and axes is then applied as everywhere here.
 _CONSUMER = Consumer("usd", "urdf-usd-converter", (BINARY_STL, OBJ), ".obj")
-_ORIENT = "xformOp:orient"
+#: A warning to those who write the converter, not about the robot.
+_OF_PROGRAM = re.compile(r"\bdeprecated\b", re.IGNORECASE)
 _AT_LINE = re.compile(r"(?:^|: )(?P<tag>[\w.-]+): (?P<text>.*) \(line: (?P<line>\d+)\)$")
 
 
 class Warned(Record):
-    """What the converter says of an element; of the robot where it names none."""
+    """A warning of the converter."""
 
-    element: Element
+    element: Element  # that it is about; the root if it names none
     text: str
+    is_loss: bool  # the element is not converted
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
@@ -54,64 +57,46 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
     with staged((), out, force=force, mark=REPORT) as directory, temporary.scratch() as scratch:
         atomic.make_directory(directory)
         write_files(bundle.files(), scratch)
-        warnings = _converted(robot, bundle, scratch, directory)
+        places = _ConvertedElements(robot, bundle, os.path.join(scratch, bundle.urdf))
+        warnings = _converted(robot, places, directory)
         file = os.path.join(directory, f"{bundle.name}.usda")
-        _set_rotations(Stage(Usd.Stage.Open(file), robot), robot)
+        write_rotations(Stage(Usd.Stage.Open(file), robot), robot)
         stage = Stage(Usd.Stage.Open(file), robot)
         proof = proven(prove(stage, robot), robot)
         losses = LossTable()
         mark_parts(losses, robot, stage)
-        for one in warnings:
-            losses.lose(one.element, one.text)
+        prims = {str(prim.GetPath()): body.at for prim, body in stage.shapes}
+        for warned in (places.find(text, prims) for text in warnings):
+            mark = losses.lose if warned.is_loss else losses.approximate
+            mark(warned.element, warned.text)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, {}))
         found = Conversion("usd", f"{bundle.name}.usda", "fixed", stage.counts, entries, proof)
         found.write_report(directory)
     return found
 
 
-def _converted(robot: Context, bundle: Bundle, scratch: str, directory: str) -> list[Warned]:
-    """Let the converter write USD, and take what it warns of.
+def _converted(robot: Context, places: _ConvertedElements, directory: str) -> list[str]:
+    """Let the converter write USD; returns its warnings.
 
     Raises:
         UrdfkitError: it rejects the robot.
     """
-    path = os.path.join(scratch, bundle.urdf)
-    places = _ConvertedElements(robot, bundle, path)
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:
-        urdf_usd_converter.Converter(scene=False).convert(path, directory)
+        urdf_usd_converter.Converter(scene=False).convert(places.path, directory)
     except (ValueError, RuntimeError, Tf.ErrorException) as error:
-        warned = places.find(str(error))
+        warned = places.find(str(error), {})
         why = f"urdf-usd-converter rejects the robot: {warned.text}"
         see = f"see 'urdfkit check {shown(robot.source.path)}'"
         raise UrdfkitError(f"{warned.element.span}: {why}; {see}") from error
     finally:
         diagnostics = delegate.TakeUncoalescedDiagnostics()
     return [
-        places.find(one.commentary)
+        one.commentary
         for one in diagnostics
         if one.diagnosticCode != Tf.TF_DIAGNOSTIC_STATUS_TYPE
+        and not _OF_PROGRAM.search(one.commentary)
     ]
-
-
-def _set_rotations(stage: Stage, robot: Context) -> None:
-    """Give the prims of links the rotations of their joints, in double precision.
-
-    The converter computes with the arc cosine of a single precision number, as USD does with what
-    it writes: small rotations are up to 5e-4 rad off then.
-    """
-    changed = set()
-    for name, prim in stage.links.items():
-        for joint in robot.tree.parents[name]:
-            (old,) = prim.GetAttribute(_ORIENT).GetPropertyStack(Usd.TimeCode.Default())
-            owner = old.owner
-            owner.RemoveProperty(old)
-            new = Sdf.AttributeSpec(owner, _ORIENT, Sdf.ValueTypeNames.Quatd)
-            turned = Gf.Matrix3d(*(one for row in transposed(joint.origin.rotation) for one in row))
-            new.default = Gf.Matrix4d(turned, Gf.Vec3d()).ExtractRotationQuat()
-            changed.add(owner.layer)
-    for layer in changed:
-        layer.Save()
 
 
 class _ConvertedElements:
@@ -124,6 +109,7 @@ class _ConvertedElements:
     """
 
     def __init__(self, robot: Context, bundle: Bundle, path: str) -> None:
+        self.path = path
         self._root = robot.document.root
         with open(path, "rb") as file:
             source = Source(path, file.read())
@@ -144,14 +130,20 @@ class _ConvertedElements:
         self._files = {one.new: one.element.partition("@")[0] for one in bundle.renamed}
         self._by_path = {element.path: element for element in self._root.walk()}
 
-    def find(self, text: str) -> Warned:
-        """The element that a message is about."""
-        text = " ".join(text.split())
+    def find(self, text: str, prims: Mapping[str, Element]) -> Warned:
+        """The element that a message is about.
+
+        Args:
+            prims: the visuals and collisions, by the paths of their prims.
+        """
+        text = " ".join(text.split()).replace(os.path.dirname(self.path) + os.sep, "")
         at = _AT_LINE.search(text)
         if at:
             found = self._by_line.get((at["tag"], int(at["line"])), self._root)
-            return Warned(found, at["text"])
+            return Warned(found, at["text"], found is not self._root)
         for new, path in self._files.items():
             if new in text or PurePosixPath(new).name in text:
-                return Warned(self._by_path.get(path, self._root), text)
-        return Warned(self._root, text)
+                found = self._by_path.get(path, self._root)
+                return Warned(found, text, found is not self._root)
+        prim = prims.get(text.rpartition(": ")[2])
+        return Warned(self._root if prim is None else prim, text, is_loss=False)

@@ -6,20 +6,16 @@ from pxr import UsdPhysics
 
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.usd_proof import PART, Stage
+from urdfkit.output.conversion.usd_proof import RESISTANCE, Stage
+from urdfkit.output.conversion.usd_shapes import gprims
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Link
 
 #: Of what the converter does not know.
 OTHERWISE = "stored under urdf:, which no simulator reads"
 _NO_BODY = "the link is no rigid body in USD: it is fixed, and nothing is below it"
+_NO_MESH = "the converter makes no mesh of the file"
 _SHAPES = ("box", "sphere", "cylinder", "mesh")
-#: The converter's attributes of a joint, by the paths of URDF's.
-_ATTRIBUTES = {
-    "limit@velocity": "newton:velocityLimit",
-    "dynamics@damping": "newton:damping",
-    "dynamics@friction": "newton:friction",
-}
 
 
 def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
@@ -30,6 +26,9 @@ def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
         _link(losses, link, stage)
         for geometry in (*link.visuals, *link.collisions):
             _geometry(losses, geometry, colours, is_visual=geometry in link.visuals)
+    for prim, geometry in stage.shapes:
+        if geometry.shape and not gprims(prim):
+            losses.lose(geometry.shape.at, _NO_MESH)
     for joint in robot.model.joints:
         _joint(losses, joint, stage)
 
@@ -86,29 +85,20 @@ def _joint(losses: LossTable, joint: Joint, stage: Stage) -> None:
         for tag in ("axis", "limit", "dynamics", "mimic"):
             losses.lose(joint.at.child(tag), f"a {joint.kind} joint has none")
         return
-    _axis(losses, joint, stage)
+    losses.keep(joint.at.child("axis"), "axis")
     _limits(losses, joint)
     if prim is not None:
         _attributes(losses, joint, prim)
 
 
-def _axis(losses: LossTable, joint: Joint, stage: Stage) -> None:
-    axis = joint.at.child("axis")
-    off = stage.axis_difference(joint) if joint.name in stage.joints else 0.0
-    if joint.kind != "planar" and off > PART:
-        losses.approximate(axis, f"axis, off by {off:.2g} rad")
-    else:
-        losses.keep(axis, "axis")
-
-
 def _attributes(losses: LossTable, joint: Joint, prim: Any) -> None:
     """What the prim of a joint has besides its axis and range."""
-    for path, name in _ATTRIBUTES.items():
+    for path, (name, _) in RESISTANCE.items():
         tag, _, written = path.partition("@")
         element = joint.at.child(tag)
-        if element is not None and prim.GetAttribute(name).HasAuthoredValue():
+        if element is not None and prim.GetAttribute(f"newton:{name}").HasAuthoredValue():
             losses.keep(element, "joint")
-            losses.keep(element.attributes.get(written), name)
+            losses.keep(element.attributes.get(written), f"newton:{name}")
     for tag in ("calibration", "safety_controller"):
         element = joint.at.child(tag)
         losses.approximate(element, OTHERWISE)

@@ -3,25 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, isfinite
+from math import degrees
 from typing import Any
 
 import numpy as np
-from pxr import Gf, Usd, UsdGeom, UsdPhysics
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
+from urdfkit.output.conversion.body_inertia import (
+    difference,
+    homogeneous,
+    of_link,
+    pseudo_inertia,
+)
+from urdfkit.output.conversion.usd_shapes import converted_shapes, shape_difference
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction
-from urdfkit.robot.model import Joint
-from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
+from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.values import number
 
 #: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
 #: precision for masses.
 LENGTH, PART = 1e-9, 1e-5
-#: Of an axis: the converter takes one that is as near to x, y or z for it.
-AXIS = 1e-3
+#: The converter's names of attributes of a joint, by the paths of URDF's, with the power of a
+#: degree in their units.
+RESISTANCE = {
+    "limit@velocity": ("velocityLimit", 1),
+    "dynamics@damping": ("damping", -1),
+    "dynamics@friction": ("friction", 0),
+}
+#: Numbers below this are rounding.
+_LEAST = 1e-9
+#: Difference of a part that is missing, or of another kind.
+_WHOLE = 1.0
 
 _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 _TYPES = {
@@ -38,25 +55,27 @@ class UsdProof(Record):
 
     frames: float  # of the placement of a link at zero, in m and of entries of its rotation
     masses: float  # of links that are fixed together, and of their tensors, as a part of the most
-    axes: float  # of a unit vector
-    joints: float  # of a limit, as a part of it; 1 for another kind of joint
+    axes: float  # of a unit vector, and of the frames of a joint in its parent and its child
+    joints: float  # of a limit or coupling, as a part of it; 1 for another kind of joint
+    shapes: float  # of the place or size of a visual or collision, as a part of its size
     part: str  # that differs most: a link or joint
 
     @property
     def holds(self) -> bool:
-        is_placed = self.frames <= LENGTH and self.axes <= AXIS
-        return is_placed and max(self.masses, self.joints) <= PART
+        return (
+            self.frames <= LENGTH and max(self.masses, self.axes, self.joints, self.shapes) <= PART
+        )
 
     @property
     def agreed(self) -> str:
-        return "the stage agrees with the robot on frames, masses, inertia, axes and limits"
+        return "the stage agrees with the robot on frames, masses, inertia, joints and shapes"
 
     @property
     def disagreed(self) -> str:
         return (
             "the USD does not agree with the robot: "
             f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
-            f"joints {self.joints:.2g}; most at '{self.part}'"
+            f"joints {self.joints:.2g}, shapes {self.shapes:.2g}; most at '{self.part}'"
         )
 
 
@@ -87,6 +106,8 @@ class Stage:
             prim = self._child(parent, name, placed[name]) if parent else None
             if prim:
                 self.links[name] = prim
+        #: Prims of visuals and collisions.
+        self.shapes = [pair for link in robot.model.links for pair in self._shapes(link)]
         meshes = sum(prim.IsA(UsdGeom.Gprim) for prim in Usd.PrimRange(root))
         self.counts = {"link": len(self.links), "joint": len(self.joints), "geom": meshes}
 
@@ -97,12 +118,24 @@ class Stage:
         ]
         return min(found, key=lambda prim: self.difference(prim, at), default=None)
 
+    def _shapes(self, link: Link) -> Iterator[tuple[Any, Body]]:
+        prim, links = self.links.get(link.name), set(self.links.values())
+        if prim is not None:
+            # The order of children on the stage is that of several layers.
+            stack = prim.GetPrimStack()
+            written = next(spec for spec in stack if spec.specifier == Sdf.SpecifierDef)
+            children = [prim.GetChild(spec.name) for spec in written.nameChildren]
+            prims = [one for one in children if one.IsA(UsdGeom.Xformable) and one not in links]
+            yield from zip(prims, converted_shapes(link), strict=False)
+
+    def forget_placements(self) -> None:
+        """Let the placements be computed again, after a change of the stage."""
+        self._cache.Clear()
+
     def difference(self, prim: Any, at: Transform) -> float:
         """How far a prim is from a frame, in m or of entries of its rotation."""
         found = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        ours = np.eye(4)
-        ours[:3, :3], ours[:3, 3] = at.rotation, at.position
-        return float(np.abs(found - ours).max())
+        return float(np.abs(found - homogeneous(at)).max())
 
     def inertia(self, prim: Any) -> tuple[float, Floats, Floats]:
         """Mass in kg, (3,) centre in m and (3, 3) tensor about that, in the frame of a prim."""
@@ -110,20 +143,64 @@ class Stage:
         if not prim.HasAPI(UsdPhysics.MassAPI) or not prim.HasAPI(UsdPhysics.RigidBodyAPI):
             return 0.0, np.zeros(3), np.zeros((3, 3))
         axes = api.GetPrincipalAxesAttr().Get()
-        turned = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(axes)))).T if axes else np.eye(3)
+        turned = rotation_of(axes) if axes else np.eye(3)
         moments = np.array(api.GetDiagonalInertiaAttr().Get() or (0, 0, 0), dtype=float)
         center = np.array(api.GetCenterOfMassAttr().Get() or (0, 0, 0), dtype=float)
         if not np.isfinite(center).all():  # what is not written
             center = np.zeros(3)
         return float(api.GetMassAttr().Get() or 0), center, turned @ np.diag(moments) @ turned.T
 
-    def axis_difference(self, joint: Joint) -> float:
-        """How far the axis of a joint that has a prim is off, both as unit vectors."""
+    def axis_in_child(self, joint: Joint) -> Floats:
+        """The axis of a joint that has a prim, a unit vector in the frame of the child."""
         prim = self.joints[joint.name]
-        turn = Gf.Rotation(Gf.Quatd(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get()))
-        token = prim.GetAttribute("physics:axis").Get() or "X"
-        found = np.array(turn.TransformDir(Gf.Vec3d(*_AXES[token])))
-        return float(np.abs(found - direction(joint)).max())
+        turned = rotation_of(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get())
+        found: Floats = turned @ _AXES[_axis_token(prim)]
+        return found
+
+    def relative_rotation(self, prim: Any) -> Floats:
+        """The rotation of the second body of a joint in the first one, (3, 3)."""
+        return self._relative(prim)[:3, :3]
+
+    def frame_difference(self, prim: Any) -> float:
+        """Difference of the frames that a joint joins, in entries of a rotation and parts of 1 m.
+
+        The larger one counts where the parent is farther away than 1 m.
+        """
+        joint = UsdPhysics.Joint(prim)
+        first = _frame(joint.GetLocalPos0Attr(), joint.GetLocalRot0Attr())
+        second = _frame(joint.GetLocalPos1Attr(), joint.GetLocalRot1Attr())
+        away = np.abs(self._relative(prim) @ second - first)
+        away[:3, 3] /= max(1.0, np.abs(first[:3, 3]).max())
+        return float(away.max())
+
+    def _relative(self, prim: Any) -> Floats:
+        """The placement of the second body of a joint in the first one, (4, 4)."""
+        joint = UsdPhysics.Joint(prim)
+        placed = []
+        for relation in (joint.GetBody0Rel(), joint.GetBody1Rel()):
+            bodies = [self._stage.GetPrimAtPath(path) for path in relation.GetTargets()]
+            at = self._cache.GetLocalToWorldTransform(bodies[0]) if bodies else Gf.Matrix4d(1)
+            placed.append(np.array(at).T)
+        found: Floats = np.linalg.inv(placed[0]) @ placed[1]
+        return found
+
+
+def _axis_token(prim: Any) -> str:
+    """The axis of a joint in its own frame; that of a planar one is the locked translation."""
+    locked = (axis for axis in _AXES if prim.HasAPI("PhysicsLimitAPI", f"trans{axis}"))
+    return prim.GetAttribute("physics:axis").Get() or next(locked, "X")
+
+
+def _frame(position: Any, rotation: Any) -> Floats:
+    found = np.eye(4)
+    found[:3, :3], found[:3, 3] = rotation_of(rotation.Get()), position.Get()
+    return found
+
+
+def rotation_of(quaternion: Any) -> Floats:
+    """The matrix of a rotation, (3, 3); `Gf.Rotation` loses small ones, since it has an angle."""
+    found: Floats = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
+    return found
 
 
 def _name(prim: Any) -> str:
@@ -139,50 +216,40 @@ def prove(stage: Stage, robot: Context) -> UsdProof:
     masses = max(_masses(stage, robot), default=(0.0, ""))
     axes = max(_axes(stage, robot), default=(0.0, ""))
     joints = max(_joints(stage, robot), default=(0.0, ""))
-    bounds = zip((far, masses, axes, joints), (LENGTH, PART, AXIS, PART), strict=True)
+    shaped = max(_shape_differences(stage, robot), default=(0.0, ""))
+    bounds = zip((far, masses, axes, joints, shaped), (LENGTH, *[PART] * 4), strict=True)
     worst = max((difference / bound, name) for (difference, name), bound in bounds)
-    return UsdProof(far[0], masses[0], axes[0], joints[0], worst[1])
+    return UsdProof(far[0], masses[0], axes[0], joints[0], shaped[0], worst[1])
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
     """How much the inertia of links that are fixed together differs, as a part of it."""
     for group in rigid_bodies(robot.tree):
-        ours = sum(_about_top(link, frame) for link, frame in group.links)
+        ours = sum((of_link(*one) for one in group.links), np.zeros((4, 4)))
         theirs = np.zeros((4, 4))
         for link, frame in group.links:
             if link.name in stage.links:
-                mass, center, tensor = stage.inertia(stage.links[link.name])
-                theirs = theirs + _pseudo(mass, center, tensor, frame)
-        largest = max(float(np.abs(ours).max()), 1e-9)
-        difference = float(np.abs(ours - theirs).max()) / largest
-        yield difference if isfinite(difference) else float("inf"), group.top.name
-
-
-def _about_top(link: Any, frame: Transform) -> Floats:
-    mass, center, tensor = properties_of(link, Transform())
-    return _pseudo(mass, np.array(center), np.array(tensor.rows), frame)
-
-
-def _pseudo(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:
-    """The pseudo-inertia in another frame, (4, 4), of which bodies have the sum.
-
-    Its blocks are the second moments, the first moments and the mass.
-    """
-    second = np.trace(tensor) / 2 * np.eye(3) - tensor + mass * np.outer(center, center)
-    found = np.block(
-        [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
-    )
-    moved = np.eye(4)
-    moved[:3, :3], moved[:3, 3] = frame.rotation, frame.position
-    result: Floats = moved @ found @ moved.T
-    return result
+                theirs = theirs + pseudo_inertia(*stage.inertia(stage.links[link.name]), frame)
+        yield difference(ours, theirs), group.top.name
 
 
 def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the axes of the joints that have a prim differ."""
+    """How much the axes and frames of the joints that have a prim differ."""
     for joint in robot.model.joints:
-        if joint.name in stage.joints and joint.kind in (*TURNING, *SLIDING):
-            yield stage.axis_difference(joint), joint.name
+        if joint.name in stage.joints:
+            yield stage.frame_difference(stage.joints[joint.name]), joint.name
+            if joint.kind != "fixed":
+                away = np.abs(stage.axis_in_child(joint) - direction(joint))
+                yield float(away.max()), joint.name
+
+
+def _shape_differences(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
+    """How much the visuals and collisions of the links that have a prim differ."""
+    found = {id(body.at): prim for prim, body in stage.shapes}
+    for link in robot.model.links:
+        for body in converted_shapes(link) if link.name in stage.links else ():
+            prim = found.get(id(body.at))
+            yield (shape_difference(prim, robot, body) if prim else _WHOLE), link.name
 
 
 def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
@@ -191,11 +258,12 @@ def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
         prim = stage.joints.get(joint.name)
         if prim is None:
             moves = joint.kind not in ("fixed", "floating")
-            yield (1.0 if moves and joint.name else 0.0), joint.name
+            yield (_WHOLE if moves and joint.name else 0.0), joint.name
         elif prim.GetTypeName() != _TYPES.get(joint.kind) or not _joins(stage, prim, joint):
-            yield 1.0, joint.name
+            yield _WHOLE, joint.name
         elif joint.kind in (*TURNING, *SLIDING):
-            yield max(_limits(prim, joint)), joint.name
+            parts = (*_limits(prim, joint), *_resistance(prim, joint), *_mimic(stage, prim, joint))
+            yield max(parts), joint.name
 
 
 def _joins(stage: Stage, prim: Any, joint: Joint) -> bool:
@@ -218,3 +286,29 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
             yield abs(theirs - ours) / largest
         else:
             yield abs(theirs - degrees(ours)) / degrees(largest)
+
+
+def _resistance(prim: Any, joint: Joint) -> Iterator[float]:
+    """How much velocity limit, damping and friction differ, as a part of them."""
+    per_degree = 1.0 if joint.kind == "prismatic" else degrees(1.0)
+    for path, (name, power) in RESISTANCE.items():
+        tag, _, written = path.partition("@")
+        element = joint.at.child(tag)
+        value = number(element.get(written)) if element is not None else None
+        if value is not None:
+            ours = value * per_degree**power
+            theirs = prim.GetAttribute(f"newton:{name}").Get()
+            yield _WHOLE if theirs is None else abs(theirs - ours) / max(abs(ours), _LEAST)
+
+
+def _mimic(stage: Stage, prim: Any, joint: Joint) -> Iterator[float]:
+    """How much the coupling of a joint differs, if the converter has written it."""
+    if joint.mimic is None or not prim.HasAPI("NewtonMimicAPI"):
+        return
+    leader = stage.joints.get(joint.mimic.joint.value) if joint.mimic.joint else None
+    targets = prim.GetRelationship("newton:mimicJoint").GetTargets()
+    yield 0.0 if leader is not None and targets == [leader.GetPath()] else _WHOLE
+    offset = joint.mimic.offset if joint.kind == "prismatic" else degrees(joint.mimic.offset)
+    for name, ours in (("mimicCoef0", offset), ("mimicCoef1", joint.mimic.multiplier)):
+        theirs = float(prim.GetAttribute(f"newton:{name}").Get())
+        yield abs(theirs - ours) / max(abs(ours), 1.0)

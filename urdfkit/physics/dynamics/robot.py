@@ -8,7 +8,7 @@ order and on any branch. Results are for the joints that can be set, the root fi
 Lengths in m, angles in rad, masses in kg, forces in N; gravity is 9.81 m/s^2 along -z of the root.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -65,8 +65,9 @@ class Dynamics:
                 raise Unsuitable(f"no robot carries {mass:g} kg")
         self.model, self._numbers, self._frames = _build(tree, self.payload)
         self._laws = laws(tree.model.joints_by_name)
+        self._columns = dict(_columns(self._joints))
         self.columns = tuple(
-            name for joint in self._joints if not joint.mimic for name in _columns(joint)
+            name for joint in self._joints if not joint.mimic for name in self._columns[joint.name]
         )
 
     @property
@@ -91,7 +92,7 @@ class Dynamics:
         for joint in self._joints:
             start = self._joint(joint.name).idx_v
             if joint.mimic is None:
-                for offset, name in enumerate(_columns(joint)):
+                for offset, name in enumerate(self._columns[joint.name]):
                     found[start + offset, self.columns.index(name)] = 1.0
                 continue
             leader, factor, _ = self._laws[joint.name]
@@ -182,9 +183,15 @@ def _downwards(tree: KinematicTree) -> list[Joint]:
     return [tree.parents[link][0] for link in tree.below(tree.roots[0].name)[1:]]
 
 
-def _columns(joint: Joint) -> list[str]:
-    count = _KINDS[joint.kind].nv
-    return [joint.name] if count == 1 else [f"{joint.name}[{index}]" for index in range(count)]
+def _columns(joints: Sequence[Joint]) -> Iterator[tuple[str, list[str]]]:
+    """The names of the coordinates of each joint; another joint may be called ``name[0]``."""
+    taken = {joint.name for joint in joints}
+    for joint in joints:
+        count = _KINDS[joint.kind].nv
+        names = [f"{joint.name}[{index}]" for index in range(count)]
+        while taken.intersection(names):
+            names = [f"{name}_" for name in names]
+        yield joint.name, [joint.name] if count == 1 else names
 
 
 def _lower(tensor: Floats) -> Sequence[float]:

@@ -160,7 +160,7 @@ def _pose(body: Body, frame: CallFrame) -> list[tuple[str, str]] | None:
     origin = body.at.child("origin")
     if origin is None or not _numbers(origin):
         return []
-    if origin.frame is not frame.outer:
+    if origin.frame is not frame.outer or "quat_xyzw" in origin.attributes:
         return None
     pairs = [(key, origin.attributes[key]) for key in ("xyz", "rpy") if key in origin.attributes]
     texts = [(key, _text(attribute)) for key, attribute in pairs]

@@ -229,11 +229,15 @@ def _edits(proposal: InertiaProposal) -> tuple[Edit, ...] | str:
 
 
 def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
-    if inertial.at.child("origin") is None and not any(center):
+    origin = inertial.at.child("origin")
+    if origin is None and not any(center):
         return ()
     if inertial.origin.rotation == IDENTITY and inertial.origin.position == center:
         return ()
-    return _attributes(inertial.at, "origin", {"xyz": spaced(center), "rpy": "0 0 0"})
+    values = {"xyz": spaced(center), "rpy": "0 0 0"}
+    if origin is not None and "quat_xyzw" in origin.attributes:
+        values["quat_xyzw"] = "0 0 0 1"
+    return _attributes(inertial.at, "origin", values)
 
 
 def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit, ...] | None:

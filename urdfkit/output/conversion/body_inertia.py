@@ -1,0 +1,58 @@
+"""The inertia of links that are fixed together, compared as one matrix."""
+
+import numpy as np
+
+from urdfkit.core.spatial import Transform
+from urdfkit.mesh.geometry import Floats
+from urdfkit.robot.model import Link
+from urdfkit.robot.rigid_bodies import properties_of
+
+#: Below this, in kg or kg·m², a body has none.
+_LEAST = 1e-15
+
+
+def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:
+    """The pseudo-inertia in another frame, (4, 4), of which bodies have the sum.
+
+    Its blocks are the second moments, the first moments and the mass.
+    """
+    second = np.trace(tensor) / 2 * np.eye(3) - tensor + mass * np.outer(center, center)
+    found = np.block(
+        [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
+    )
+    moved = homogeneous(frame)
+    result: Floats = moved @ found @ moved.T
+    return result
+
+
+def homogeneous(frame: Transform) -> Floats:
+    """A frame as a matrix, (4, 4)."""
+    found = np.eye(4)
+    found[:3, :3], found[:3, 3] = frame.rotation, frame.position
+    return found
+
+
+def of_link(link: Link, frame: Transform) -> Floats:
+    """The pseudo-inertia of a link, (4, 4), in the frame in which its own frame is given."""
+    mass, center, tensor = properties_of(link, Transform())
+    return pseudo_inertia(mass, np.array(center), np.array(tensor.rows), frame)
+
+
+def about_center(ours: Floats, theirs: Floats) -> tuple[Floats, Floats]:
+    """Two pseudo-inertias about the centre of mass of the first one."""
+    moved = np.eye(4)
+    if ours[3, 3] > _LEAST:
+        moved[:3, 3] = -ours[:3, 3] / ours[3, 3]
+    return moved @ ours @ moved.T, moved @ theirs @ moved.T
+
+
+def difference(ours: Floats, theirs: Floats) -> float:
+    """The largest difference of two pseudo-inertias, as a part of the first one.
+
+    Moments count as parts of the largest second moment and of the mass, whatever the unit of
+    length: a small part has a small tensor.
+    """
+    second, mass = max(float(np.abs(ours[:3, :3]).max()), _LEAST), max(abs(ours[3, 3]), _LEAST)
+    scale = np.sqrt([second, second, second, mass])
+    found = float(np.abs((ours - theirs) / np.outer(scale, scale)).max())
+    return found if np.isfinite(found) else float("inf")
