@@ -116,7 +116,7 @@ def test_a_report_has_no_directory_of_its_author(
             "searched . and its parent directories, . (1 package)",
         ),
         ("AMENT_PREFIX_PATH ({0}:/opt/ros/jazzy)", "AMENT_PREFIX_PATH (.:/opt/ros/jazzy)"),
-        ('pip install -e "{0}[dynamics]"', 'pip install -e ".[dynamics]"'),
+        ('pip install -e "{0}[dynamics]"', 'pip install -e "{0}[dynamics]"'),
         (
             'pip install "urdfkit @ file://{0}/urdfkit"',
             'pip install "urdfkit @ file://{0}/urdfkit"',

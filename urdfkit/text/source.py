@@ -255,10 +255,9 @@ def without_directory(text: str, directory: str, instead: str = "") -> str:
     if directory not in text or os.path.dirname(directory) == directory:
         return text
     prefix = re.escape(os.path.join(directory, ""))
-    text = re.sub(
-        rf"(?<!@ )\bfile:/*(?={prefix})", "", text
-    )  # pip needs "urdfkit @ file:///ws/..."
-    before = r"(?<![\w./\\<+-])"  # nor in the end tags and the base64 data of a page
+    # Install commands keep their paths, and pages their end tags and base64 data.
+    text = re.sub(rf"(?<!@ )\bfile:/*(?={prefix})", "", text)
+    before = r"(?<!-e \")(?<![\w./\\<+-])"
     text = re.sub(before + prefix, lambda _: instead, text)
     itself = re.escape(directory) + r"(?![\w/\\-]|\.\w)"
     return re.sub(before + itself, lambda _: instead.rstrip("/") or ".", text)
