@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import sys
 from types import FrameType
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge

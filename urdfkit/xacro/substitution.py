@@ -9,9 +9,9 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import MissingArgument
 from urdfkit.xacro.expressions import evaluate

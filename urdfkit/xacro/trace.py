@@ -7,8 +7,8 @@ looks up, and how each of them got its value.
 import reprlib
 from collections.abc import Iterator
 from types import FrameType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.core.words import listed
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element
