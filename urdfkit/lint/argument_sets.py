@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
@@ -51,7 +51,10 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     from urdfkit.ros.launch.robot_arguments import given
 
     sets: dict[object, RobotArguments] = {}
-    own = () if job.frame and not names else given(job.path, names, context.resolver)
+    own: Iterable[RobotArguments] = ()
+    if names or not job.frame:
+        no_arguments = context.reading.document is not None and not _defaults(context)
+        own = given(job.path, names, context.resolver, only_parameters=no_arguments)
     for one in (*own, *job.started):
         if one.arguments.keys() >= set(names):
             files = (file.path for file in one.parameters)
@@ -111,8 +114,7 @@ def _with_other_robots(
     job: Job, read: Callable[[Job], Context], context: Context, sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
     """A job, and the sets of arguments that make it another robot or come with parameter files."""
-    xacro = context.reading.xacro
-    own = {**xacro.defaults, **job.arguments} if xacro else {}
+    own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
     base = job._replace(name="", arguments=dict(job.shared or {}))
     others: list[Job] = []
     same: dict[object, Job] = {}  # by parameter files
@@ -134,6 +136,11 @@ def _with_other_robots(
     left = [_changes(now.arguments, own) for now in others[MAX_GIVEN:]]
     context.unchecked = _unchecked(left, [(job, context), *tried], {})
     return found
+
+
+def _defaults(context: Context) -> Mapping[str, str]:
+    """The arguments that a description declares, with their defaults."""
+    return context.reading.xacro.defaults if context.reading.xacro else {}
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
@@ -187,14 +194,14 @@ def _unchecked(
     Args:
         failed: descriptions that do not expand, by their values in the order of the names.
     """
-    from urdfkit.lint.unchecked import why_unchecked
-
     known = {item for job, _ in checked for item in job.arguments.items()}
     left: dict[tuple[str, str], dict[str, None]] = {}
     for values in offered:
         context = failed.get(tuple(values.values()))
         why = f"only {MAX_GIVEN} sets of arguments are tried"
         if context is not None:
+            from urdfkit.lint.unchecked import why_unchecked
+
             why, _ = why_unchecked(context.reading, context.source, context.resolver)
         for name, value in values.items():
             if (name, value) not in known:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 from collections.abc import Collection, Iterator
@@ -11,20 +10,22 @@ from itertools import islice
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import FileUse, Launch
-from urdfkit.ros.launch.markup import parsed
-from urdfkit.ros.launch.signature import arguments_in
-from urdfkit.ros.launch.values import argument, called
-from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
 
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.contents import FileUse, Launch
+
 #: Launch files of a package that are read, and directories that are searched for them.
 MAX_FILES, MAX_DIRECTORIES = 200, 2000
+
+#: Words of which a launch file contains one if it, or another one that it includes, loads YAML.
+_LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
 
 
 class RobotArguments(Record):
@@ -50,7 +51,9 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
         yield one.path, RobotArguments(one.arguments, path, one.frame, one.is_whole, parameters)
 
 
-def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
+def given(
+    robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
+) -> list[RobotArguments]:
     """What launch files start a robot with: those of its package, then others of the workspace.
 
     If none starts a robot that lacks arguments, it is those of the needed arguments that they give
@@ -58,13 +61,15 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
     Args:
         needed: names of the arguments that it lacks.
+        only_parameters: True if the arguments do not matter, as the robot declares none: launch
+            files that load no parameter file are then not read.
     """
     real = disk.real(robot)
     own: list[RobotArguments] = []
     others: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
     for directory, name in _searched(robot, resolver):
-        for path, one in _started(directory, name, resolver):
+        for path, one in _started(directory, name, resolver, only_parameters=only_parameters):
             if not one.arguments.keys() >= set(needed):
                 continue
             if disk.real(path) == real:
@@ -149,12 +154,13 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
 
 @lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
 def _started(
-    directory: str, mentioned: str, resolver: Resolver
+    directory: str, mentioned: str, resolver: Resolver, *, only_parameters: bool = False
 ) -> tuple[tuple[str, RobotArguments], ...]:
     """The robots that launch files of a directory start."""
     return tuple(
         one
         for source in _launch_files(directory, mentioned, resolver)
+        if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
         for one in started(read_launch(source, resolver, choice), source.path)
     )
@@ -218,6 +224,11 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
 
 
 def _of_python(source: Source) -> Iterator[_Argument]:
+    import ast
+
+    from urdfkit.ros.launch.values import argument, called
+    from urdfkit.text import python_source
+
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
@@ -235,6 +246,9 @@ def _of_python(source: Source) -> Iterator[_Argument]:
 
 
 def _of_xml(source: Source) -> Iterator[_Argument]:
+    from urdfkit.ros.launch.markup import parsed
+    from urdfkit.ros.launch.signature import arguments_in
+
     document, _ = parsed(source)
     declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
     for element in declared:
