@@ -168,6 +168,7 @@ class ExpansionRun:
             None if self.request.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
             self._ros_version,
+            self.warn,
         )
         try:
             return substitute(content, context)
