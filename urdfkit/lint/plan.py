@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import ConfigError, matches
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash

@@ -64,22 +64,20 @@ class Directories:
 
     def _list(self, directory: str) -> dict[str, bool]:
         found: dict[str, bool] = {}
-        others: list[str] = []
+        others: list[str] = []  # links to nothing; pipes and devices, which may never end
         for entry in disk.entries(directory):
-            if self._counts(entry):
-                found[entry.name] = _is_directory(entry)
+            if entry.is_symlink():
+                self._links.add(entry.path)
+                is_file, is_directory = disk.is_file(entry.path), disk.is_directory(entry.path)
+            else:
+                is_file, is_directory = entry.is_file(), entry.is_dir()
+            if is_file or is_directory:
+                found[entry.name] = is_directory
             else:
                 others.append(entry.name)
         if others:
             self._others[directory] = others
         return found
-
-    def _counts(self, entry: os.DirEntry[str]) -> bool:
-        """False for a symbolic link to nothing, and for pipes and devices, which may never end."""
-        if not entry.is_symlink():
-            return entry.is_file() or entry.is_dir()
-        self._links.add(entry.path)
-        return disk.is_file(entry.path) or disk.is_directory(entry.path)
 
     def find(self, directory: str, relative: str) -> str | None:
         """The file at a path below a directory, spelled exactly so; None if there is none."""
@@ -156,11 +154,12 @@ class Directories:
         found: list[str] = []
         queue = [directory]
         for at in queue:  # grows while it is walked
+            prefix = os.path.join(at, "")
             for name, is_directory in sorted((self.entries(at) or {}).items()):
-                path = os.path.join(at, name)
+                path = prefix + name
                 if not is_directory:
                     found.append(path)
-                elif len(queue) < limit and name[0] != "." and not self.is_link(path):
+                elif len(queue) < limit and name[0] != "." and path not in self._links:
                     queue.append(path)
         return found
 
@@ -175,13 +174,6 @@ def _alike(entries: dict[str, bool], name: str) -> list[str]:
 
 def _parts(relative: str) -> list[str]:
     return [part for part in relative.split("/") if part not in ("", ".")]
-
-
-def _is_directory(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_dir()
-    except OSError:  # a symbolic link in a circle
-        return False
 
 
 def _is_file(path: str) -> bool:

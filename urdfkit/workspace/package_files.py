@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.memo import Memo
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.packages import Candidate, Packages
 from urdfkit.workspace.references import spellings

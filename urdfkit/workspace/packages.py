@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.package_directories import PackageDirectories, read_marker
 from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots

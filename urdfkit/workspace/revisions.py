@@ -6,6 +6,7 @@ import os
 import subprocess
 from collections.abc import Mapping
 
+from urdfkit.core import disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.workspace import ignore_files
 
@@ -83,11 +84,14 @@ def locate(path: str, revision: str) -> str:
 
 def is_ignored(path: str) -> bool:
     """True if the repository around a file ignores it; not where there is none, or no git."""
-    ignore_files.note(path)
+    if not ignore_files.note(path):
+        return False
     try:
         words = ("check-ignore", "-q", "--", os.path.abspath(path))
         _git(_directory(path), *words, seconds=MAX_SECONDS_IGNORED)
-    except UrdfkitError:
+    except UrdfkitError as error:
+        if getattr(error.__cause__, "returncode", None) != 1:
+            disk.depends_on_more()  # git is missing, fails, or rejects the repository
         return False
     return True
 
