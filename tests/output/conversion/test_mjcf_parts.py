@@ -538,3 +538,37 @@ def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
     assert 300 < int(far[1]) <= 334  # the middle of the open face is a third from each plate
     whole = "kept: its convex hull collides, which equals it"
     assert parts["link/tip/collision[2]/geometry/mesh"] == whole
+
+
+def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
+    """Gravity does not point along the axis of the joint, and flags change what is computed."""
+    block = (
+        '<mujoco><compiler balanceinertia="true" autolimits="true"/>'
+        '<option timestep="0.004" gravity="0 -3 1"><flag contact="disable" gravity="disable"/>'
+        '</option><size memory="10M" nuserdata="3"/></mujoco><mujoco_inputs><raw_inputs>'
+        '<option integrator="implicitfast"/><actuator/></raw_inputs></mujoco_inputs>'
+    )
+    outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')
+    model, parts = loaded(
+        arm('<axis xyz="0 1 0"/>' + LIMIT, tip=outwards, more=block), tmp_path / "o"
+    )
+    assert model.opt.gravity.tolist() == [0, -3, 1]
+    assert (model.opt.timestep, model.narena) == (0.004, 10 * 2**20)
+    assert model.opt.integrator == mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    assert model.opt.disableflags == (
+        mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_GRAVITY
+    )
+    masses = "lost: it changes masses, and the conversion writes those of the robot"
+    assert parts["mujoco/compiler@balanceinertia"] == masses
+    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/option@gravity"] == "kept: option"
+    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco_inputs/raw_inputs/option"] == "kept: option"
+    merged = "lost: mujoco_ros2_control merges it into the MJCF; urdfkit does not"
+    assert parts["mujoco_inputs/raw_inputs/actuator"] == merged
+
+
+def test_an_option_that_mujoco_rejects_is_an_error(tmp_path: Path) -> None:
+    block = '<mujoco><option step="1"/></mujoco>'
+    with pytest.raises(UrdfkitError, match="unrecognized attribute: 'step'; correct it"):
+        convert(read(arm(LIMIT, more=block)), tmp_path / "o")

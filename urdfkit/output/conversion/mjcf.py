@@ -17,6 +17,7 @@ from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, rejections
+from urdfkit.output.conversion.mjcf_inputs import add_options
 from urdfkit.output.conversion.mjcf_proof import prove
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.mjcf_srdf import (
@@ -44,6 +45,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     bundle = Bundle(robot, CONSUMERS["mujoco"])
     with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
         made = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
+        add_options(made, robot)
         exclude_neighbours(made, robot)
         if options.exclude == "computed":
             exclude_computed(made, robot)
