@@ -28,6 +28,14 @@ class FileChanged(UnwritableFile):
         super().__init__(f"{path}: the file changed meanwhile; run the command again")
 
 
+class Unavailable(UrdfkitError):
+    """A result that a rule or command needs cannot be computed for this robot."""
+
+
+class NotApplicable(Unavailable):
+    """A rule does not apply to descriptions of this kind; nothing is missing."""
+
+
 class UnknownRule(UrdfkitError):
     """No rule has this code, prefix of a code, or name."""
 

@@ -86,6 +86,11 @@ def test_an_srdf_is_written_compared_and_brought_up_to_date(
     assert "disabled in the SRDF, but can collide" in capsys.readouterr().out
     assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
     assert capsys.readouterr().err == f"{srdf} updated\n"
+    written = srdf.read_text()
+    assert main(["collisions", bent, *FEW, "--srdf", "-"]) == 0
+    printed = capsys.readouterr()
+    assert (printed.out, printed.err) == (written, "")
+    assert not Path("-").exists()
     assert 'link1="tip"' not in srdf.read_text()
 
 

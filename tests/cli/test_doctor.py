@@ -180,3 +180,16 @@ def test_a_directory_is_reported_by_its_robots(doctor: Doctor, tmp_path: Path) -
 
 def test_what_cannot_be_read(doctor: Doctor) -> None:
     assert doctor("none.urdf", code=2).startswith("error: none.urdf: file not found")
+
+
+def test_arguments_and_variants_of_the_configuration(doctor: Doctor) -> None:
+    """They are what ``check`` reads the robot with."""
+    Path("r.xacro").write_text(f'{HEAD}<link name="$(arg side)"/></robot>')
+    entry = '[[robot]]\nfile = "r.xacro"\n'
+    Path("urdfkit.toml").write_text(f'{entry}arguments.side = "left"\n')
+    out = doctor("r.xacro")
+    assert "\nr.xacro: xacro side:=left\n" in out
+    assert "file skipped" not in out
+    Path("urdfkit.toml").write_text(f'{entry}variants.a.side = "a"\nvariants.b.side = "b"\n')
+    assert "select one with --variant (a, b)" in doctor("r.xacro", code=2)
+    assert "\nr.xacro: xacro side:=b\n" in doctor("r.xacro", "--variant", "b")

@@ -126,3 +126,10 @@ def test_odd_names_are_written_as_toml_wants_them(tmp_path: Path) -> None:
     assert '# arguments."größe.x" = "1.0"\n' in text
     (robot,) = load(str(tmp_path / "urdfkit.toml")).robots
     assert robot.file == str(file)
+
+
+def test_it_writes_through_no_link(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (project / "urdfkit.toml").symlink_to(project.parent / "outside.toml")
+    assert main(["init"]) == 2
+    assert "./urdfkit.toml: a link whose target does not exist" in capsys.readouterr().err
+    assert not (project.parent / "outside.toml").exists()

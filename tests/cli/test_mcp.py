@@ -100,6 +100,17 @@ def test_what_reads(workspace: Path) -> None:
     converse(program(workspace), conversation)
 
 
+def test_unknown_arguments_are_rejected(workspace: Path) -> None:
+    async def conversation(client: Client) -> None:
+        for tool in (await client.list_tools()).tools:
+            assert tool.input_schema["additionalProperties"] is False
+        reason = await failure(client, "check", path=MODEL, codes=["XAC007"])
+        assert "codes" in reason
+        assert "Extra inputs are not permitted" in reason
+
+    talk(workspace, conversation)
+
+
 def test_a_long_answer_is_read_page_by_page(
     workspace: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -124,6 +124,7 @@ def test_packages(tmp_path: Path) -> None:
     [
         ([], [("text", "")]),
         (["--format", "json"], [("json", "")]),
+        (["--format", "json:-", "--format", "text", "-o", "b"], [("json", ""), ("text", "b")]),
         (["--format", "json:a:b.json", "--format=text"], [("json", "a:b.json"), ("text", "")]),
         (["--statistics"], [("statistics", "")]),
         (

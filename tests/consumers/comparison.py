@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 
 from tests.conftest import CORPUS, MODELS, ROOT, manifest
 from tests.consumers.reading import Reading, oracle, read
+from urdfkit.errors import Unavailable
 from urdfkit.lint import engine, rule_index
 from urdfkit.lint.context import Context
-from urdfkit.lint.description_file import Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Need
 from urdfkit.lint.runner import run_rules

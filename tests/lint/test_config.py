@@ -312,3 +312,19 @@ def test_an_error_names_its_line(tmp_path: Path, text: str, line: str) -> None:
     number = int(line.split(":")[1]) + 3
     with pytest.raises(ConfigError, match=rf"pyproject.toml:{number}: "):
         load(str(shared))
+
+
+def test_a_link_out_of_the_repository_is_not_read(tmp_path: Path) -> None:
+    secret = write(tmp_path, "ignore = ['GEO002']", "secret.toml")
+    repository = tmp_path / "repository"
+    (repository / "robot").mkdir(parents=True)
+    (repository / ".git").mkdir()
+    shared = write(repository, "ignore = ['INE004']", "shared.toml")
+    link = repository / "robot" / "urdfkit.toml"
+    link.symlink_to(shared)
+    assert load(str(link), trusted=False).ignore == load(shared).ignore
+    link.unlink()
+    link.symlink_to(secret)
+    with pytest.raises(ConfigError, match="outside of the repository"):
+        load(str(link), trusted=False)
+    assert load(str(link)).ignore == load(secret).ignore

@@ -108,7 +108,7 @@ def test_a_library_of_another_model_is_included(tmp_path: Path, user: str) -> No
     found = discover(str(tmp_path), Config(), Resolver())
     assert names(found) == ["arm.urdf"]
     assert found.libraries == ()
-    assert found.others == {library: "defines no link, and what includes it is not a robot"}
+    assert found.others == {library: "defines no link, and no robot that is checked includes it"}
 
 
 def test_a_configuration_of_one_package_does_not_hide_the_others(repository):

@@ -68,3 +68,20 @@ def test_a_xacro_without_a_name_is_a_part_if_a_parent_is_certainly_elsewhere(
     (tmp_path / "part.xacro").write_text(nameless)
     found = names(discover(str(tmp_path), Config(), Resolver()))
     assert found == (["whole.xacro"] if is_part else ["part.xacro", "whole.xacro"])
+
+
+@pytest.mark.parametrize("name", ["r.gazebo", "r.xml", "r.model", "r.srdf.xacro"])
+def test_a_robot_of_a_macro_call_with_an_unusual_suffix(tmp_path: Path, name: str) -> None:
+    """Its links stand in the macro. An SRDF is no robot, a file of tags is a part."""
+    write(tmp_path, "m.xacro", '<xacro:macro name="b"><link name="a"/></xacro:macro>')
+    write(tmp_path, name, include("m.xacro") + "<xacro:b/>")
+    write(tmp_path, "part.gazebo", '<gazebo reference="a"/>')
+    write(tmp_path, "whole.urdf", '<link name="whole"/>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    others = {Path(path).name for path in found.others}
+    assert others == ({name, "m.xacro"} if "srdf" not in name else {"m.xacro"})
+    (tmp_path / "a.launch").write_text(f'<launch><param textfile="{name}"/></launch>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    is_robot = "srdf" not in name
+    assert names(found) == sorted({"whole.urdf", *([name] if is_robot else [])})
+    assert set(found.others) == (set() if is_robot else {str(tmp_path / "m.xacro")})

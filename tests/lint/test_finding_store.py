@@ -4,9 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from tests.xacros import xacro
+from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.core import memo
 from urdfkit.lint import finding_store
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.lint.options import Options
@@ -78,3 +81,35 @@ def test_the_command_writes_them(
     assert main([*words, "--format", f"json:{file}"]) == 1
     assert capsys.readouterr().out == expected
     assert file.read_text().count('"code": "NAM001"') == 12
+
+
+def test_one_element_with_other_names_has_one_finding(tmp_path: Path) -> None:
+    """Variants of a robot, and two robots with a macro in common, each with names of their own."""
+    wheel = '<link name="${name}"/><joint name="${name}_j" type="revolut">{}</joint>'
+    ends = '<parent link="base"/><child link="${name}"/>'
+    (tmp_path / "wheel.xacro").write_text(
+        xacro(f'<xacro:macro name="wheel" params="name">{wheel.replace("{}", ends)}</xacro:macro>')
+    )
+    head = '<xacro:include filename="wheel.xacro"/><xacro:arg name="side" default="left"/>'
+    for number in range(2):
+        call = f'<xacro:wheel name="$(arg side)_{number}"/>'
+        (tmp_path / f"r{number}.xacro").write_text(xacro(f'{head}<link name="base"/>{call}'))
+    sides = "".join(f'variants.{side} = {{ side = "{side}" }}\n' for side in ("left", "right"))
+    (tmp_path / "urdfkit.toml").write_text(f'[[robot]]\nfile = "r0.xacro"\n{sides}')
+    robots, config = (tmp_path / "r0.xacro", tmp_path / "r1.xacro"), load(tmp_path / "urdfkit.toml")
+    (found,) = check(*robots, select=["JNT001"], config=config).diagnostics
+    names = [call.message.split("'")[1] for call in found.calls]
+    assert names == ["left_0_j", "right_0_j", "left_1_j"]
+    assert found.variants == ()
+
+
+def test_findings_at_one_place_that_differ_by_more_than_names(tmp_path: Path) -> None:
+    """The meshes of the variants of an arm."""
+    mesh = '<visual><geometry><mesh filename="$(arg kind).stl"/></geometry></visual>'
+    source = f'<xacro:arg name="kind" default="a"/><link name="base">{mesh}</link>'
+    (tmp_path / "r.xacro").write_text(xacro(source))
+    kinds = "".join(f'variants.{kind} = {{ kind = "{kind}" }}\n' for kind in "ab")
+    (tmp_path / "urdfkit.toml").write_text(f'[[robot]]\nfile = "r.xacro"\n{kinds}')
+    config = load(tmp_path / "urdfkit.toml")
+    found = check(tmp_path / "r.xacro", select=["MSH001"], config=config).diagnostics
+    assert [one.variants for one in found] == [("a",), ("b",)]

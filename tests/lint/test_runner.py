@@ -8,8 +8,9 @@ import pytest
 
 from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
+from urdfkit.errors import Unavailable
 from urdfkit.lint import rule_index, runner
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.lint.findings import MAX_MESSAGE
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets

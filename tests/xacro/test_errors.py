@@ -8,6 +8,7 @@ import pytest
 
 from tests.xacro.problems import brief, briefs, related, run
 from urdfkit.xacro import recovery
+from urdfkit.xacro.expansion import ExpansionRun
 
 
 def test_all_errors_of_a_file(tmp_path: Path) -> None:
@@ -54,8 +55,14 @@ def test_all_errors_of_a_file(tmp_path: Path) -> None:
 def test_tags_that_fail_cost_no_further_expansion(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    runs, once = [], recovery._once
-    monkeypatch.setattr(recovery, "_once", lambda run: runs.append(run) or once(run))
+    runs: list[ExpansionRun] = []
+    once = recovery._once
+
+    def counted(run: ExpansionRun) -> BaseException | None:
+        runs.append(run)
+        return once(run)
+
+    monkeypatch.setattr(recovery, "_once", counted)
     xacro = run(
         tmp_path,
         '<xacro:macro name="m"><xacro:n/></xacro:macro>\n<xacro:m/>\n<xacro:m/>\n'

@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output
+from urdfkit.lint.argument_sets import as_launched
+from urdfkit.lint.check_job import reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
@@ -157,12 +159,21 @@ def choices(values: Mapping[str, Any]) -> Options:
 
 def _files(values: Mapping[str, Any], chosen: Options) -> str:
     """The descriptions that would be checked, with their arguments, and those that would not."""
-    plan = planned(options.files(values), Resolver(chosen.with_config().packages), chosen)
+    from urdfkit.lint.unchecked import unread_files
+
+    chosen = chosen.with_config()
+    resolver = Resolver(chosen.packages)
+    plan, read = planned(options.files(values), resolver, chosen), reader(chosen, resolver)
+    sets = [(one, context) for job in plan.jobs for one, context in as_launched(job, read)]
     lines = [
-        " ".join((job.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
-        for job in plan.jobs
+        " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
+        for job, _ in sets
     ]
-    lines += [f"not checked: {skip.path}: {skip.reason}" for skip in plan.skipped]
+    lines += [f"not checked: {shown(skip.path)}: {skip.reason}" for skip in plan.skipped]
+    lines += [
+        f"not checked: {shown(path)}: included, but not with these arguments"
+        for path in unread_files(context for _, context in sets)
+    ]
     return "".join(f"{printable(line)}\n" for line in dict.fromkeys(lines))
 
 

@@ -19,6 +19,7 @@ from urdfkit.cli.decorators import (
     PACKAGE,
     TARGET,
     TRUST,
+    VARIANT,
     described,
     with_options,
 )
@@ -67,7 +68,7 @@ _PROGRAMS = {"git": "comparison with an earlier git revision"}
 
 @described("doctor")
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
-@with_options(TRUST, ISOLATED, CONFIG, TARGET, PACKAGE)
+@with_options(TRUST, ISOLATED, CONFIG, VARIANT, TARGET, PACKAGE)
 def command(words: tuple[str, ...], **values: Any) -> int:
     """Show the environment and optional dependencies.
 
@@ -140,19 +141,26 @@ def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[st
 def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     """What a check of a description works with."""
     packages = {**config.packages, **options.packages(values)}
-    arguments = {**config.arguments, **options.arguments(values)}
+    entry = config.entry(path, options.arguments(values), values["variant"])
     names = options.words(values, "target") or config.targets
     resolver = Resolver(packages)
     given = parse(names) if names else None
     trust = values["trust"] or config.trust
     source = Source.of(stdin.opened(path))
-    context = Context(source, resolver, arguments, trust=trust, targets=given)
-    yield f"{path}: {'plain XML' if context.reading.xacro is None else 'xacro'}"
+    context = Context(source, resolver, entry.arguments, trust=trust, targets=given)
+    words = (f"{name}:={value}" for name, value in entry.arguments.items())
+    kind = "plain XML" if context.reading.xacro is None else "xacro"
+    yield f"{path}: {' '.join((kind, *words))}"
     yield from _packages(path, resolver)
     if context.reading.document is not None:
         yield from _targets(context, given)
     report = check(
-        source, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
+        source,
+        arguments=entry.arguments,
+        packages=packages,
+        targets=names,
+        trust=trust,
+        config=config,
     )
     yield f"  rules: {len(report.rules)} apply"
     yield from (f"  {skip.code or 'file'} skipped: {skip.reason}" for skip in report.skipped)

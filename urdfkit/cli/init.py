@@ -48,6 +48,8 @@ def command(directory: str, only_print: bool) -> int:
         path = os.path.join(directory, os.path.basename(existing))
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
     path = os.path.join(directory, _FILE)
+    if os.path.islink(path):
+        raise UnwritableFile(f"{path}: a link whose target does not exist")
     atomic.write(path, output.encode(text))
     output.write(f"wrote {path}: {counted(len(found.robots), 'robot')}\n")
     return 0

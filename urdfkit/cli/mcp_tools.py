@@ -14,6 +14,7 @@ from typing import Any
 
 from mcp.server.mcpserver import Image, MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
+from mcp.server.mcpserver.tools import Tool
 from mcp.types import ToolAnnotations
 
 from urdfkit import __version__
@@ -209,16 +210,27 @@ class Tools:
 def server(directory: str, *, may_write: bool) -> MCPServer:
     """The server with its tools."""
     tools = Tools(directory, may_write=may_write)
-    made = MCPServer(
-        "urdfkit", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING"
-    )
     reading: tuple[Callable[..., Any], ...] = (
         *(tools.check, tools.explain, tools.trace, tools.expand, tools.render),
     )
-    for tool in reading:
-        made.add_tool(tool, annotations=ToolAnnotations(read_only_hint=True))
-    made.add_tool(tools.fix, annotations=ToolAnnotations(read_only_hint=not may_write))
-    return made
+    fix = _tool(tools.fix, is_read_only=not may_write)
+    return MCPServer(
+        "urdfkit",
+        instructions=_INSTRUCTIONS,
+        version=__version__,
+        log_level="WARNING",
+        tools=[*(_tool(read, is_read_only=True) for read in reading), fix],
+    )
+
+
+def _tool(function: Callable[..., Any], *, is_read_only: bool) -> Tool:
+    """A tool that rejects unknown arguments, which the SDK would ignore."""
+    tool = Tool.from_function(function, annotations=ToolAnnotations(read_only_hint=is_read_only))
+    arguments = tool.fn_metadata.arg_model
+    arguments.model_config["extra"] = "forbid"
+    arguments.model_rebuild(force=True)
+    tool.parameters = arguments.model_json_schema(by_alias=True)
+    return tool
 
 
 def _word(text: str) -> str:

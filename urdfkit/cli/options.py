@@ -292,7 +292,7 @@ def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
             raise UsageError(f"--format {word}: unknown format '{name}', only {known}")
         if colon and not file:
             raise UsageError(f"--format {word}: expected a file name after the colon")
-        file = file or elsewhere
+        file = "" if file == "-" else file or elsewhere
         if file in (other for _, other in found):
             where = file or "standard output"
             raise UsageError(f"two formats write to {where}; give one of them a file, as NAME:FILE")

@@ -103,7 +103,7 @@ def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues 
     read = {disk.real(source.path) for source in xacro.sources}
     for source in xacro.sources:
         for file in INCLUDE.findall(without_comments(source.data)):
-            path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
+            path = plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or disk.real(path) in read or not resolver.allows(path, source.path):
                 continue
             default = _default(name, path, resolver)
@@ -135,7 +135,7 @@ def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValu
     for source in xacro.sources:
         text = without_comments(source.data).decode("utf-8", "replace")
         for head, rest in dict.fromkeys(re.findall(_PATH % (word, word), text)):
-            directory = _plain_path(head, source, resolver)
+            directory = plain_path(head, source, resolver)
             if not directory or not resolver.allows(directory, source.path):
                 continue
             there = set(_leading_to(rest, name, directory, resolver))
@@ -143,7 +143,7 @@ def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValu
     return ArgumentValues(tuple(sorted(common)), origin) if common else None
 
 
-def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
+def plain_path(text: str, source: Source, resolver: Resolver) -> str:
     """A path in a file, absolute; empty if only the expansion can compute it."""
     here = os.path.dirname(os.path.abspath(source.path))
 

@@ -107,7 +107,8 @@ def apply_baseline(report: Report, known: Counter[Fingerprint], directory: str) 
     """
     known_findings = _KnownFindings(known, directory)
     new = [one for one in report.diagnostics if not known_findings.takes(one)]
-    stands = set(map(_identity, new))
+    stands = {_identity(one._replace(message=call.message)) for one in new for call in one.calls}
+    stands.update(map(_identity, new))
     found = {
         _identity(one): one
         for group in report.superseded

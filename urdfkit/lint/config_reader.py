@@ -12,6 +12,7 @@ from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.expansion_limits import Limits
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, ConfigError, FileIgnore, RobotEntry
@@ -27,15 +28,28 @@ def load(path: str, *, trusted: bool = True) -> Config:
         path: of the file.
         trusted: False if it comes with a robot from anywhere. What would let it run code, the
             setting ``trust`` and modules as ``rule-packages``, is then an error, and so are
-            packages and robots outside of its workspace, and higher limits than the usual.
+            packages and robots outside of its workspace, and higher limits than the usual. A link
+            to a file outside of its repository is not read.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
     """
+    if not trusted and os.path.islink(path) and not _is_inside_repository(path):
+        raise ConfigError(
+            f"{path}: a link to a file outside of the repository; name it by --config"
+        )
     table = _table(path)
     if table is None:
         raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
     return _read(_SettingsReader(path, table, "", trusted=trusted), trusted=trusted)
+
+
+def _is_inside_repository(link: str) -> bool:
+    """True if a link's target is in the repository, or else the directory, of the link."""
+    directory = os.path.dirname(os.path.abspath(link))
+    repositories = (up for up in upwards(directory) if os.path.exists(os.path.join(up, ".git")))
+    repository = next(repositories, directory)
+    return is_within(os.path.realpath(link), os.path.realpath(repository))
 
 
 def _table(path: str) -> dict[str, Any] | None:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
-from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
+from urdfkit.errors import NotApplicable, Unavailable
+from urdfkit.lint.description_file import DescriptionFile, Reading
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
 from urdfkit.text.document import CallFrame
 from urdfkit.text.file_kinds import has_srdf_tags, is_extension, is_list_of_joints

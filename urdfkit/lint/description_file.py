@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.file_kinds import is_launch, is_xacro
@@ -24,14 +24,6 @@ if TYPE_CHECKING:
 
 #: An argument is used above its default, which is a value all the same.
 _TOO_EARLY = "XAC020"
-
-
-class Unavailable(UrdfkitError):
-    """A part that a rule or command needs is not to be had of this robot; the text says why."""
-
-
-class NotApplicable(Unavailable):
-    """A description is of another kind than a rule is about; nothing is missing."""
 
 
 class Reading(Record):

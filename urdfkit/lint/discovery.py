@@ -86,14 +86,17 @@ def _may_be_lookalike(path: str) -> bool:
 
 def launch_files(directory: str, config: Config, directories: Directories) -> Iterator[str]:
     """The launch files below a directory that can be read, sorted."""
-    for path in filter(is_launch, directories.walk(directory)):
-        is_chosen = not matches(config.relative(path), config.exclude)
-        if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
-            yield path
+    return (path for path in directories.walk(directory) if _is_readable_launch(path, config))
+
+
+def _is_readable_launch(path: str, config: Config) -> bool:
+    if not is_launch(path) or matches(config.relative(path), config.exclude):
+        return False
+    return disk.is_file(path) and os.access(path, os.R_OK)
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
-    """The entry points that some changed files are part of, each once.
+    """The entry points that some changed files are part of, each once, and changed launch files.
 
     A description is part of the robots whose includes lead to it, wherever in the repository
     they are. Any other file (a mesh, a YAML file, a launch file) stands for every robot of its
@@ -107,6 +110,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
             changed.setdefault(directory, []).append(file)
     robots: list[RobotEntry] = []
     libraries: list[str] = []
+    launches: list[str] = []
     for directory, here in sorted(changed.items()):
         if resolver.packages.is_shared(directory):  # all of it would be walked: of home, or /tmp
             files = [file for file in here if file.lower().endswith(_INCLUDED)]
@@ -126,7 +130,8 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
             key=lambda robot: robot[:2],
         )
         libraries += [path for path in found.libraries if path in here]
-    return DirectoryContents(tuple(robots), tuple(libraries))
+        launches += [path for path in here if _is_readable_launch(path, config)]
+    return DirectoryContents(tuple(robots), tuple(libraries), launches=tuple(launches))
 
 
 def _repository(file: str, resolver: Resolver) -> str:

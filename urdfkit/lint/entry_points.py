@@ -9,12 +9,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.lint.config import RobotEntry
-from urdfkit.lint.include_graph import INCLUDE, OTHER_MODELS, ROBOT, IncludeGraph, is_description
+from urdfkit.lint.include_graph import INCLUDE, ROBOT, SUFFIXES, IncludeGraph, is_description
 from urdfkit.text.comments import without_comments
 
 #: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
-_LINK = re.compile(rb"<link[\s>]")
 _LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
 _PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
@@ -22,7 +21,7 @@ _NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PART = "a part of a robot that no file includes"
-_OF_OTHERS = "defines no link, and what includes it is not a robot"
+_OF_OTHERS = "defines no link, and no robot that is checked includes it"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _CONTENT = re.compile(
     rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
@@ -39,6 +38,7 @@ class DirectoryContents(Record):
     closed: tuple[str, ...] = ()
     #: Files that look like robots and are none of these, by why they are left out.
     others: Mapping[str, str] = {}
+    launches: tuple[str, ...] = ()  # the changed launch files, if it was asked about changed files
 
 
 class EntryPoints:
@@ -63,22 +63,19 @@ class EntryPoints:
             for path, name in self.graph.names.items()
             if path not in included and is_description(name)
         ]
-        roots += self._in_rings(roots)
+        unusual = [
+            name
+            for path, name in self.graph.names.items()
+            if path not in included and not name.lower().endswith(SUFFIXES) and self._is_robot(path)
+        ]
+        started = self._launched(unusual)
+        roots += self._in_rings([*roots, *started])
         libraries = tuple(filter(self._is_library, roots))
         whole = [path for path in roots if path not in libraries]
         parts = self._parts(whole)
         outer = [path for path in whole if path not in parts]
         if not outer:  # what nothing is a part of
             parts, outer = [], whole
-        unusual = [
-            name
-            for path, name in self.graph.names.items()
-            if path not in included
-            and not is_description(name)
-            and not name.lower().endswith(OTHER_MODELS)
-            and self._is_robot(path)
-        ]
-        started = self._launched(unusual)
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
@@ -120,9 +117,9 @@ class EntryPoints:
         return bool(missing) and not any(b"$" in name for name in links)
 
     def _is_robot(self, path: str) -> bool:
-        """True for a file with the root ``<robot>`` that has links outside of macros."""
+        """True for a file with the root ``<robot>`` that is no library."""
         data = without_comments(self.graph.text(path))
-        return bool(ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
+        return bool(ROOT.match(data)) and not self._is_library(path)
 
     def _launched(self, files: list[str]) -> list[str]:
         """The files whose name stands in a launch file."""

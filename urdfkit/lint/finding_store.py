@@ -1,5 +1,6 @@
 """The findings of a check, each once, with the robots that it is found in."""
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import IO, overload
@@ -14,9 +15,16 @@ IN_MEMORY = 100
 #: Files whose findings a report holds in memory.
 MAX_REPORTED = 500
 
-#: Findings of a file by what distinguishes them, each with the robots that it is found in: path
-#: and variant.
-_OfFile = dict[tuple[object, ...], tuple[Diagnostic, list[tuple[str, str]]]]
+#: A name in quotes; a path or file name in quotes has a dot.
+_NAME = re.compile(r"'[^'.]*'")
+
+#: The findings of one rule at one place that differ by names only, by message: each with the
+#: robots that it is found in, by path and variant.
+_Alike = dict[str, tuple[Diagnostic, list[tuple[str, str]]]]
+
+#: The findings of a file, by the code of the rule, the place (first and last byte) and the message
+#: without names.
+_OfFile = dict[tuple[str, int, int, str], _Alike]
 
 
 class FindingStore:
@@ -45,30 +53,48 @@ class FindingStore:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
+        """Add what is found in a description with one set of arguments."""
         if variant:
             self._variants.setdefault(path, set()).add(variant)
+        by_file: dict[str, dict[tuple[str, int, int, str], list[Diagnostic]]] = {}
         for one in diagnostics:
-            self.add_finding(one, [(path, variant)])
+            groups = by_file.setdefault(one.span.source.path, {})
+            key = (one.code, *one.span[1:], _NAME.sub("''", one.message))
+            groups.setdefault(key, []).append(one)
+        for file, groups in by_file.items():
+            of_file = self._opened(file)
+            for key, group in groups.items():
+                self._add_group(of_file.setdefault(key, {}), group, (path, variant))
         while self._spills and len(self._memory) > IN_MEMORY:
             self._spill(next(iter(self._memory)))
 
-    def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        file, name = self._real_and_shown(one.span.source.path)
-        of_file = self._memory[file] = self._of_file(file)
-        key = (one.code, *one.span[1:], one.message)
-        if key in of_file:
-            first, others = of_file[key]
-            if one.severity.rank < first.severity.rank:  # with other arguments it is an error
+    def _add_group(self, known: _Alike, group: list[Diagnostic], robot: tuple[str, str]) -> None:
+        """Add findings of one robot that differ by names only.
+
+        In another robot, or with other arguments, the same element has other names: a finding that
+        this robot lacks is the same one with other names.
+        """
+        messages = {one.message for one in group}
+        renamed = [name for name, (one, _) in known.items() if name not in messages and one.element]
+        for one in group:
+            message = one.message
+            if message not in known and renamed and one.element:
+                message = renamed.pop(0)
+            first, robots = known.get(message, (one, []))
+            if robots:
                 self.counts[first.severity] -= 1
-                self.counts[one.severity] += 1
-                first = one
-            of_file[key] = (first, others + found_in)
-            return
-        of_file[key] = (one, found_in)
-        self.counts[one.severity] += 1
+            worst = _merged(first, one)
+            self.counts[worst.severity] += 1
+            known[message] = (worst, [*robots, robot])
+
+    def _opened(self, path: str) -> _OfFile:
+        """The findings of a file, for additions."""
+        file, name = self._real_and_shown(path)
+        of_file = self._memory[file] = self._of_file(file)
         files = self._files.get(name, ())
         if file not in files:
             self._files[name] = (*files, file)
+        return of_file
 
     def _real_and_shown(self, path: str) -> tuple[str, str]:
         """A path without links, and as it is shown; worked out once for all findings of a file."""
@@ -84,7 +110,8 @@ class FindingStore:
     def in_order(self) -> Iterator[Diagnostic]:
         """As ``diagnostics``, one after another."""
         for name, files in sorted(self._files.items()):
-            found = [pair for file in files for pair in self._peek(file).values()]
+            groups = (group for file in files for group in self._peek(file).values())
+            found = [pair for group in groups for pair in group.values()]
             names = {one.span.source.path: "" for one, _ in found}
             names = {path: shown(path) for path in names}
             found = [pair for pair in found if names[pair[0].span.source.path] == name]
@@ -143,6 +170,19 @@ class StoredFindings(Sequence[Diagnostic]):
             numbers = index.indices(len(self))
             return tuple(islice(self, *numbers))
         return next(islice(self, range(len(self))[index], None))
+
+
+def _merged(first: Diagnostic, other: Diagnostic) -> Diagnostic:
+    """One finding in two robots: the worse one, with the calls of the other, if they differ."""
+    if other.severity.rank < first.severity.rank:  # with other arguments it is an error
+        first, other = other, first
+    known = {call.message for call in first.calls}
+    calls = tuple(call for call in other.calls if call.message not in known)
+    both = first.variants and other.variants
+    variants = tuple(dict.fromkeys(first.variants + other.variants)) if both else ()
+    if not calls and variants == first.variants:
+        return first
+    return first._replace(calls=first.calls + calls, variants=variants)
 
 
 def _partial(found_in: list[tuple[str, str]], variants: Mapping[str, set[str]]) -> tuple[str, ...]:

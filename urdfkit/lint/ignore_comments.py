@@ -33,10 +33,6 @@ class Ignore(Record):
     start: int
     end: int
 
-    def covers(self, span: Span) -> bool:
-        """True if a place is in the element that the comment is about."""
-        return span.source is self.span.source and self.start <= span.start < self.end
-
 
 def ignores(source: Source) -> tuple[Ignore, ...]:
     """The ignore comments of a file; none of a file that is not well formed."""

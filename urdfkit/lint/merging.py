@@ -47,8 +47,7 @@ def merged_report(
         if disk.real(job.path) in merger.read:
             kept, reasons = () if job.frame else tuple(filter(_is_checked, kept)), ()
         merger.add(job, result._replace(diagnostics=kept, skipped=reasons))
-    for one in unchecked:
-        merger.findings.add_finding(one, [])
+    merger.findings.add("", "", unchecked)
     return merger.report()
 
 
@@ -66,10 +65,8 @@ class _Merger:
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
         self.findings = FindingStore(spills=spills)  # all of them
-        #: The real paths of the descriptions that were not skipped, if launch files start robots.
-        self.read: set[str] = set()
+        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
         self._plan = plan
-        self._notes_read = any(job.frame for job in plan.jobs)
         self._spills = spills
         self._skipped = list(plan.skipped)
         self._crashed = list(plan.crashed)
@@ -85,7 +82,7 @@ class _Merger:
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
-        if self._notes_read and not job.codes and not _is_skipped(result):
+        if not job.codes and not _is_skipped(result):
             self.read.add(disk.real(job.path))
         self._skipped += result.skipped
         self._crashed += result.crashed

@@ -36,6 +36,7 @@ class Options(Record):
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
         jobs: processes that check at the same time; 0 for as many as are worth while.
+        as_launched: check robots also with the arguments that launch files start them with.
         cache: keep the measures of mesh files for the next run.
         only_errors: of the rules that need one of these, only those that may report errors run.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
@@ -57,6 +58,7 @@ class Options(Record):
     variant: str = ""
     changed: bool = False
     jobs: int = 1
+    as_launched: bool = True
     cache: bool = True
     only_errors: frozenset[Need] = frozenset()
     texts: Mapping[str, bytes] = {}

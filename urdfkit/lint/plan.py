@@ -18,12 +18,11 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.lint.entry_points import DirectoryContents
     from urdfkit.lint.options import Options
-    from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
+    from urdfkit.ros.launch.contents import FileUse
+    from urdfkit.ros.launch.robot_arguments import RobotArguments
     from urdfkit.text.document import CallFrame
 
 
-#: Sets of arguments of the launch files of a directory with which one robot is checked.
-MAX_LAUNCHED = 4
 #: The families with rules that compare a robot with the parameter files of its controllers.
 _READ_PARAMETERS = ("controllers", "drives", "ros2_control")
 
@@ -37,6 +36,10 @@ class Job(Record):
     found: bool  # True if it was found in a directory, not named
     frame: CallFrame | None = None  # the launch file that loads it, if one does
     parameters: tuple[FileUse, ...] = ()  # the files of parameters that this launch file loads
+    #: The arguments that hold also where a launch file starts it; None if it is checked as it is.
+    shared: dict[str, str] | None = None
+    #: What the launch files of a checked directory start it with.
+    started: tuple[RobotArguments, ...] = ()
     #: The arguments that it lacks by itself, and where their values are from.
     launched: tuple[Launched, ...] = ()
     #: Those of them that no launch file starts this robot with, as ``name=value``; else empty.
@@ -54,6 +57,13 @@ class Job(Record):
         """
         return self.source or resolver.read(self.path)
 
+    def about_parameters(self) -> Job:
+        """The job of a robot that is checked otherwise, and whose parameter files are new."""
+        from urdfkit.lint import rule_index
+
+        codes = frozenset().union(*map(rule_index.of_family, _READ_PARAMETERS))
+        return self._replace(codes=codes)
+
 
 def planned(
     files: Iterable[str | os.PathLike[str] | Source], resolver: Resolver, options: Options
@@ -69,10 +79,12 @@ def planned(
     plan = Plan(resolver, options)
     if options.changed:
         plan.add_changed(files)
+        plan.add_started()
     else:
         files = list(files)
         for file in files:
             plan.add(file)
+        plan.add_started()
         plan.note_without_robot([os.fspath(f) for f in files if not isinstance(f, Source)])
     return plan
 
@@ -88,13 +100,15 @@ class Plan:
         self.config = options.config
         self.arguments = dict(options.arguments)
         self.variant = options.variant
+        self._as_launched = options.as_launched
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         #: Why nothing of a file, or of a directory with it, is checked, and what to do about it.
         self.unchecked: list[tuple[str, str, str]] = []
-        #: The arguments with which the robots of a directory are checked, by path.
-        self._launched: dict[str, list[dict[str, str]]] = {}
+        #: What the launch files of directories start, by real path.
+        self._started: dict[str, tuple[str, list[RobotArguments]]] = {}
+        self._named: set[str] = set()  # the paths of robots that are checked as these start them
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """A file, with its variants if the configuration has some, or a directory."""
@@ -131,7 +145,10 @@ class Plan:
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
         for path in paths:
             self.resolver.admit(path)
-        self._add_found(affected(paths, self.config, self.resolver), *paths[:1])
+        found = affected(paths, self.config, self.resolver)
+        self._add_found(found, *paths[:1])
+        for path in found.launches:
+            self._add_launch(self.resolver.read(_spelt(path, paths[0])), found=True)
 
     def _add_found(self, found: DirectoryContents, given: str = "") -> None:
         """The entry points of a directory, or of what was given otherwise."""
@@ -174,17 +191,17 @@ class Plan:
             self._add_launch(source)
             return
         for robot in self.config.entries(source.path, self.arguments, self.variant):
-            self.jobs.append(Job(source.path, robot.name, robot.arguments, False, source=source))
+            job = Job(source.path, robot.name, robot.arguments, False, source=source)
+            self.jobs.append(job if self.arguments else self._also_started(job))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
         """A launch file, and the robots that it describes.
 
         Args:
-            found: it was found in a directory, whose robots are checked anyway. What is left is a
-                robot with the arguments that the launch file gives it, and its controllers.
+            found: it was found in a directory, whose robots are checked anyway.
         """
-        from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
+        from urdfkit.ros.launch.robot_arguments import started
 
         self.jobs.append(Job(source.path, "", self.arguments, False, source=source))
         try:
@@ -193,30 +210,51 @@ class Plan:
             raise
         except Exception:  # a bug in urdfkit, which the check of the launch file meets and reports
             return
-        # Of several robots nobody knows which one the controllers are for.
-        parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
-        codes = frozenset().union(*map(rule_index.of_family, _READ_PARAMETERS))
-        for one in launch.descriptions:
-            if found and matches(self.config.relative(one.path), self.config.exclude):
-                continue
-            is_new = not found or self._is_other(one)
-            if not is_new and not parameters:
-                continue
-            robot = _spelt(one.path, source.path)
-            arguments = {**self.config.arguments, **one.arguments}
-            job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(job if is_new else job._replace(codes=codes))
+        for path, one in started(launch, source.path):
+            if not found:
+                self.jobs.append(self._as_started(_spelt(path, source.path), one))
+            elif not matches(self.config.relative(path), self.config.exclude):
+                real = disk.real(path)
+                self._started.setdefault(real, (_spelt(path, source.path), []))[1].append(one)
 
-    def _is_other(self, description: LaunchedDescription) -> bool:
-        """True if a robot is not checked yet with these arguments, nor too often with others."""
-        real = disk.real(description.path)
-        if real not in self._launched:
-            self._launched[real] = [] if self._was_passed_over(real) else [{}]
-        sets = self._launched[real]
-        if description.arguments in sets or len(sets) > MAX_LAUNCHED:
-            return False
-        sets.append(description.arguments)
-        return True
+    def _as_started(self, path: str, one: RobotArguments) -> Job:
+        """A robot as a launch file starts it."""
+        arguments = {**self.config.arguments, **one.arguments}
+        return Job(path, "", arguments, not one.is_whole, one.frame, one.parameters)
+
+    def _also_started(self, job: Job) -> Job:
+        """A robot that is checked as launch files start it, too; of its variants, the first.
+
+        A variant that the user chose is checked alone.
+        """
+        if self.variant or job.path in self._named or not self._as_launched:
+            return job
+        self._named.add(job.path)
+        return job._replace(shared={**self.config.arguments, **self.arguments})
+
+    def add_started(self) -> None:
+        """Add what the launch files of directories start, once all robots are known."""
+        if not self._started:
+            return
+        for place, job in enumerate(self.jobs):
+            _, sets = self._started.pop(disk.real(job.path), ("", []))
+            self.jobs[place] = job._replace(started=tuple(sets))
+        for real, (path, sets) in self._started.items():
+            self.jobs += self._elsewhere(path, sets, passed_over=self._was_passed_over(real))
+
+    def _elsewhere(
+        self, path: str, sets: list[RobotArguments], *, passed_over: bool
+    ) -> Iterable[Job]:
+        """The jobs of a robot that is none of a directory, but that launch files there start.
+
+        Without arguments it is checked in its own directory, unless that was passed over.
+        """
+        others = [one for one in sets if one.arguments or passed_over]
+        if others:
+            job = self._as_started(path, others[0])
+            return [job._replace(shared=dict(self.config.arguments), started=tuple(sets))]
+        with_files = (one for one in sets if one.parameters)
+        return [self._as_started(path, one).about_parameters() for one in with_files]
 
     def _was_passed_over(self, robot: str) -> bool:
         """True if discovery skipped a robot, which now is not: what starts it is known."""
@@ -228,7 +266,7 @@ class Plan:
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
         every = {**self.config.arguments, **arguments, **self.arguments}
-        self.jobs.append(Job(path, name, every, True))
+        self.jobs.append(self._also_started(Job(path, name, every, True)))
 
 
 def _spelt(path: str, given: str) -> str:

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
-from urdfkit.lint.description_file import Unavailable
+from urdfkit.errors import Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics

@@ -174,12 +174,21 @@ def matching(word: str) -> list[str]:
     Raises:
         UnknownRule: there is none, or no longer; the message has the nearest.
     """
-    found = [code for code in _known() if word and code.startswith(word.upper())]
-    found = found or _exactly(word)
+    found = codes_of(word)
     if not found:
         families = {code[:3] for code in _modules}
         raise UnknownRule(word, _hint(word, [*families, *_modules, *names()]))
     return found
+
+
+def codes_of(word: str) -> list[str]:
+    """The same without a suggestion; empty if there is none.
+
+    Raises:
+        UnknownRule: there is none any more.
+    """
+    found = [code for code in _known() if word and code.startswith(word.upper())]
+    return found or _exactly(word)
 
 
 def named(words: Iterable[str]) -> frozenset[str]:

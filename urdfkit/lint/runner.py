@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.errors import Cancelled
+from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Context, NotApplicable, RunState, Unavailable
+from urdfkit.lint.context import Context, RunState
 from urdfkit.lint.findings import bounded, diagnose
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash

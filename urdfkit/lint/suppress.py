@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 
 from urdfkit.core.record import Record
@@ -26,13 +27,13 @@ def apply_suppressions(
     kept: list[Diagnostic] = []
     suppressed = 0
     hits: set[Span] = set()
-    known: dict[tuple[str, str, Severity], list[Ignore]] = {}  # the comments that name a rule
+    known: dict[tuple[str, str, Severity], CommentIndex] = {}  # the comments that name a rule
     for diagnostic in diagnostics:
         key = (diagnostic.code, diagnostic.name, diagnostic.severity)
         if key not in known:
-            known[key] = [comment for comment in comments if _names(comment, diagnostic)]
+            known[key] = CommentIndex(c for c in comments if _names(c, diagnostic))
         naming = known[key]
-        at_place = [comment for comment in naming if comment.covers(diagnostic.span)]
+        at_place = naming.covering(diagnostic.span)
         hits.update(comment.span for comment in at_place)
         calls = [] if at_place else _remaining(diagnostic, naming, hits)
         if not calls:
@@ -58,12 +59,51 @@ def _names(comment: Ignore, diagnostic: Diagnostic) -> bool:
     )
 
 
-def _remaining(diagnostic: Diagnostic, naming: list[Ignore], hits: set[Span]) -> list[Call]:
-    """The calls of a finding on whose way no comment stands."""
+def _remaining(diagnostic: Diagnostic, naming: CommentIndex, hits: set[Span]) -> list[Call]:
+    """The calls of a finding that no comment suppresses."""
     remaining: list[Call] = []
     for call in diagnostic.calls:
-        at_call = [c for c in naming if any(c.covers(step.span) for step in call.via)]
+        at_call = [comment for step in call.via for comment in naming.covering(step.span)]
         hits.update(comment.span for comment in at_call)
         if not at_call:
             remaining.append(call)
     return remaining
+
+
+class CommentIndex:
+    """Ignore comments, found by place: a file may have thousands of them."""
+
+    def __init__(self, comments: Iterable[Ignore]) -> None:
+        by_source: dict[int, list[Ignore]] = {}
+        for comment in comments:
+            by_source.setdefault(id(comment.span.source), []).append(comment)
+        self._by_source = {key: _Nested(found) for key, found in by_source.items()}
+
+    def covering(self, span: Span) -> list[Ignore]:
+        """The comments about the elements around a place."""
+        nested = self._by_source.get(id(span.source))
+        return nested.around(span.start) if nested else []
+
+
+class _Nested:
+    """Comments of one file; the elements that they are about are nested or disjoint."""
+
+    def __init__(self, comments: list[Ignore]) -> None:
+        self._comments = sorted(comments, key=lambda comment: (comment.start, -comment.end))
+        self._starts = [comment.start for comment in self._comments]
+        self._outer: list[int] = []  # for each comment the one around it, or -1
+        outer = -1
+        for number, comment in enumerate(self._comments):
+            while outer >= 0 and self._comments[outer].end <= comment.start:
+                outer = self._outer[outer]
+            self._outer.append(outer)
+            outer = number
+
+    def around(self, place: int) -> list[Ignore]:
+        number = bisect_right(self._starts, place) - 1
+        found = []
+        while number >= 0:
+            if place < self._comments[number].end:
+                found.append(self._comments[number])
+            number = self._outer[number]
+        return found

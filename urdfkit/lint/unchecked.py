@@ -1,14 +1,19 @@
 """Why a robot is not checked, and what to do about it."""
 
 import os
+from collections.abc import Iterable, Iterator
 
-from urdfkit.lint.argument_values import found_values, reported
+from urdfkit.core import disk
+from urdfkit.lint.argument_values import found_values, plain_path, reported
+from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import Reading
+from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.xacro import Xacro
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
@@ -33,3 +38,26 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     lines = ["[[robot]]", f'file = "{file}"']
     lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]
     return why, f"pass {words}, or add to urdfkit.toml: {', '.join(lines)}"
+
+
+def unread_files(contexts: Iterable[Context]) -> list[str]:
+    """The files that descriptions include, but with none of the arguments of their check."""
+    read: set[str] = set()
+    unread: dict[str, str] = {}  # by real path
+    for context in contexts:
+        if context.reading.document is not None and context.reading.xacro is not None:
+            read.update(disk.real(source.path) for source in context.xacro.sources)
+            unread.update(
+                (disk.real(path), path) for path in _unread(context.xacro, context.resolver)
+            )
+    return sorted(path for real, path in unread.items() if real not in read and disk.is_file(path))
+
+
+def _unread(xacro: Xacro, resolver: Resolver) -> Iterator[str]:
+    """The paths in the include tags that were not evaluated, as far as they hold no expression."""
+    sources = {source.path: source for source in xacro.sources}
+    for path, start in xacro.unread_includes:
+        if match := INCLUDE.match(sources[path].data, start):
+            name = match.group(1).decode("utf-8", "replace")
+            if file := plain_path(name, sources[path], resolver):
+                yield file

@@ -182,7 +182,7 @@ class Workspace:
         Args:
             path: of the file.
             thorough: run the rules that open meshes or compute dynamics, too, and check a robot
-                that lacks arguments with each set of values that is found, not the first alone.
+                with each set of arguments that launch files start it with, not the first alone.
             is_cancelled: asked before each rule.
 
         Raises:
@@ -214,6 +214,7 @@ class Workspace:
             config=config,
             texts=self.texts,
             ignore=() if thorough else slow_rules(),
+            as_launched=thorough,
             is_cancelled=is_cancelled,
         )
         return check_with(options, [root], self._resolver(config)).diagnostics

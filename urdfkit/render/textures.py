@@ -7,6 +7,7 @@ import numpy as np
 from PIL import Image
 
 from urdfkit.core import disk
+from urdfkit.mesh.texture_image import opened
 from urdfkit.render.arrays import Bytes, Floats, Integers
 from urdfkit.render.materials import STRIPES
 
@@ -65,12 +66,12 @@ def texture(source: str | bytes) -> Texture | None:
         source = stripes()
     try:
         data = source if isinstance(source, bytes) else disk.read(source)
-        with Image.open(io.BytesIO(data)) as image:
+        with opened(data) as image:
             image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # which spares JPEG most of the work
             image.thumbnail((MAX_EDGE, MAX_EDGE), Image.Resampling.BOX)
             return Texture(image.convert("RGB"))
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError):
-        return None  # Pillow's readers raise all of these for foreign bytes
+    except (OSError, ValueError):
+        return None
 
 
 @cache

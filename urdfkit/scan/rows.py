@@ -10,8 +10,8 @@ from functools import lru_cache
 
 from urdfkit.core import limits
 from urdfkit.core.record import Record
-from urdfkit.errors import NotEnoughMemory, UrdfkitError
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import NotEnoughMemory, Unavailable, UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_robots
 from urdfkit.lint.options import Options
 from urdfkit.robot.kinematics import frames

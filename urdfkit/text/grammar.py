@@ -230,9 +230,12 @@ class _Walk:
             self._good[length].add(text)
         elif not is_expression(text):
             parts = [part for part in text.split(" ") if part]
-            bad = not all(map(is_number, parts)) or (length == 1 and not is_number(text))
-            broken = self._breaks and length > 1 and has_break(attribute.span.text)
-            if bad or broken or len(parts) != length:
+            if (
+                len(parts) != length
+                or not all(map(is_number, parts))
+                or (length == 1 and not is_number(text))
+                or (self._breaks and length > 1 and has_break(attribute.span.text))
+            ):
                 self._add("URD005", attribute.element, attribute, rule.type)
 
     def _text(self, attribute: Attribute, rule: AttributeRule) -> None:

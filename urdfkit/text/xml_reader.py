@@ -7,6 +7,7 @@ the rule that explains it; the rules XML and XAC turn Problems into findings.
 from __future__ import annotations
 
 import gc
+import re
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 #: Elements and attributes of one document; the largest real robot has 40 000 elements.
 MAX_ELEMENTS = 1_000_000
+#: Entities and nested groups of a DTD; expat processes both by recursion, and its stack is finite.
+MAX_DTD_DEPTH = 1000
 #: Places of the same defect that are worth naming.
 MAX_RELATED = 5
 
@@ -58,6 +61,21 @@ def read_xml(
     return Document(builder.root, (source,)), problems
 
 
+def require_shallow_dtd(data: bytes) -> None:
+    """Reject declarations that could overflow the stack of expat.
+
+    Raises:
+        DocumentTooLarge: there are more entities, or parentheses in an element declaration, than
+            expat may process by recursion.
+    """
+    if data.count(b"<!ENTITY") > MAX_DTD_DEPTH:
+        raise DocumentTooLarge(f"more than {MAX_DTD_DEPTH} entity declarations")
+    if data.count(b"(") > MAX_DTD_DEPTH:
+        declarations = re.findall(rb"<!ELEMENT[^>]*", data)
+        if any(text.count(b"(") > MAX_DTD_DEPTH for text in declarations):
+            raise DocumentTooLarge(f"more than {MAX_DTD_DEPTH} groups in an element declaration")
+
+
 class _DocumentBuilder:
     """Builds Elements from expat's events."""
 
@@ -87,6 +105,7 @@ class _DocumentBuilder:
             xml.parsers.expat.ExpatError: it is not well formed.
             DocumentTooLarge: it is larger than any robot.
         """
+        require_shallow_dtd(data)
         collecting = gc.isenabled()
         gc.disable()  # nothing of what is built is garbage
         try:

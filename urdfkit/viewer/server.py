@@ -19,8 +19,7 @@ from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.installation import needing
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint.options import Options
 from urdfkit.output.report import html
 from urdfkit.output.report.engine import load as load_engine

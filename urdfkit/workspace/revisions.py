@@ -1,13 +1,20 @@
 """Files as they were in a git revision."""
 
+from __future__ import annotations
+
 import os
 import subprocess
+from collections.abc import Mapping
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.workspace import ignore_files
 
 #: Larger files are meshes, pictures and recordings, which say little about the model itself.
 MAX_BYTES = 8 * 1024 * 1024
+
+#: Seconds until git is ended: a pipe in place of one of its files blocks it for ever.
+MAX_SECONDS = 60.0
+MAX_SECONDS_IGNORED = 5.0
 
 _OF_A_HOOK = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WORK_TREE"))
 
@@ -35,11 +42,20 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
     names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
     from urdfkit.core.temporary import scratch  # not needed to list ignored files
 
-    with scratch() as beside:
-        index = os.path.join(beside, "index")
-        _git(top, "read-tree", commit, index=index)
+    objects = _git(top, "rev-parse", "--git-path", "objects")
+    with scratch() as empty:
+        # A repository without the filters and hooks that the configuration of an unpacked one may
+        # name: git would run them.
+        _git(empty, "init", "-q", "--template=")
+        own = {
+            "GIT_DIR": os.path.join(empty, ".git"),
+            "GIT_OBJECT_DIRECTORY": os.path.join(top, os.fsdecode(objects.rstrip(b"\n"))),
+            "GIT_LFS_SKIP_SMUDGE": "1",
+        }
+        _git(empty, "read-tree", commit, variables=own)
         prefix = f"--prefix={os.path.join(directory, '')}"
-        _git(top, "checkout-index", "-z", "--stdin", prefix, index=index, given=names)
+        words = ("checkout-index", "-z", "--stdin", prefix)
+        _git(empty, *words, variables=own, given=names)
     return top
 
 
@@ -69,7 +85,8 @@ def is_ignored(path: str) -> bool:
     """True if the repository around a file ignores it; not where there is none, or no git."""
     ignore_files.note(path)
     try:
-        _git(_directory(path), "check-ignore", "-q", "--", os.path.abspath(path))
+        words = ("check-ignore", "-q", "--", os.path.abspath(path))
+        _git(_directory(path), *words, seconds=MAX_SECONDS_IGNORED)
     except UrdfkitError:
         return False
     return True
@@ -98,30 +115,43 @@ def _commit(top: str, revision: str) -> str:
 
 
 def _is_wanted(entry: bytes, largest: int) -> bool:
-    """True of a file, or a link to one, of an entry of ls-tree that is not too large."""
+    """True if an entry of ls-tree is a file or a link, and not too large."""
     fields = entry.partition(b"\t")[0].split()
-    return len(fields) == 4 and fields[1] == b"blob" and int(fields[3]) <= largest
+    if len(fields) != 4 or fields[1] != b"blob":
+        return False
+    # The size of an object that a partial clone lacks is "BAD"; git then says which file it is.
+    return not fields[3].isdigit() or int(fields[3]) <= largest
 
 
 def _name(entry: bytes) -> bytes:
     return entry.partition(b"\t")[2]
 
 
-def _git(directory: str, *words: str, index: str = "", given: bytes = b"") -> bytes:
-    """The output of git in a directory, whatever repository a hook around us is of."""
+def _git(
+    directory: str,
+    *words: str,
+    variables: Mapping[str, str] | None = None,
+    given: bytes = b"",
+    seconds: float = MAX_SECONDS,
+) -> bytes:
+    """Output of git, run in a directory and not in the repository of a hook that called us.
+
+    The configuration of an unpacked repository may name programs: of a monitor, or of a remote
+    from which git fetches missing objects. Neither is run.
+    """
     environment = {name: value for name, value in os.environ.items() if name not in _OF_A_HOOK}
-    if index:
-        environment |= {"GIT_INDEX_FILE": index, "GIT_LFS_SKIP_SMUDGE": "1"}
-    # A repository that was unpacked may have a .git/config of its author, which names a program.
+    environment |= {"GIT_ALLOW_PROTOCOL": "", **(variables or {})}
     command = ["git", "-c", "core.fsmonitor=false", "-C", directory, *words]
     try:
         done = subprocess.run(
-            command, check=True, capture_output=True, env=environment, input=given
+            command, check=True, capture_output=True, env=environment, input=given, timeout=seconds
         )
     except FileNotFoundError as error:
         raise UrdfkitError("git is not installed") from error
     except (OSError, ValueError) as error:  # no permission; a NUL in a name
         raise UrdfkitError(f"git cannot be run: {error}") from error
+    except subprocess.TimeoutExpired as error:
+        raise UrdfkitError(f"git {words[0]} takes more than {seconds:g} s") from error
     except subprocess.CalledProcessError as error:
         text = error.stderr.decode(errors="replace").strip()
         raise UrdfkitError(f"git {words[0]}: {text}") from error

@@ -76,7 +76,12 @@ class Xacro:
     @property
     def is_complete(self) -> bool:
         """True if every include of the files was read, so that nothing else can use a name."""
-        return self.usage.includes <= self._included
+        return not self.unread_includes
+
+    @property
+    def unread_includes(self) -> frozenset[tuple[str, int]]:
+        """The include tags that were not evaluated: the path of the file and the offset of each."""
+        return self.usage.includes - self._included
 
     @property
     def is_library(self) -> bool:

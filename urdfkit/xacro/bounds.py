@@ -71,10 +71,14 @@ def _add_parts(item: Any, parts: list[Any]) -> int:
         return 3
     # Not by its own iterator: xacro's lists of YAML wrap every item.
     items = list(list.__iter__(item) if isinstance(item, list) else item)
-    if not _SCALARS.issuperset(map(type, items)):
+    types = set(map(type, items))
+    if not types <= _SCALARS:
         parts += items
         return len(items)
-    return len(items) + sum(digits(number) for number in items if isinstance(number, int))
+    integers = items if types <= {int} else [item for item in items if isinstance(item, int)]
+    if max(map(int.bit_length, integers), default=0) <= _SMALL_BITS:
+        return len(items)
+    return len(items) + sum(map(digits, integers))
 
 
 def digits(number: int) -> int:

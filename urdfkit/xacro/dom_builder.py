@@ -7,7 +7,7 @@ from xml.parsers import expat
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import DocumentTooLarge, entity_problem
+from urdfkit.text.xml_reader import DocumentTooLarge, entity_problem, require_shallow_dtd
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
 
@@ -37,6 +37,7 @@ def parse(
         xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
     """
     budget.charge(len(source.data))
+    require_shallow_dtd(source.data)
     builder = _NodeBuilder(source, frame, budget)
     document = builder.parseString(source.data)
     return document, builder.problems, builder.arguments

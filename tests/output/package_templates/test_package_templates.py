@@ -32,6 +32,10 @@ def test_nothing_is_found_with_real_hardware(package: Path) -> None:
     assert [one for one in report.diagnostics if one.severity is not Severity.INFO] == []
 
 
+def test_it_is_formatted(package: Path) -> None:
+    assert main(["format", "--check", str(package)]) == 0
+
+
 def test_a_mistake_in_it_is_found(package: Path) -> None:
     """Its files are read: a controller of a joint that is not there."""
     controllers = package / "config" / "controllers.yaml"

@@ -12,9 +12,8 @@ import pytest
 
 from tests.conftest import MODELS, ROOT
 from urdfkit.core.installation import install_command
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Unavailable
 from urdfkit.output.comparison import KINDS
 from urdfkit.output.report import engine, html, scene
 from urdfkit.output.report.translations import Translator

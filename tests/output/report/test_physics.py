@@ -3,7 +3,7 @@
 import pytest
 
 from tests.massive import BALL, context, link, shape
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable
 from urdfkit.output.report.physics import collisions
 
 BODY = shape("collision", BALL)

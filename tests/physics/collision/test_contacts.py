@@ -17,7 +17,8 @@ from tests.physics.collision.robots import (
     robot,
     sphere,
 )
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.lint.requirements import MAX_BODIES
 from urdfkit.physics.collision.bodies import TOUCH
@@ -176,3 +177,9 @@ def test_many_bodies() -> None:
     swarm = robot(*(link(name, *[SMALL] * (MAX_BODIES // 2 + 1)) for name in "ab"), joint("a", "b"))
     with pytest.raises(Unavailable, match="2002 collision bodies; more than 2000"):
         _ = swarm.collisions
+    heap = robot(
+        *(link(f"l{number}", SMALL) for number in range(300)),
+        *(joint("l0", f"l{number}", origin="0 0 0") for number in range(1, 300)),
+    )
+    with pytest.raises(Unavailable, match="more than 20000 pairs of collision bodies may overlap"):
+        _ = contacts(heap).pairs

@@ -9,7 +9,8 @@ from hypothesis import event, given
 from hypothesis import strategies as st
 
 from tests.output.test_overview import of
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.output.mass_table import mass_properties
 from urdfkit.output.overview import summarise
 from urdfkit.physics.dynamics.conditioning import conditioning

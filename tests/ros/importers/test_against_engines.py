@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from tests.consumers.comparison import robots, with_absolute_paths
 from tests.ros.importers.engines import SCRIPTS, loaded
+from urdfkit.errors import Unavailable
 from urdfkit.lint import engine
 from urdfkit.lint.context import Context
-from urdfkit.lint.description_file import Unavailable
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
 from urdfkit.text.source import Source

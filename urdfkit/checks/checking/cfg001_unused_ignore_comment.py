@@ -4,7 +4,7 @@ The defect is fixed, or the comment is above another element. An unused comment 
 next defect there: delete it.
 """
 
-from urdfkit.lint.rule_index import get, matching
+from urdfkit.lint.rule_index import codes_of, get
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.text.editing.edits import remove_spans
 
@@ -40,7 +40,9 @@ def _ran(words: list[str], chosen: frozenset[str]) -> bool:
     from urdfkit.errors import UnknownRule
 
     try:
-        codes = [code for word in words for code in matching(word)]
-        return all(code in chosen and not get(code).preview for code in codes)
-    except UnknownRule:
+        found = [codes_of(word) for word in words]
+    except UnknownRule:  # removed
         return False
+    return all(
+        codes and all(code in chosen and not get(code).preview for code in codes) for codes in found
+    )

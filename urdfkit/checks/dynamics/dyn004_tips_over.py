@@ -13,7 +13,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.rotors import is_carried_by_rotors

@@ -31,12 +31,16 @@ from urdfkit.text.grammar import has_break, is_number, owner
 BAD = link_xml("ball", collision_xml('<sphere radius="0,05"/>', '<origin xyz="0, 0, 0,05"/>'))
 FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
+_PROPERTY = re.compile(rb"<xacro:property\s[^<>]*\bname=[\"']([A-Za-z_][A-Za-z_0-9]*)[\"']").findall
+_WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
+
 
 @rule(
     Severity.ERROR,
     help="write the required count of numbers, with decimal points, separated by spaces",
 )
 def check(context: Context) -> Findings:
+    properties: dict[str, set[str]] = {}  # by the path of their file
     for element, attribute, kind, _ in context.deviations.get("URD005", ()):
         assert attribute is not None
         if "|" in kind:
@@ -44,7 +48,7 @@ def check(context: Context) -> Findings:
             continue
         length = schema.LENGTHS.get(kind, 1)
         parts = [part for part in attribute.value.split(" ") if part]
-        if length > 1 and len(parts) != length and all(map(is_number, parts)):
+        if length > 1 and len(parts) != length and all(map(is_number, parts[:100])):
             reason, alike = f"has {counted(len(parts), 'number')}, not {length} ({kind})", ""
             better = _completed(attribute.name, kind, parts)
         else:
@@ -53,17 +57,22 @@ def check(context: Context) -> Findings:
             reason = alike = _reason(text, length, better or "")
         fix = fix_value(attribute, better)
         message = f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}"
-        help = f'write {attribute.name}="{better}"' if better else _of_property(attribute)
+        help = (
+            f'write {attribute.name}="{better}"' if better else _of_property(attribute, properties)
+        )
         yield Finding(attribute, message, help, fix, group_key=alike)
 
 
-def _of_property(attribute: Attribute) -> str:
-    """Help for the name of a property of the same file that stands without ``${}``."""
-    data = attribute.span.source.data
-    for word in re.findall(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])", attribute.value):
-        if re.search(rb"<xacro:property\s[^<>]*\bname=[\"']%s[\"']" % word.encode(), data):
-            return f"write ${{{word}}}, the value of the property"
-    return ""
+def _of_property(attribute: Attribute, properties: dict[str, set[str]]) -> str:
+    """Help for the name of a property of the same file that is written without ``${}``."""
+    source = attribute.span.source
+    if source.path not in properties:
+        properties[source.path] = {
+            name.decode("utf-8", "replace") for name in _PROPERTY(source.data)
+        }
+    words = _WORD(attribute.value) if properties[source.path] else ()
+    word = next((word for word in words if word in properties[source.path]), "")
+    return f"write ${{{word}}}, the value of the property" if word else ""
 
 
 def _of_words(attribute: Attribute, words: list[str]) -> Finding:

@@ -18,7 +18,7 @@ Sources:
     STL: https://en.wikipedia.org/wiki/STL_(file_format)
 """
 
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE

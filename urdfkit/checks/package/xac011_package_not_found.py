@@ -21,7 +21,7 @@ Sources:
 import re
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, reported, rule
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference

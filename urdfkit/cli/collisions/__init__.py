@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
 @SEED
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@option("--srdf FILE", "Write the matrix to FILE, or update the matrix in it.")
+@option("--srdf FILE", "Write the matrix to FILE, or update the matrix in it; - prints it alone.")
 @option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
     "--units",
@@ -71,12 +71,16 @@ def command(
     from urdfkit.physics.collision.srdf_matrix import compare as compared
 
     comparison = compared(matrix, given) if given else None
-    if form == "json":
+    if srdf == "-":
+        from urdfkit.physics.collision.srdf_matrix import written
+
+        text = written(matrix).decode()
+    elif form == "json":
         text = dumped(shown.as_json(matrix, comparison))
     else:
         text = (shown.markdown if form == "markdown" else shown.text)(matrix, comparison)
     output.write(text)
-    if srdf:
+    if srdf and srdf != "-":
         _write(matrix, srdf)
     return 1 if comparison and comparison.hidden else 0
 

@@ -30,12 +30,16 @@ _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "sourc
 _CUT_OFF = (3, 5, 6, 20)
 #: An XML declaration that is not at the start.
 _DECLARED_LATE = 17
+#: Entities are not read: nested ones grow without bound, or overflow the stack of the parser.
+ENTITIES = "declares XML entities, which are not read"
 #: Errors that the XML parsers of Gazebo and assimp ignore: an undefined entity, an encoding.
 _TOLERATED = (11, 18, 19)
 
 
 def validate(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a COLLADA file, and which coordinate is not finite."""
+    if declares_entities(data):
+        return unreadable(ENTITIES), ""
     content = _Content()
     error: expat.ExpatError | None = None
     if not data.startswith((b"\xff\xfe", b"\xfe\xff")) and b"\0" not in data:
@@ -58,6 +62,10 @@ def validate(data: bytes) -> tuple[Defect | None, str]:
         reason = expat.ErrorString(error.code)
         return unreadable(f"is not well-formed XML: {reason} in line {error.lineno}"), ""
     return content.defect(), _non_finite(data, content)
+
+
+def declares_entities(data: bytes) -> bool:
+    return b"<!ENTITY" in (data.replace(b"\0", b"") if b"\0" in data else data)
 
 
 def forgive(data: bytes) -> bytes:

@@ -7,7 +7,7 @@ from urllib.parse import unquote
 from lxml import etree
 
 from urdfkit.mesh.geometry import NoTriangles
-from urdfkit.mesh.io.collada import forgive
+from urdfkit.mesh.io.collada import ENTITIES, declares_entities, forgive
 
 Element: TypeAlias = Any  # lxml comes without types
 
@@ -53,8 +53,8 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
     else:
         # Names of parts may have other encodings, and no encoding can hide an entity.
         encoding = "utf-8" if _is_utf8(data) else "iso-8859-1"
-    if b"<!ENTITY" in data:
-        raise NoTriangles("declares XML entities, which are not read: they can be made to explode")
+    if declares_entities(data):
+        raise NoTriangles(ENTITIES)
     parser = etree.XMLParser(
         encoding=encoding,
         recover=recover,

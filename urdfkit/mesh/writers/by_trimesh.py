@@ -1,6 +1,5 @@
 """The formats that trimesh writes: GLB with all that a mesh has, binary PLY and STL."""
 
-import io
 import os
 from typing import Any
 
@@ -61,15 +60,14 @@ def _material(part: MeshPart) -> Any:
 
 
 def _image(part: MeshPart) -> Any:
-    from PIL import Image
+    from urdfkit.mesh.texture_image import opened
 
     data = texture_bytes(part.material)
     if data is None or part.uv is None:
         return None
     try:
-        image = Image.open(io.BytesIO(data))
-        image.load()
+        with opened(data) as image:
+            return image.copy()
     except Exception as error:  # decoders of foreign bytes raise anything
         assert part.material is not None
         raise UnwritableMesh(f"texture of '{part.material.name}': {error}") from error
-    return image

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import MissingLibrary, Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
 from urdfkit.robot.model import Shape
 

@@ -111,7 +111,7 @@ class TextPage:
         ones after them.
         """
         traces = [call.via[::-1] for call in diagnostic.calls]
-        if not any(traces):
+        if len(traces) < 2 and not any(traces):
             return
         inner = _shared(traces)
         own = [trace[inner:] for trace in traces]

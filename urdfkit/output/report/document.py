@@ -16,9 +16,10 @@ from urdfkit.core import disk
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
+from urdfkit.errors import Unavailable
 from urdfkit.lint import rule_index
 from urdfkit.lint.check_job import given_targets
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_read
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import context_of

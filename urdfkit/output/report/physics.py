@@ -1,8 +1,8 @@
 """The slow parts of a report: gravity loads of the joints, stability, and colliding links."""
 
 from urdfkit.core.progress import Progress
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import Unavailable, UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.output.report.tables import Row
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of

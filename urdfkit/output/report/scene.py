@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
-from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import MissingLibrary, Unavailable
 from urdfkit.robot.viewer_model import viewer_model
 
 if TYPE_CHECKING:

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Context, Unavailable
+from urdfkit.errors import MissingLibrary, Unavailable
+from urdfkit.lint.context import Context
 from urdfkit.output.overview import summarise
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.model import Joint, Link, Shape

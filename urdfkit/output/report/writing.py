@@ -7,8 +7,7 @@ import os
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import dumped
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Unavailable
+from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint.options import Options
 from urdfkit.output.report.document import LONG, ReportDocument, ReportInput, describe
 from urdfkit.output.report.scene import PageScene

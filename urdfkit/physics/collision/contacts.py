@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, minus
+from urdfkit.errors import Unavailable
 from urdfkit.physics.collision.bodies import THINNEST, TOUCH, CollisionBody, collision_bodies
 from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
 from urdfkit.physics.collision.closed_forms import point_distance, signed_distance
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
 
 #: Drawn poses that a pair which always overlaps must overlap in, too.
 _SAMPLES = 50
+
+#: Most pairs of bodies whose spheres overlap; 111 real robots have at most 103.
+MAX_NEAR = 20_000
 
 #: Of the range of a joint: zero is 2 % from two limits of the Panda that MoveIt ships.
 _NEAR_END = 0.05
@@ -182,10 +186,16 @@ class Contacts:
 
     @cached_property
     def pairs(self) -> tuple[LinkPair, ...]:
-        """The pairs of links with bodies whose boxes overlap, in the order of the document."""
+        """The pairs of links with bodies whose boxes overlap, in the order of the document.
+
+        Raises:
+            Unavailable: more than MAX_NEAR pairs of bodies are near each other.
+        """
         order = {name: number for number, name in enumerate(self.bodies)}
         found: dict[tuple[str, str], list[BoundedPair]] = {}
-        for near in nearby(self._every, self.frames):
+        for number, near in enumerate(nearby(self._every, self.frames)):
+            if number == MAX_NEAR:
+                raise Unavailable(f"more than {MAX_NEAR} pairs of collision bodies may overlap")
             first, second = sorted(near, key=lambda body: order[body.link])
             names = (first.link, second.link)
             bound = lower_bound(first, second, relative(first, second, self.frames))

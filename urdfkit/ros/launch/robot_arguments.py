@@ -12,7 +12,7 @@ from itertools import islice
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import Launch, LaunchedDescription
+from urdfkit.ros.launch.contents import FileUse, Launch
 from urdfkit.ros.launch.markup import parsed
 from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.values import argument, called
@@ -33,36 +33,46 @@ class RobotArguments(Record):
     arguments: dict[str, str]  # for xacro
     launch: str  # path of the launch file that gives them
     frame: CallFrame | None  # its place; None if it gives them to another robot
+    is_whole: bool = True  # False if it gives others that are known at run time only
+    parameters: tuple[FileUse, ...] = ()  # the parameter files that it loads for the robot
+
+
+def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
+    """The robots that a launch file starts: the path of each, and its arguments.
+
+    Args:
+        path: of the launch file.
+    """
+    # Of several robots nobody knows which one the parameters are for.
+    is_one = len({one.path for one in launch.descriptions}) == 1
+    parameters = launch.parameters if is_one else ()
+    for one in launch.descriptions:
+        yield one.path, RobotArguments(one.arguments, path, one.frame, one.is_whole, parameters)
 
 
 def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
-    """What launch files give to a robot that lacks arguments, each set of them once.
+    """What launch files start a robot with: those of its package, then others of the workspace.
 
-    That is what the launch files of its package start it with, else those of other packages of
-    the workspace. If none of them does, it is those of the needed arguments that they give to the
-    other robots of the package: an argument of a launch file may choose which one it starts.
+    If none starts a robot that lacks arguments, it is those of the needed arguments that they give
+    to the other robots of the package: an argument of a launch file may choose which one it starts.
 
     Args:
         needed: names of the arguments that it lacks.
     """
     real = disk.real(robot)
-    own: dict[tuple[tuple[str, str], ...], RobotArguments] = {}
-    others: dict[tuple[str, ...], RobotArguments] = {}
+    own: list[RobotArguments] = []
+    others: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
     for directory, name in _searched(robot, resolver):
-        for launch, description in _descriptions(directory, name, resolver):
-            arguments = description.arguments
-            if not arguments.keys() >= set(needed):
+        for path, one in _started(directory, name, resolver):
+            if not one.arguments.keys() >= set(needed):
                 continue
-            if disk.real(description.path) == real:
-                key = tuple(sorted(arguments.items()))
-                own.setdefault(key, RobotArguments(arguments, launch, description.frame))
-            elif resolver.packages.enclosing(description.path) == package:
-                chosen = {name: arguments[name] for name in needed}
-                others.setdefault(tuple(chosen.values()), RobotArguments(chosen, launch, None))
-        if own:
-            break
-    return list((own or others).values())
+            if disk.real(path) == real:
+                own.append(one)
+            elif needed and resolver.packages.enclosing(path) == package:
+                chosen = {name: one.arguments[name] for name in needed}
+                others.append(RobotArguments(chosen, one.launch, None))
+    return own or others
 
 
 def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) -> tuple[str, ...]:
@@ -74,13 +84,11 @@ def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) ->
     real = disk.real(robot)
     for directory, mentioned in _searched(robot, resolver):
         found = [
-            description
-            for _, description in _descriptions(directory, mentioned, resolver)
-            if disk.real(description.path) == real
+            one for path, one in _started(directory, mentioned, resolver) if disk.real(path) == real
         ]
         if found:
-            is_open = not any(description.is_whole for description in found)
-            known = {name for description in found for name in description.arguments}
+            is_open = not any(one.is_whole for one in found)
+            known = {name for one in found for name in one.arguments}
             return tuple(sorted(set(names) - known)) if is_open else ()
     return ()
 
@@ -140,15 +148,15 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
 
 
 @lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
-def _descriptions(
+def _started(
     directory: str, mentioned: str, resolver: Resolver
-) -> tuple[tuple[str, LaunchedDescription], ...]:
-    """The robots that launch files of a directory start, with the path of the launch file."""
+) -> tuple[tuple[str, RobotArguments], ...]:
+    """The robots that launch files of a directory start."""
     return tuple(
-        (source.path, description)
+        one
         for source in _launch_files(directory, mentioned, resolver)
         for choice in _choices(source)
-        for description in read_launch(source, resolver, choice).descriptions
+        for one in started(read_launch(source, resolver, choice), source.path)
     )
 
 

@@ -23,6 +23,8 @@ _UNKNOWN_WORD = "\0"
 _PLACEHOLDER = r"[!<>?]"
 #: Substitutions inside one another that are followed.
 MAX_LEVELS = 50
+#: Characters of a text after substitution: arguments that double each other would fill the memory.
+MAX_LENGTH = 100_000
 
 
 class Substitutions:
@@ -42,9 +44,11 @@ class Substitutions:
         if level > MAX_LEVELS:
             return None
         parts: list[str] = []
+        length = 0
         for is_command, part in pieces(text):
             value = self.command(part, span, level) if is_command else part
-            if value is None:
+            length += len(value or "")
+            if value is None or length > MAX_LENGTH:
                 return None
             parts.append(value)
         return "".join(parts)

@@ -5,7 +5,7 @@ the robot.
 """
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from urdfkit.core.suggest import nearest
@@ -210,7 +210,7 @@ def _expanded(
 ) -> tuple[Srdf | None, set[str]]:
     """An SRDF file with some arguments, and the names of those that it has besides the robot's."""
     given = {**arguments, **robot.arguments}
-    document, _, names = _parsed(path, robot.resolver, robot.trust, given)
+    document, names = _parsed(path, robot.resolver, robot.trust, given)
     names -= robot.arguments.keys()
     if document is None or document.root.tag != "robot":
         return None, names
@@ -239,11 +239,17 @@ def is_srdf(root: Element) -> bool:
 
 
 def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
-    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name."""
+    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
+
+    A xacro is not reported: a launch file may pass the arguments that it requires.
+    """
     paths = srdf_files(path, resolver)
-    for one in paths:
-        if len(paths) == 1 or _stem(one) in (name, _stem(path)):
-            document, problems, _ = _parsed(one, resolver, False, {})
+    for candidate in paths:
+        if len(paths) == 1 or _stem(candidate) in (name, _stem(path)):
+            source = resolver.readable(candidate)
+            if source is None or is_xacro(source):
+                continue
+            document, problems = read_xml(source)
             if document is None:
                 yield from problems
 
@@ -254,15 +260,14 @@ def _stem(path: str) -> str:
 
 def _parsed(
     path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
-) -> tuple[Document | None, Sequence[Problem], set[str]]:
-    """A file, what is wrong with it, and the names of its xacro arguments."""
+) -> tuple[Document | None, set[str]]:
+    """A file, if it can be read, and the names of its xacro arguments."""
     source = resolver.readable(path)
     if source is None:
-        return None, (), set()
+        return None, set()
     if is_xacro(source):
         from urdfkit.xacro import expand
 
-        # What it lacks may be what a launch file passes.
         xacro = expand(source, resolver, arguments, trust=trust)
-        return xacro.document, (), set(xacro.defaults)
-    return *read_xml(source), set()
+        return xacro.document, set(xacro.defaults)
+    return read_xml(source)[0], set()

@@ -60,10 +60,7 @@ def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[st
 def _prefix(bare: set[str], prefixed: set[str]) -> str:
     """What nearly all of some names lack to be those of others."""
     begins = Counter(
-        longer[: -len(name)]
-        for name in bare
-        for longer in prefixed
-        if name and len(longer) > len(name) and longer.endswith(name)
+        longer[:at] for longer in prefixed for at in range(1, len(longer)) if longer[at:] in bare
     )
     # Of two that fit, the shorter: each name is then a whole one.
     fitting = [begin for begin, count in begins.items() if count >= _KNOWN * len(bare)]

@@ -18,7 +18,7 @@ from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_ta
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.tokens import Token, TokenKind, tokens
-from urdfkit.text.xml_reader import syntax_problems
+from urdfkit.text.xml_reader import DocumentTooLarge, require_shallow_dtd, syntax_problems
 
 #: Columns of a line; only what cannot be broken is longer.
 WIDTH = 100
@@ -67,7 +67,10 @@ def _require_robot(source: Source) -> None:
     if source.undecodable is not None:
         raise UnreadableRobot(f"{source.path}: the file is not valid text")
     try:
+        require_shallow_dtd(source.data)
         expat.ParserCreate("utf-8").Parse(source.data, True)
+    except DocumentTooLarge as error:
+        raise UnreadableRobot(f"{source.path}: {error}") from None
     except expat.ExpatError:
         problems = syntax_problems(source)
         reason = f"{problems[0].span}: {problems[0].message}"
