@@ -204,6 +204,10 @@ def test_a_warning_about_no_part_loses_no_part(tmp_path: Path) -> None:
             Source("r.urdf", arm().data.replace(b"0 0 0.5", b"0 0.5")),
             "xyz of <origin> is '0 0.5'; write 3 finite",
         ),
+        (
+            Source("r.urdf", arm(LIMIT).data.replace(b' iyz="0"', b"")),
+            "link 'base': <inertia> has no iyz; write all six moments",
+        ),
         (arm(LIMIT + '<mimic joint="m"/>'), "arm.urdf:4:152: urdf-usd-converter rejects the robot"),
         (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),
     ],
