@@ -60,3 +60,26 @@ def test_a_macro_that_adds_the_prefix_itself(tmp_path: Path) -> None:
         f'<child link="{P}${{side}}"/></joint></xacro:macro><xacro:wheel side="rim"/>'
     )
     assert reported(tmp_path, "", f"{P}base", extra) == []
+
+
+def renamed(directory: Path, name: str, default: str, given: dict[str, str]) -> list[str]:
+    """Findings of a robot with a forgotten prefix, whose prefix is an argument of any name."""
+    prefix = f"$(arg {name})"
+    text = xacro_xml(
+        f'<xacro:arg name="{name}" default="{default}"/><xacro:arg name="mesh" default=""/>',
+        f'<link name="{prefix}base"/><link name="{prefix}tip"/>',
+        f'<joint name="{prefix}end" type="fixed"><parent link="base"/>',
+        f'<child link="{prefix}tip"/></joint>',
+    )
+    path = directory / "r.urdf.xacro"
+    path.write_text(text)
+    return [one.help for one in check(path, arguments=given, select=["XAC024"]).diagnostics]
+
+
+def test_a_prefix_of_another_name(tmp_path: Path) -> None:
+    assert renamed(tmp_path, "robot_ns", "", {}) == ["write ${robot_ns}base"]
+
+
+@pytest.mark.parametrize(("default", "value", "count"), [("", "", 1), ("a_", "", 1), ("", "a_", 0)])
+def test_a_prefix_that_is_given(tmp_path: Path, default: str, value: str, count: int) -> None:
+    assert len(renamed(tmp_path, "prefix", default, {"prefix": value})) == count
