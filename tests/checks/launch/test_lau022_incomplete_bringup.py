@@ -104,3 +104,20 @@ EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\
 def test_topics(tmp_path: Path, text: str, count: int) -> None:
     found = reported(tmp_path, "LAU022", "a.launch.py", text, {"ekf.yaml": EKF})
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
+
+
+@pytest.mark.parametrize(
+    ("value", "words"), [("False", "is false, though"), ("True", ""), (None, "has no use_sim_time")]
+)
+def test_a_node_that_is_told_not_to_use_the_time_of_gazebo(
+    tmp_path: Path, value: str | None, words: str
+) -> None:
+    own = f", parameters=[{{'use_sim_time': {value}}}]" if value else ", parameters=[{}]"
+    text = (
+        NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("ros_gz_sim", "create", "arguments=['-string', '<robot/>']")
+        + STATE.format(own)
+    )
+    found = [one for one in messages(tmp_path, text) if "use_sim_time" in one]
+    assert len(found) == bool(words)
+    assert all(words in one for one in found)

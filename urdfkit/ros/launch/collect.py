@@ -7,8 +7,10 @@ from typing import TypeAlias
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound
+from urdfkit.ros.launch.bridges import config_file
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import (
+    BRIDGE,
     MAX_DEPTH,
     MAX_INCLUDED,
     PARAMETERS,
@@ -84,6 +86,13 @@ class Collector:
         exists = there is not None and not is_outside
         self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
+
+    def start(self, node: StartedProgram) -> None:
+        """Record a node that is started, and the file that its command line names."""
+        self.started.append(node)
+        named = config_file(node.words)
+        if named and named.text and os.path.isabs(named.text):
+            self.file(named.text, named.span, BRIDGE)
 
     def mention(self, path: str, span: Span) -> None:
         """Record a path of a package whose use is not known, if something is there.

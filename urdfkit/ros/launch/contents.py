@@ -13,6 +13,8 @@ from urdfkit.text.source import Source, Span
 PARAMETERS = "parameter file"
 #: And the description of a map of Nav2.
 MAP = "map"
+#: And the file of the topics of ros_gz_bridge.
+BRIDGE = "configuration of the bridge"
 
 #: Launch files that include one another.
 MAX_DEPTH = 8

@@ -12,6 +12,7 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import (
+    BRIDGE,
     MAP,
     PARAMETERS,
     GivenParameters,
@@ -177,7 +178,7 @@ class _PythonReader:
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
         )
-        self.collector.started.append(started)
+        self.collector.start(started)
         if started.executable == "move_group":
             problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
@@ -224,7 +225,7 @@ class _PythonReader:
         if name == "yaml_filename" and self.values.text(value):
             self._file(value, MAP)
         if name == "config_file" and self.values.text(value):
-            self._file(value, "configuration of the bridge")
+            self._file(value, BRIDGE)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")

@@ -40,7 +40,7 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
         namespace=_namespace(file, element),
         name=element.get("name") or "",
     )
-    file.collector.started.append(started)
+    file.collector.start(started)
 
 
 def _namespace(file: XmlLaunchFile, node: Element) -> str | None:
