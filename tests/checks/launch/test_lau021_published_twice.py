@@ -156,3 +156,30 @@ def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, 
     }
     found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
     assert [said in one.message for one in found] == [True] * bool(said)
+
+
+@pytest.mark.parametrize(
+    ("topic", "remapping", "count"),
+    [
+        ("/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model", "", 1),
+        ("/arm/states@sensor_msgs/msg/JointState[gz.msgs.Model", "", 0),
+        ("/joint_states@sensor_msgs/msg/JointState]gz.msgs.Model", "", 0),
+        (
+            "/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model",
+            ", remappings=[('joint_states', 'wanted_joint_states')]",
+            0,
+        ),
+        (
+            "/arm/states@sensor_msgs/msg/JointState[gz.msgs.Model",
+            ", remappings=[('joint_states', '/arm/states')]",
+            1,
+        ),
+    ],
+)
+def test_joint_states_of_the_bridge(tmp_path: Path, topic: str, remapping: str, count: int) -> None:
+    bridge = "Node(package='ros_gz_bridge', executable='parameter_bridge', "
+    bridge += f"arguments=[{topic!r}])\n"
+    found = messages(tmp_path, GUI.format(remapping) + bridge)
+    assert (
+        found == ["joint_state_publisher_gui and the bridge both publish the joint states"] * count
+    )

@@ -121,3 +121,28 @@ def test_a_node_that_is_told_not_to_use_the_time_of_gazebo(
     found = [one for one in messages(tmp_path, text) if "use_sim_time" in one]
     assert len(found) == bool(words)
     assert all(words in one for one in found)
+
+
+@pytest.mark.parametrize(
+    ("publisher", "spawner", "count"),
+    [
+        ("", "", 0),
+        (", remappings=[('/tf', 'tf')]", "", 0),
+        (", remappings=[('robot_description', 'arm_description')]", "", 1),
+        (", remappings=[('/robot_description', '/arm_description')]", "", 1),
+        (", remappings=[(x, 'arm_description')]", "", 0),
+        (
+            ", remappings=[('robot_description', 'arm_description')]",
+            ", remappings=[('robot_description', '/arm_description')]",
+            0,
+        ),
+    ],
+)
+def test_a_description_with_another_name(
+    tmp_path: Path, publisher: str, spawner: str, count: int
+) -> None:
+    create = f"arguments=['-topic', 'robot_description']{spawner}"
+    text = STATE.format(publisher) + NODE.format("ros_gz_sim", "create", create)
+    found = [one for one in messages(tmp_path, text) if "robot_description" in one]
+    message = "nothing publishes '/robot_description'; robot_state_publisher publishes "
+    assert found == [f"{message}'/arm_description'"] * count

@@ -173,7 +173,7 @@ class _PythonReader:
             self.values.span(call),
             self.frame,
             is_sure=not self._has_groups and self._condition(call) is True,
-            is_remapped=argument(call, None, "remappings") is not None,
+            remappings=self._remappings(argument(call, None, "remappings")),
             parameters=self._parameters(parameters, argument(call, None, "ros_arguments")),
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
@@ -182,6 +182,17 @@ class _PythonReader:
         if started.executable == "move_group":
             problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
+
+    def _remappings(self, node: ast.expr | None) -> dict[str, str] | None:
+        known: dict[str, str] = {}
+        for item in self.values.items(node) if node else ():
+            pair = self.values.suggested(item)
+            names = pair.elts if isinstance(pair, (ast.List, ast.Tuple)) else []
+            texts = [text for name in names if (text := self.values.text(name))]
+            if len(texts) != 2:
+                return None
+            known[texts[0]] = texts[1]
+        return known
 
     def _namespace(self, call: ast.Call) -> str | None:
         written = argument(call, None, "namespace")
