@@ -11,6 +11,7 @@
   it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is a link with a joint above it, which gives the link two parents. The same
   holds for the transform of gz-sim's drives and OdometryPublisher, where the bridge passes it on.
+- AMCL and slam_toolbox both publish the transform from map to odom.
 - `ros2_control_node` beside Gazebo's plugin, which runs a controller manager of its own: which one
   a spawner reaches is chance. Two robot_state_publishers of one robot.
 
@@ -28,6 +29,7 @@ from math import dist
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.started_twice import (
     second_manager,
+    second_map,
     second_odometry,
     second_parent,
     second_publisher,
@@ -71,6 +73,7 @@ def check(context: Context) -> Findings:
     yield from second_manager(context, started)
     yield from second_odometry(context, started)
     yield from second_parent(context, started)
+    yield from second_map(context, started)
 
 
 def _transforms(context: Context, started: list[StartedProgram]) -> Findings:

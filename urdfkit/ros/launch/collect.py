@@ -22,7 +22,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
-from urdfkit.ros.launch.known_packages import mistakes
+from urdfkit.ros.launch.known_packages import mistakes, shipped_nodes
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Tag
@@ -93,6 +93,17 @@ class Collector:
         named = config_file(node.words)
         if named and named.text and os.path.isabs(named.text):
             self.file(named.text, named.span, BRIDGE)
+
+    def include(self, file: IncludedFile) -> None:
+        """Record a launch file that is included, and the nodes of one of ROS that is not here."""
+        self.includes.append(file)
+        if disk.exists(file.path):
+            return
+        nodes = list(shipped_nodes(file))
+        self.started_by_included += nodes
+        passed = {word.text: word.span for word in (file.arguments or {}).values()}
+        for path in dict.fromkeys(path for node in nodes for path in node.parameters.files):
+            self.file(path, passed[path], PARAMETERS)
 
     def mention(self, path: str, span: Span) -> None:
         """Record a path of a package whose use is not known, if something is there.

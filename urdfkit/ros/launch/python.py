@@ -271,7 +271,7 @@ class _PythonReader:
         if path and holds is not False:
             seen = self.configurations.seen(call)
             included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)
-            self.collector.includes.append(included)
+            self.collector.include(included)
         if is_there and passed is not None and holds is not False:
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
