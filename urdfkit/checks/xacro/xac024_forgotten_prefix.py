@@ -1,9 +1,13 @@
-"""A link or joint is named without the prefix that its definition has.
+"""A link or joint is named without the prefix or the condition that its definition has.
 
 The robot is right as long as the prefix is empty, and breaks as soon as somebody passes one: with
 `prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. The robot is expanded once more
 with a value for each argument that is empty, whatever the argument is called, to see what the names
 become. Write `${prefix}` there, too.
+
+The same holds for a link that `<xacro:if value="${with_camera}">` adds: where a joint outside of
+the condition has it as its parent, the robot breaks with `with_camera:=false`. A `<gazebo>` block
+outside of it is an info: Gazebo ignores the block.
 
 Sources:
     ROS-Industrial, coordinate frames and prefixes: https://wiki.ros.org/Industrial/Tutorials/WorkingWithRosIndustrialRobotSupportPackages
@@ -12,6 +16,7 @@ Sources:
 
 from collections.abc import Iterator
 
+from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -39,9 +44,15 @@ _NAMING = ("frame", "link", "joint", "body")
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
 def check(context: Context) -> Findings:
+    if not context.is_part:
+        yield from _forgotten_prefixes(context)
+        yield from forgotten_conditions(context)
+
+
+def _forgotten_prefixes(context: Context) -> Findings:
     root = context.document.root
     arguments = _empty_arguments(context)
-    if not arguments or context.is_part:
+    if not arguments:
         return
     prefixed = {name for name, at in _definitions(root) if not at.literal}
     suspects = {
@@ -69,9 +80,8 @@ def check(context: Context) -> Findings:
 
 def _empty_arguments(context: Context) -> list[str]:
     """The arguments whose value is empty, by default or as given; prefixes by name come first."""
-    defaults = {one.name: one.attributes.get("default", "x") for one in context.xacro.arguments}
-    values = {**defaults, **context.arguments}
-    empty = [name for name in defaults if not values[name].strip()]
+    defaults = context.xacro.defaults
+    empty = [name for name in defaults if not context.arguments.get(name, defaults[name]).strip()]
     return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MOST]
 
 
