@@ -13,6 +13,10 @@ from urdfkit.mesh.io.referenced_files import ReferencedFiles
 MAX_NODES = 20_000
 MAX_TRIANGLES = 20_000_000
 
+#: Parts with so much fewer corners than the file has values are numbered by sorting: a file may have
+#: thousands of parts.
+_SMALL = 16
+
 
 class Stream(NamedTuple):
     """Values, and which of them each corner of each triangle takes."""
@@ -113,11 +117,8 @@ def _usable(position: Stream, losses: LostData) -> Flags:
     """The triangles whose corners are in the file, and finite."""
     there = _exist(position)
     losses.add("triangle* with a vertex that is not in the file", np.count_nonzero(~there))
-    finite: Flags = np.all(np.isfinite(position.values), axis=1)
-    if finite.all():
-        return there
     keep: Flags = there.copy()
-    keep[there] = np.all(finite[position.rows[there]], axis=1)
+    keep[there] = np.isfinite(position.values[position.rows[there]]).all(axis=(1, 2))
     lost = np.count_nonzero(there & ~keep)
     losses.add("triangle* with a coordinate that is no finite number", lost)
     return keep
@@ -137,6 +138,9 @@ def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
     """The rows of each stream that the vertices use, and the vertices (m, 3) of the triangles."""
     first = streams[0]
     if all(np.array_equal(stream.rows, first.rows) for stream in streams[1:]):
+        if _SMALL * first.rows.size < len(first.values):
+            rows, faces = np.unique(first.rows, return_inverse=True)
+            return [rows] * len(streams), faces.reshape(first.rows.shape)
         used = np.zeros(min(len(stream.values) for stream in streams), dtype=bool)
         used[first.rows] = True
         faces = (np.cumsum(used) - 1)[first.rows]
