@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
+from urdfkit.workspace.launch_files import has_launch_files
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,7 +41,7 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     job = job._replace(started=())  # what the report needs of it goes to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
-    return _with_other_robots(job, read, context, sets)
+    return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
 def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
@@ -48,11 +50,8 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     Args:
         names: of the arguments that it lacks.
     """
-    from urdfkit.ros.launch.robot_arguments import given
-
     sets: dict[object, RobotArguments] = {}
-    own = () if job.frame and not names else given(job.path, names, context.resolver)
-    for one in (*own, *job.started):
+    for one in (*_given(job, names, context.resolver), *job.started):
         if one.arguments.keys() >= set(names):
             files = (file.path for file in one.parameters)
             sets.setdefault((frozenset(one.arguments.items()), *files), one)
@@ -63,6 +62,14 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
         (rest if one.arguments.items() <= seen else new).append(one)
         seen.update(one.arguments.items())
     return new + rest
+
+
+def _given(job: Job, names: tuple[str, ...], resolver: Resolver) -> list[RobotArguments]:
+    if (job.frame and not names) or not has_launch_files(job.path, resolver):
+        return []
+    from urdfkit.ros.launch.robot_arguments import given  # for robots with launch files
+
+    return given(job.path, names, resolver)
 
 
 def _with_missing(
