@@ -87,7 +87,7 @@ def test_arguments_of_the_command_line_are_those_that_count(package: Path) -> No
     file.write_text(
         '[[robot]]\nfile = "arm.xacro"\nvariants.one.kind = "1"\nvariants.two.kind = "2"\n'
     )
-    config = load(file)
+    config = load(str(file))
     for what in (package, package / "arm.xacro"):
         assert len(types(check(what, config=config))) == 1
         assert types(check(what, config=config, options=Options(variant="one"))) == []

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
 from urdfkit.workspace.launch_files import has_launch_files
-from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -51,7 +50,7 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
         names: of the arguments that it lacks.
     """
     sets: dict[object, RobotArguments] = {}
-    for one in (*_given(job, names, context.resolver), *job.started):
+    for one in (*_given(job, names, context), *job.started):
         if one.arguments.keys() >= set(names):
             files = (file.path for file in one.parameters)
             sets.setdefault((frozenset(one.arguments.items()), *files), one)
@@ -64,12 +63,13 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     return new + rest
 
 
-def _given(job: Job, names: tuple[str, ...], resolver: Resolver) -> list[RobotArguments]:
-    if (job.frame and not names) or not has_launch_files(job.path, resolver):
+def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+    if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
         return []
     from urdfkit.ros.launch.robot_arguments import given  # for robots with launch files
 
-    return given(job.path, names, resolver)
+    no_arguments = context.reading.document is not None and not _defaults(context)
+    return given(job.path, names, context.resolver, only_parameters=no_arguments)
 
 
 def _with_missing(
@@ -125,8 +125,7 @@ def _with_other_robots(
     job: Job, read: Callable[[Job], Context], context: Context, sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
     """A job, and the sets of arguments that make it another robot or come with parameter files."""
-    xacro = context.reading.xacro
-    own = {**xacro.defaults, **job.arguments} if xacro else {}
+    own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
     base = job._replace(name="", arguments=dict(job.shared or {}))
     others: list[Job] = []
     same: dict[object, Job] = {}  # by parameter files
@@ -148,6 +147,11 @@ def _with_other_robots(
     left = [_changes(now.arguments, own) for now in others[MAX_GIVEN:]]
     context.unchecked = _unchecked(left, [(job, context), *tried], {})
     return found
+
+
+def _defaults(context: Context) -> Mapping[str, str]:
+    """The arguments that a description declares, with their defaults."""
+    return context.reading.xacro.defaults if context.reading.xacro else {}
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
@@ -201,14 +205,14 @@ def _unchecked(
     Args:
         failed: descriptions that do not expand, by their values in the order of the names.
     """
-    from urdfkit.lint.unchecked import why_unchecked
-
     known = {item for job, _ in checked for item in job.arguments.items()}
     left: dict[tuple[str, str], dict[str, None]] = {}
     for values in offered:
         context = failed.get(tuple(values.values()))
         why = f"only {MAX_GIVEN} sets of arguments are tried"
         if context is not None:
+            from urdfkit.lint.unchecked import why_unchecked
+
             why, _ = why_unchecked(context.reading, context.source, context.resolver)
         for name, value in values.items():
             if (name, value) not in known:

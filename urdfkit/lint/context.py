@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.lint.description_file import DescriptionFile, Reading
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
+    from urdfkit.robot.stability import Stability
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import SdfConversion
@@ -181,6 +182,13 @@ class Context(DescriptionFile):
         if not self.given_targets or not all(one.drops_visuals for one in self.targets.facts):
             return True
         return self.reading.document is None or not self.mujoco.drops_visuals
+
+    @cached_property
+    def standing_on_primitives(self) -> Stability | None:
+        """How the robot stands with all joints at 0 and without its meshes."""
+        from urdfkit.robot.stability import stand
+
+        return stand(self, meshes=False)
 
     @cached_property
     def symmetric_joints(self) -> list[tuple[Joint, Joint]]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from urdfkit.core import limits
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotEnoughMemory
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity

@@ -13,6 +13,7 @@ from functools import lru_cache
 
 from urdfkit.core import atomic, disk
 from urdfkit.core.cache_directory import cache_directory
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
@@ -121,7 +122,7 @@ def _measured(data: bytes, path: str) -> Measures | str:
 def _read(entry: str) -> Measures | str | None:
     """What was written; None if nothing was, or something else."""
     try:
-        with open(entry, "rb") as file:
+        with opened(entry) as file:
             data = file.read()
     except OSError:
         return None

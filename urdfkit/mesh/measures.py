@@ -5,10 +5,9 @@ Lengths in the unit of the file. Nothing here needs numpy: measures come from th
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfkit.core.record import Record, frozen
 from urdfkit.core.spatial import Vector
+from urdfkit.core.static_typing import Any
 
 #: The part of a volume that counts more than once, above which masses computed from it are off.
 OVERLAP = 0.05

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
-
+from urdfkit.core.static_typing import TYPE_CHECKING, Protocol
 from urdfkit.robot import DescribedRobot
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ import reprlib
 from collections.abc import Iterator
 from itertools import chain
 from types import FrameType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.core.words import listed
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element

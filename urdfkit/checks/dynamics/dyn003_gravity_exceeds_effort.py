@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import isfinite
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable

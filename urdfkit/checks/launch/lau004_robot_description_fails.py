@@ -15,8 +15,7 @@ Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
-from typing import Any
-
+from urdfkit.core.static_typing import Any
 from urdfkit.lint.rule_index import get
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.contents import LaunchedDescription

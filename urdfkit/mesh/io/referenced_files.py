@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
+from urdfkit.core.static_typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 from collections.abc import Collection, Iterator
@@ -10,17 +9,19 @@ from functools import lru_cache
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import FileUse, Launch
-from urdfkit.ros.launch.markup import parsed
-from urdfkit.ros.launch.signature import arguments_in
-from urdfkit.ros.launch.values import argument, called
-from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.source import Source
 from urdfkit.workspace.launch_files import directories_of_launch_files, launch_files
 from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.contents import FileUse, Launch
+
+#: Words of which a launch file contains one if it, or another one that it includes, loads YAML.
+_LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
 
 
 class RobotArguments(Record):
@@ -46,7 +47,9 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
         yield one.path, RobotArguments(one.arguments, path, one.frame, one.is_whole, parameters)
 
 
-def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
+def given(
+    robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
+) -> list[RobotArguments]:
     """What launch files start a robot with: those of its package, then others of the workspace.
 
     If none starts a robot that lacks arguments, it is those of the needed arguments that they give
@@ -54,13 +57,15 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
     Args:
         needed: names of the arguments that it lacks.
+        only_parameters: True if the arguments do not matter, as the robot declares none: launch
+            files that load no parameter file are then not read.
     """
     real = disk.real(robot)
     own: list[RobotArguments] = []
     others: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
     for directory, name in directories_of_launch_files(robot, resolver):
-        for path, one in _started(directory, name, resolver):
+        for path, one in _started(directory, name, resolver, only_parameters=only_parameters):
             if not one.arguments.keys() >= set(needed):
                 continue
             if disk.real(path) == real:
@@ -136,12 +141,13 @@ def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
 
 @lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
 def _started(
-    directory: str, mentioned: str, resolver: Resolver
+    directory: str, mentioned: str, resolver: Resolver, *, only_parameters: bool = False
 ) -> tuple[tuple[str, RobotArguments], ...]:
     """The robots that launch files of a directory start."""
     return tuple(
         one
         for source in launch_files(directory, mentioned, resolver)
+        if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
         for one in started(read_launch(source, resolver, choice), source.path)
     )
@@ -196,6 +202,11 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
 
 
 def _of_python(source: Source) -> Iterator[_Argument]:
+    import ast
+
+    from urdfkit.ros.launch.values import argument, called
+    from urdfkit.text import python_source
+
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
@@ -213,6 +224,9 @@ def _of_python(source: Source) -> Iterator[_Argument]:
 
 
 def _of_xml(source: Source) -> Iterator[_Argument]:
+    from urdfkit.ros.launch.markup import parsed
+    from urdfkit.ros.launch.signature import arguments_in
+
     document, _ = parsed(source)
     declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
     for element in declared:
