@@ -154,3 +154,11 @@ def test_a_condition_around_the_call_of_a_macro(tmp_path: Path) -> None:
     call = IF.format("${has}", "<xacro:camera/>")
     assert broken(tmp_path, macro + call + IF.format("${has}", LIGHT)) == []
     assert len(broken(tmp_path, macro + call + LIGHT)) == 1
+
+
+def test_several_joints_of_one_block(tmp_path: Path) -> None:
+    joints = '<joint name="c"/><joint name="d"/>'
+    arm = CAMERA + CAMERA.replace("camera", "arm").replace('"c"', '"d"')
+    block = f'<ros2_control name="s" type="system">{joints}</ros2_control>'
+    (found,) = broken(tmp_path, IF.format("${has}", arm) + block)
+    assert found[1].endswith("but <joint> names it; 1 more in the same block")

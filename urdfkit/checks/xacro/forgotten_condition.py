@@ -42,9 +42,12 @@ def forgotten_conditions(context: Context) -> Findings:
         if other is None:
             continue
         lost = suspects - {at.value for at in _definitions(other.root)}
+        blocks: dict[object, list[Attribute]] = {}
         for attribute in _references(other.root) if lost else ():
             if attribute.value in lost:
-                yield _finding(root, attribute, argument, value)
+                blocks.setdefault(_block(attribute), []).append(attribute)
+        for first, *more in blocks.values():
+            yield _finding(root, first, len(more), f"{argument} is {value}")
         suspects -= lost
 
 
@@ -117,16 +120,27 @@ def _in_source(source: Source) -> tuple[_Condition, ...]:
     return tuple(found)
 
 
-def _finding(root: Element, attribute: Attribute, argument: str, value: str) -> Finding:
+def _block(attribute: Attribute) -> object:
+    """Key of the references that one finding reports."""
+    element = attribute.element
+    return attribute.value if element.tag == "gazebo" else id(element.parent)
+
+
+def _finding(root: Element, attribute: Attribute, more: int, condition: str) -> Finding:
+    """A reference to what is not there.
+
+    Args:
+        more: the number of others in the same block.
+    """
     element, name = attribute.element, attribute.value
     defined = next(at for at in _definitions(root) if at.value == name)
     is_gazebo = element.tag == "gazebo"
-    is_end = element.tag in ("parent", "child", "mimic")
-    block = "joint" if is_end else element.tag
+    block = "joint" if element.tag in ("parent", "child", "mimic") else element.tag
+    others = f"; {more} more in the same block" if more and not is_gazebo else ""
     outcome = ": Gazebo ignores it" if is_gazebo else ""
     return Finding(
         Location(attribute.span, element.frame),
-        f"there is no '{name}' if {argument} is {value}, but <{element.tag}> names it{outcome}",
+        f"there is no '{name}' if {condition}, but <{element.tag}> names it{others}{outcome}",
         f"put the <{block}> behind the condition of '{name}'",
         related=(Related(defined.span, "it is defined here"),),
         severity=Severity.INFO if is_gazebo else None,
