@@ -33,7 +33,7 @@ def test_a_missing_file_is_reported_with_the_one_that_was_meant(
 def test_a_link_that_leads_back_to_itself(tmp_path: Path) -> None:
     loop = tmp_path / "loop.urdf"
     loop.symlink_to(loop)
-    with pytest.raises(UnreadableFile, match="is a link that leads back to itself"):
+    with pytest.raises(UnreadableFile, match="is a symbolic link to itself"):
         Source.read(loop)
 
 

@@ -38,10 +38,10 @@ class TestAttributes:
             ('<link name="a" type/>', "type", "attribute 'type' has no value"),
             ('<link name="a" type= />', "|", "attribute 'type' has no value"),
             ('<link name="a"type="b"/>', "|", "a space is missing before 'type'"),
-            ('<link name="a", type="b"/>', ",", "',' does not belong into <link>"),
-            ('<link name="a""/>', '"', "'\"' does not belong into <link>"),
-            ('<parent link="a"//>', "/", "'/' does not belong into <parent>"),
-            ('<link 1="a"/>', '1="a"', "'1=\"a\"' does not belong into <link>"),
+            ('<link name="a", type="b"/>', ",", "',' does not belong in <link>"),
+            ('<link name="a""/>', '"', "'\"' does not belong in <link>"),
+            ('<parent link="a"//>', "/", "'/' does not belong in <parent>"),
+            ('<link 1="a"/>', '1="a"', "'1=\"a\"' does not belong in <link>"),
             ('<origin xyz=0 0 0" rpy="0 0 0"/>', "|", "the value of 'xyz' has no opening quote"),
             ('<origin xyz="0 0 0 rpy="0 0 0"/>', '"', "the value of 'xyz' has no closing quote"),
             ('<link name="a/><link name="b"/>', '"', "the value of 'name' has no closing quote"),
@@ -69,15 +69,19 @@ class TestText:
         ("text", "marked", "message"),
         [
             ("a & b", "&", "'&' must be written '&amp;'"),
-            ("1 < 2", "<", "'<' begins no tag; in a text it must be written '&lt;'"),
-            ("a&nbsp;b", "&nbsp;", "'&nbsp;' is not defined; XML knows &lt; &gt; &amp; only"),
-            ("&#0;", "&#0;", "'&#0;' is no character"),
-            ("&#xD800;", "&#xD800;", "'&#xD800;' is no character"),
+            ("1 < 2", "<", "'<' does not begin a tag; in a text it must be written '&lt;'"),
+            (
+                "a&nbsp;b",
+                "&nbsp;",
+                "'&nbsp;' is not defined; XML defines only &lt; &gt; &amp; &quot; &apos;",
+            ),
+            ("&#0;", "&#0;", "'&#0;' is not a character"),
+            ("&#xD800;", "&#xD800;", "'&#xD800;' is not a character"),
             ("]]>", "]]>", "']]>' in a text must be written ']]&gt;'"),
             ("\x01", "\x01", "the control character U+0001 is not allowed in XML"),
             ("\0", "\0", "a NUL byte is not allowed in XML"),
-            ("a </1 b", "</", "'</' begins no end tag: a name must follow"),
-            ("< link/>", "< link", "no space may stand between '<' and 'link'"),
+            ("a </1 b", "</", "'</' does not begin an end tag: a name must follow"),
+            ("< link/>", "< link", "no space is allowed between '<' and 'link'"),
         ],
     )
     def test_mistake(self, text: str, marked: str, message: str) -> None:
@@ -118,7 +122,7 @@ class TestTags:
         assert mistake.message == '<link name="arm"> is not closed before </robot>'
         ((start, end, note),) = mistake.notes
         assert data[start:end] == b"</robot>"
-        assert note == "</robot> closes the element around it"
+        assert note == "</robot> closes an enclosing element"
 
     def test_two_not_closed(self) -> None:
         assert mistakes('<robot><link name="a"><link name="b"></robot>') == [
@@ -130,12 +134,12 @@ class TestTags:
         data = b'<robot name="r"><joint name="j"></link></robot>'
         (mistake,) = syntax_mistakes(data)
         assert data[mistake.start : mistake.end] == b"</link>"
-        assert mistake.message == "</link> stands where </joint> is expected"
-        assert mistake.notes == ((16, 32, '<joint name="j"> is open since here'),)
+        assert mistake.message == "expected </joint>, found </link>"
+        assert mistake.notes == ((16, 32, '<joint name="j"> is opened here'),)
 
     def test_an_end_tag_of_another_name_that_is_open_too(self) -> None:
         text = '<robot><link name="a"><visual></link></link></robot>'
-        assert mistakes(text) == [(1, 31, "</link> stands where </visual> is expected")]
+        assert mistakes(text) == [(1, 31, "expected </visual>, found </link>")]
 
     def test_not_closed_inside_one_that_is(self) -> None:
         text = '<robot><link name="a"><visual></link><link name="b"/></robot>'
@@ -163,12 +167,12 @@ class TestTags:
         assert mistakes(text) == [(1, 22, "'>' is missing at the end of <link")]
 
     def test_an_end_tag_with_attributes(self) -> None:
-        message = "an end tag holds nothing but its name: </link>"
+        message = "an end tag contains only its name: </link>"
         assert mistakes('<robot><link></link name="a"></robot>') == [(1, 14, message)]
 
     def test_an_end_tag_without_its_bracket(self) -> None:
         text = "<robot><link></link</robot>"
-        assert mistakes(text) == [(1, 14, "'>' is missing behind </link")]
+        assert mistakes(text) == [(1, 14, "'>' is missing after </link")]
 
 
 class TestTheWholeFile:
@@ -214,15 +218,15 @@ class TestTheWholeFile:
         [
             ("", "the file is empty"),
             (" \r\n\t", "the file is empty"),
-            ("<!-- nothing -->", "there is no element in the file"),
-            ("links: [a, b]", "not an XML file: there is no tag in it"),
+            ("<!-- nothing -->", "the file has no element"),
+            ("links: [a, b]", "not an XML file: it contains no tag"),
             (
                 "<!DOCTYPE html>\n<html><br></html>",
                 "the file is a web page, not a robot",
             ),
             (
                 "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n",
-                "the file is a pointer of Git LFS, not the robot itself",
+                "the file is a Git LFS pointer, not the robot itself",
             ),
         ],
     )
@@ -231,17 +235,17 @@ class TestTheWholeFile:
 
     def test_binary_is_one_mistake(self) -> None:
         (mistake,) = syntax_mistakes(b"<robot>" + bytes(range(32)) * 9)
-        assert mistake.message == "not a text file: it holds 261 control characters"
+        assert mistake.message == "not a text file: it contains 261 control characters"
 
     @pytest.mark.parametrize(
         "declaration", ['<?xml verison="1.0"?>', "<?xml?>", '<?xml version="1.0" standalone="x"?>']
     )
     def test_a_wrong_declaration(self, declaration: str) -> None:
-        message = 'the XML declaration must read <?xml version="1.0"?>'
+        message = 'the XML declaration must be <?xml version="1.0"?>'
         assert mistakes(declaration + "<robot/>") == [(1, 1, message)]
 
     def test_a_declaration_further_down(self) -> None:
-        message = "the XML declaration must stand at the very beginning of the file"
+        message = "the XML declaration must be at the very beginning of the file"
         assert mistakes('\n<?xml version="1.0"?><robot/>') == [(2, 1, message)]
 
     def test_other_instructions_are_fine(self) -> None:

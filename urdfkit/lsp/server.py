@@ -102,7 +102,7 @@ class Server(LanguageServer):
 
     def path(self, uri: str) -> str:
         path = to_path(uri)
-        return os.path.realpath(path) if path != uri else uri
+        return os.path.realpath(path) if path != uri and "\0" not in path else uri
 
     @property
     def takes_snippets(self) -> bool:

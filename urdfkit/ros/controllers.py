@@ -22,7 +22,7 @@ from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, mistake, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars, syntax_error
 from urdfkit.text.source import Source, Span
 
 _MANAGER = "controller_manager"
@@ -237,7 +237,7 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
 def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
     """The parameter files that are not YAML, with the place and the reason."""
     for file, source in _sources(description):
-        if found := mistake(source):
+        if found := syntax_error(source):
             yield file, *found
 
 

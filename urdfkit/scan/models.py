@@ -12,13 +12,14 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
+from errno import ENOSPC
 from functools import partial
 from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
 from urdfkit.core.temporary import remove_abandoned, scratch
-from urdfkit.errors import UnreadableFile
+from urdfkit.errors import UnreadableFile, UnwritableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
 from urdfkit.workspace.file_head import read_head
@@ -74,36 +75,62 @@ class Model(Record):
     path: str  # where it is on disk
     archive: str = ""  # that it comes from; empty if from none
     directory: str = ""  # that the archive was extracted to
+    #: Why there is nothing to check, such as a damaged archive; empty otherwise.
+    problem: str = ""
 
 
 def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
     """The models of some sources; those in archives without a path as yet.
 
+    A source that cannot be read is one model with the problem: the scan goes on with the others.
+
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
-
-    Raises:
-        UnreadableFile: a source does not exist, or is no list or archive though it is called so.
+        lists: real paths of the lists that name the sources.
     """
     for source in sources:
-        name = source.lower()
-        if os.path.isdir(source):
-            found = (
-                path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD))
-            )
-            yield from (Model(path, path) for path in found)
-        elif os.path.isfile(source) and name.endswith(_ARCHIVES):
-            yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
-        elif os.path.isfile(source) and name.endswith(_LISTS):
-            real = os.path.realpath(source)
-            if real in lists:
-                raise UnreadableFile(f"{source}: this list names itself")
-            yield from models(_listed(source), lists | {real})
-        elif glob.has_magic(source) and not os.path.lexists(source):
-            yield from models(glob.iglob(source, recursive=True), lists)
-        else:
-            _require_readable(source)
-            yield Model(source, source)
+        try:
+            yield from _models_of(source, lists)
+        except UnreadableFile as error:
+            yield Model(source, "", problem=str(error))
+
+
+def require_sources(sources: Iterable[str]) -> None:
+    """Check that sources exist, before the first model is checked.
+
+    Raises:
+        UnreadableFile: a source does not exist, or is a glob that matches nothing.
+    """
+    for source in sources:
+        if not _is_glob(source):
+            if not os.path.isdir(source):
+                _require_readable(source)
+        elif next(glob.iglob(source, recursive=True), None) is None:
+            raise UnreadableFile(f"no file matches '{source}'")
+
+
+def _models_of(source: str, lists: frozenset[str]) -> Iterator[Model]:
+    name = source.lower()
+    if os.path.isdir(source):
+        found = (path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD)))
+        yield from (Model(path, path) for path in found)
+    elif os.path.isfile(source) and name.endswith(_ARCHIVES):
+        yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
+    elif os.path.isfile(source) and name.endswith(_LISTS):
+        real = os.path.realpath(source)
+        if real in lists:
+            raise UnreadableFile(f"{source}: this list names itself")
+        yield from models(_listed(source), lists | {real})
+    elif _is_glob(source):
+        require_sources([source])
+        yield from models(glob.iglob(source, recursive=True), lists)
+    else:
+        _require_readable(source)
+        yield Model(source, source)
+
+
+def _is_glob(source: str) -> bool:
+    return glob.has_magic(source) and not os.path.lexists(source)
 
 
 class _TarMember(tarfile.TarInfo):
@@ -125,6 +152,7 @@ class Extraction:
 
     def __init__(self) -> None:
         self._directories: dict[str, str] = {}
+        self._problems: dict[str, str] = {}
         self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
@@ -135,17 +163,22 @@ class Extraction:
         self._until_exit.close()
 
     def on_disk(self, model: Model) -> Model:
-        """A model with the path where it is.
+        """A model with the path where it is, or with the problem of its archive.
 
         Raises:
-            UnreadableFile: its archive is damaged, or too large for the disk.
+            UnwritableFile: its archive is too large for the disk.
         """
         if not model.archive:
             return model
         if model.archive not in self._directories:
             directory = self._until_exit.enter_context(scratch())
             self._directories[model.archive] = directory
-            _extract(model.archive, directory)
+            try:
+                _extract(model.archive, directory)
+            except UnreadableFile as error:
+                self._problems[model.archive] = str(error)
+        if problem := self._problems.get(model.archive):
+            return model._replace(problem=problem)
         directory = self._directories[model.archive]
         path = os.path.join(directory, model.name[len(model.archive) + 1 :])
         return model._replace(path=path, directory=directory)
@@ -243,7 +276,9 @@ def _extract(archive: str, directory: str) -> None:
                 _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
                 packed.extractall(directory)
     except _UNREADABLE as error:
-        raise UnreadableFile(f"{archive}: cannot be extracted ({_why(error)})") from error
+        message = f"{archive}: cannot be extracted ({_why(error)})"
+        is_full = isinstance(error, OSError) and error.errno == ENOSPC
+        raise (UnwritableFile if is_full else UnreadableFile)(message) from error
 
 
 def _why(error: Exception) -> str:
@@ -262,7 +297,7 @@ def _check_ratio(archive: str, size: int) -> None:
 
 def _check_room(archive: str, needed: int, free: int) -> None:
     if needed > free:
-        raise UnreadableFile(
+        raise UnwritableFile(
             f"{archive}: {needed / 1e9:.1f} GB when extracted; {free / 1e9:.1f} GB are free "
             f"in {tempfile.gettempdir()} (set TMPDIR to another directory)"
         )

@@ -43,8 +43,8 @@ class ModelRow(Record):
     """A model."""
 
     model: str  # its name in the scan
-    #: ``ok``, ``unreadable`` (no file, no XML, does not expand), ``crashed`` (a bug in urdfkit),
-    #: ``timeout``, ``memory``, or ``died`` (its process was killed).
+    #: ``ok``, ``unreadable`` (no file, no XML, does not expand, a damaged archive), ``crashed`` (a
+    #: bug in urdfkit), ``timeout``, ``memory``, or ``died`` (its process was killed).
     status: str
     reason: str = ""  # why it is not ``ok``
     hash: str = ""  # SHA-256 of the expanded description and the mesh files that it names
@@ -89,6 +89,8 @@ def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
 
 
 def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
+    if model.problem:
+        return ModelRow(model.name, "unreadable", model.problem)
     try:
         report, contexts = check_robots(options, model.path, resolver)
         robots = [context for context in contexts if not is_launch(context.source.path)]

@@ -5,11 +5,20 @@ from threading import Thread
 from typing import Any
 
 from urdfkit.core.progress import Progress
-from urdfkit.errors import UrdfkitError
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
 from urdfkit.scan.engines import dask, local
 from urdfkit.scan.isolated import Settings
 from urdfkit.scan.journal import Journal
-from urdfkit.scan.models import Extraction, Model, models
+from urdfkit.scan.models import Extraction, Model, models, require_sources
+
+
+class Scanned(Record):
+    """The outcome of a run."""
+
+    models: int  # how many were checked in this run
+    #: Sources that cannot be read, each with the reason; they have a row in the results, too.
+    unreadable: dict[str, str]
 
 
 def scan(
@@ -21,7 +30,7 @@ def scan(
     address: str = "",
     jobs: int = 1,
     progress: Progress | None = None,
-) -> int:
+) -> Scanned:
     """Check the models of some sources that a directory of results does not hold yet.
 
     Args:
@@ -32,37 +41,49 @@ def scan(
         progress: called with the number of models done in this run, and of all that it does; 0
             until these are counted.
 
-    Returns:
-        How many models were checked now.
-
     Raises:
-        UrdfkitError: a source cannot be read, the results cannot be written, the options mean
-            nothing, or Dask is not installed.
+        UrdfkitError: a source does not exist, there is no model in any, the results cannot be
+            written, the options mean nothing, or Dask is not installed.
     """
     sources = tuple(sources)
     settings.options.resolved()  # a wrong option stops here
+    require_sources(sources)
+    unreadable: dict[str, str] = {}
     with Journal(directory, _deciding(settings)) as journal, Extraction() as extraction:
         known = len(journal.done)
         total = _counted(sources)
-        wanted = map(extraction.on_disk, _new(models(sources), journal.done))
+        wanted = _wanted(models(sources), journal.done, extraction, unreadable)
         if engine == "dask":
             rows = dask(wanted, settings, jobs, address)
         else:
             rows = local(wanted, settings, jobs)
-        count = 0
+        checked = 0
         for count, row in enumerate(rows, 1):
             journal.write(row)
+            checked += row.model not in unreadable
             if progress is not None:
                 progress(count, total[0] - known if total else 0)
-    return count
+        if not journal.done:
+            raise UnreadableFile(f"there is no model in {', '.join(map(repr, sources))}")
+    return Scanned(checked, unreadable)
 
 
-def _new(found: Iterable[Model], done: set[str]) -> Iterator[Model]:
-    """The models that are not done; each once, though several sources name it."""
+def _wanted(
+    found: Iterable[Model], done: set[str], extraction: Extraction, unreadable: dict[str, str]
+) -> Iterator[Model]:
+    """The models that are not done; each once, though several sources name it.
+
+    Args:
+        unreadable: gets the sources that cannot be read.
+    """
     for model in found:
-        if model.name not in done:
-            done.add(model.name)
-            yield model
+        is_new = model.name not in done
+        done.add(model.name)
+        ready = extraction.on_disk(model) if is_new else model
+        if ready.problem:
+            unreadable[ready.archive or ready.name] = ready.problem
+        if is_new:
+            yield ready
 
 
 def _counted(sources: tuple[str, ...]) -> list[int]:
@@ -70,10 +91,7 @@ def _counted(sources: tuple[str, ...]) -> list[int]:
     total: list[int] = []
 
     def count() -> None:
-        try:
-            total.append(sum(1 for _ in models(sources)))
-        except UrdfkitError:
-            pass  # the scan raises it
+        total.append(sum(1 for _ in models(sources)))
 
     Thread(target=count, daemon=True).start()
     return total

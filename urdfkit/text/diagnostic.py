@@ -1,4 +1,4 @@
-"""What urdfkit reports about a robot: severities, edits, fixes, problems, diagnostics."""
+"""Findings about a robot: severities, edits, fixes, problems, diagnostics."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from urdfkit.text.source import Span
 
 
 class Severity(str, Enum):
-    """How bad a finding is.
+    """Severity of a finding.
 
     ``error``: a mainstream program rejects the robot or simulates it wrongly;
     ``warning``: it loads but is probably not intended; ``info``: style or a hint.
@@ -22,7 +22,7 @@ class Severity(str, Enum):
 
     @property
     def rank(self) -> int:
-        """0 for the worst."""
+        """0 for the most severe."""
         return _RANKS[self]
 
 
@@ -30,7 +30,7 @@ _RANKS = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.INFO: 2}
 
 
 class Confidence(str, Enum):
-    """How sure a finding is: a fact, a conclusion from several facts, or a guess."""
+    """Confidence of a finding: a fact, a conclusion from several facts, or a guess."""
 
     MEASURED = "measured"
     INFERRED = "inferred"
@@ -38,15 +38,15 @@ class Confidence(str, Enum):
 
     @property
     def rank(self) -> int:
-        """0 for the surest."""
+        """0 for the most certain."""
         return _CONFIDENCE_RANKS[self]
 
 
-_CONFIDENCE_RANKS = {one: rank for rank, one in enumerate(Confidence)}
+_CONFIDENCE_RANKS = {level: rank for rank, level in enumerate(Confidence)}
 
 
 class Edit(Record):
-    """Replace the text of a span; an empty span inserts."""
+    """Replacement of the text of a span; an empty span inserts."""
 
     span: Span
     text: str
@@ -61,37 +61,37 @@ class Fix(Record):
 
     @classmethod
     def of(cls, title: str, edits: tuple[Edit, ...] | None) -> Fix | None:
-        """The fix that makes some edits; None where they cannot be made."""
+        """The fix that makes the edits; None if there are none."""
         return cls(title, edits) if edits else None
 
 
 class Related(Record):
-    """Another place that explains a finding."""
+    """A second location that explains a finding."""
 
     span: Span
     message: str
 
 
 class Problem(Record):
-    """Something wrong with the text of a description."""
+    """A defect in the text of a description."""
 
     code: str  # the rule that explains it
-    span: Span  # where
-    message: str  # what
-    help: str = ""  # what to do; the rule's own help if empty
+    span: Span
+    message: str
+    help: str = ""  # how to fix it; the rule's own help if empty
     frame: CallFrame | None = None  # the macro calls and includes that led there
-    related: tuple[Related, ...] = ()  # other places that explain it
-    fix: Fix | None = None  # as text edits
-    severity: Severity | None = None  # if it is not that of the rule
-    argument: str = ""  # the xacro argument that has no value there, if that is the problem
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None  # overrides the severity of the rule
+    argument: str = ""  # the xacro argument without a value, if that is the problem
 
 
 class Call(Record):
     """One expansion of a macro body or an included file that caused a finding.
 
     Attributes:
-        message: with the numbers of this call.
-        via: the calls, outermost first.
+        message: with the values of this call.
+        via: the trace of calls, outermost first.
         element: path of the element after expansion.
     """
 
@@ -101,23 +101,21 @@ class Call(Record):
 
 
 class Diagnostic(Record):
-    """One finding as a user reads it.
+    """One finding as it is reported to the user.
 
     Attributes:
         code: such as ``MSH001``; never reused or renamed.
         name: such as ``missing-file``.
         severity: after configuration.
-        confidence: how sure it is.
-        message: who, how much, what bound.
-        span: the place in the file that a person edits.
-        calls: the expansions that arrived there, worst first; one for a plain element.
-        related: other places that explain it.
-        help: what to do.
-        fix: as text edits, or None.
-        targets: the consumers that the severity is for; empty if it is for all.
-        group_key: the same for findings of one rule that are shown as one where they are many.
-        variants: names of the variants of the robot that it is found in, or its assumed arguments;
-            empty if it is in all.
+        message: element, value and bound.
+        span: the source text to edit.
+        calls: the expansions of this source text, worst first; one for a plain element.
+        related: other locations that explain it.
+        help: how to fix it.
+        targets: the consumers that the severity applies to; empty for all.
+        group_key: equal for findings of one rule that are shown as one if there are many.
+        variants: names of the affected variants of the robot, or its assumed arguments; empty if
+            all are affected.
     """
 
     code: str
@@ -136,5 +134,5 @@ class Diagnostic(Record):
 
     @property
     def element(self) -> str:
-        """Path of the (first) element after expansion; empty where there is none."""
+        """Path of the first element after expansion; empty if there is none."""
         return self.calls[0].element if self.calls else ""

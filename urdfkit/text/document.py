@@ -1,8 +1,8 @@
-"""XML that knows where it was written.
+"""XML documents whose elements have source locations.
 
-A plain URDF and an expanded xacro are the same kind of Document. Every Element carries the
-place of its start tag in the file it was written in, and the calls that led there: a link that
-a macro makes has its place in the macro's body and the macro's call in ``via``.
+A plain URDF and an expanded xacro are both a Document. Every Element has the location of its start
+tag in its source file, and the calls that led there: a link created by a macro is located in the
+body of the macro, and ``via`` contains the macro call.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from functools import lru_cache
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
 
-# Compiled when needed: a clean robot has no place to show.
+# Compiled when needed: a robot without findings has no location to show.
 _TAG_NAME = rb"<\s*([^\s/>]+)"
 _ATTRIBUTE = rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')"""
 _START_TAG_END = rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>"""
@@ -35,7 +35,7 @@ class Step(Record):
 
 
 class CallFrame:
-    """The innermost step of a trace, linked to the ones before it; shared by many elements."""
+    """The innermost step of a trace, linked to the outer steps; shared by many elements."""
 
     __slots__ = ("call", "definition", "kind", "name", "outer")
 
@@ -59,7 +59,7 @@ class CallFrame:
 
 
 class Tag(Record):
-    """Where an element was written: its start tag, and its end tag if it has one."""
+    """Source location of an element: its start tag, and its end tag if it has one."""
 
     source: Source  # the file
     start: int  # offset of the ``<`` of the start tag
@@ -67,9 +67,9 @@ class Tag(Record):
 
     @classmethod
     def between(cls, source: Source, start: int, at: int, *, empty: bool) -> Tag:
-        """The tag of an element from where the parser stands when it begins and when it ends.
+        """The tag of an element, from the parser's offsets at its start and end events.
 
-        ``<a/>`` has no end tag, though that of the element around it may stand right behind.
+        ``<a/>`` has no end tag, but the end tag of its parent may follow directly.
         """
         data = source.data
         if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", start, at)):
@@ -78,7 +78,7 @@ class Tag(Record):
 
     @property
     def span(self) -> Span:
-        """The start tag, from ``<`` to ``>``."""
+        """Span of the start tag, from ``<`` to ``>``."""
         return Span(self.source, self.start, self.inner_start)
 
     @property
@@ -96,7 +96,7 @@ class Tag(Record):
 
     @property
     def whole_span(self) -> Span:
-        """From the ``<`` of the start tag to the ``>`` of the end tag."""
+        """Span from the ``<`` of the start tag to the ``>`` of the end tag."""
         if self.close == self.start:
             return self.span
         end = self.source.data.find(b">", self.close) + 1
@@ -104,16 +104,16 @@ class Tag(Record):
 
     @property
     def inner_span(self) -> Span:
-        """What stands between start tag and end tag."""
+        """Span between start tag and end tag."""
         start = self.inner_start
         return Span(self.source, start, max(start, self.close))
 
     def attribute_spans(self) -> Mapping[str, Span]:
-        """The values of the attributes, without their quotes."""
+        """Spans of the attribute values, without their quotes, by name."""
         return _attribute_spans(self)
 
 
-@lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them calls this
+@lru_cache(maxsize=64)  # called for each attribute of a tag, which may have 100 000
 def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
     data = tag.source.data
     match = _compiled(_TAG_NAME).match(data, tag.start)
@@ -126,21 +126,20 @@ def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
 
 
 class Attribute:
-    """An attribute as it is after expansion."""
+    """An attribute after expansion."""
 
     __slots__ = ("element", "name", "value", "written_in")
 
     def __init__(self, name: str, value: str, element: Element, written_in: Tag | None = None):
         self.name = name  # with its prefix, as written
         self.value = value  # after expansion
-        self.element = element  # that has it
-        #: The tag that holds the text; not the element's own where an ``<xacro:attribute>`` gave
-        #: it.
+        self.element = element
+        #: The ``<xacro:attribute>`` that defines it, if it is not in the element's own tag.
         self.written_in = written_in
 
     @property
     def span(self) -> Span:
-        """The value where it was written, else the tag."""
+        """Span of the value, or of the tag if the value is not in the source."""
         if self.written_in is not None:
             spans = self.written_in.attribute_spans()
             return spans.get("value", self.written_in.span)
@@ -148,12 +147,12 @@ class Attribute:
 
     @property
     def literal(self) -> bool:
-        """True if the source holds this very value, not an expression that gave it."""
+        """True if the source contains this value, not an expression that yields it."""
         return self.span.text == self.value
 
     @property
     def via(self) -> tuple[Step, ...]:
-        """The calls that led to its element."""
+        """The macro calls and includes that led to its element, outermost first."""
         return self.element.via
 
     @property
@@ -165,7 +164,7 @@ class Attribute:
 
 
 class Element:
-    """An element as it is after expansion."""
+    """An element after expansion."""
 
     __slots__ = ("_number", "attributes", "children", "frame", "parent", "tag", "tag_at", "text")
 
@@ -173,13 +172,13 @@ class Element:
         self, tag: str, tag_at: Tag, parent: Element | None, frame: CallFrame | None = None
     ):
         self.tag = tag  # its name, with the prefix, as written
-        self.tag_at = tag_at  # where it was written
-        self.parent = parent  # the element around it; None for the root
-        self.frame = frame  # the macro call or include that led there, or None
-        self.attributes: dict[str, Attribute] = {}  # by name, in the order of the document
-        self.children: list[Element] = []  # the elements in it
+        self.tag_at = tag_at  # source location
+        self.parent = parent  # None for the root
+        self.frame = frame  # the innermost macro call or include that led there, or None
+        self.attributes: dict[str, Attribute] = {}  # by name, in document order
+        self.children: list[Element] = []
         self.text = ""  # the character data directly in it, joined
-        self._number = 0  # among its siblings of that tag; 0 until somebody asks
+        self._number = 0  # among its siblings with the same tag; 0 until it is computed
 
     @property
     def span(self) -> Span:
@@ -204,7 +203,7 @@ class Element:
         return [child for child in self.children if child.tag == tag]
 
     def walk(self) -> Iterator[Element]:
-        """This element and everything in it, in the order of the document."""
+        """This element and its descendants, in document order."""
         stack = [self]
         while stack:
             element = stack.pop()
@@ -213,9 +212,9 @@ class Element:
 
     @property
     def path(self) -> str:
-        """Its address below the root, such as ``link/arm/visual[2]/geometry/mesh``.
+        """Path from the root, such as ``link/arm/visual[2]/geometry/mesh``.
 
-        Elements with a name are distinguished by it, others by their number from the second on.
+        Elements with a name are identified by it, others by their number from the second on.
         """
         parts: list[str] = []
         element = self
@@ -231,8 +230,8 @@ class Element:
         assert self.parent is not None
         if not self._number:
             counts: dict[str, int] = {}
-            for one in self.parent.children:  # of all at once: there may be many
-                counts[one.tag] = one._number = counts.get(one.tag, 0) + 1
+            for sibling in self.parent.children:  # all at once: there may be many
+                counts[sibling.tag] = sibling._number = counts.get(sibling.tag, 0) + 1
         return f"{self.tag}[{self._number}]" if self._number > 1 else self.tag
 
     def __repr__(self) -> str:
@@ -242,5 +241,5 @@ class Element:
 class Document(Record):
     """An XML document after expansion."""
 
-    root: Element  # its root element
-    sources: tuple[Source, ...]  # every file that was read for it, the checked one first
+    root: Element
+    sources: tuple[Source, ...]  # all files that were read for it, the checked file first

@@ -1,4 +1,4 @@
-"""What a file is: xacro, a launch file, an SRDF, or a part of a robot."""
+"""Detection of file kinds: xacro, launch file, SRDF, or part of a robot."""
 
 import os
 import re
@@ -7,16 +7,16 @@ from urdfkit.text.comments import without_comments
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 
-# Compiled when needed, which is seldom.
+# Compiled when needed, which is rare.
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
 
 
 def is_xacro(source: Source) -> bool:
-    """Decide by content whether a file is xacro.
+    """True if a file is xacro, by its name or its content.
 
-    17 of 676 public models are xacro in a ``.urdf``, and many a plain URDF still declares the
-    namespace of the xacro it once came from, or holds a call that no macro answers any more:
-    URDF parsers ignore those. A file whose name says xacro is taken at its word.
+    17 of 676 public models are xacro in a ``.urdf``, and many plain URDFs still declare the
+    namespace of the xacro they were generated from, or contain a call of a macro that no longer
+    exists: URDF parsers ignore those. A file with ``.xacro`` in its name is always xacro.
     """
     if ".xacro" in os.path.basename(source.path).lower():
         return True
@@ -37,19 +37,19 @@ _LAUNCH = (
 
 
 def is_launch(path: str) -> bool:
-    """True for the names that launch files have."""
+    """True if a file has the name of a launch file."""
     return path.endswith(_LAUNCH)
 
 
 def has_srdf_tags(root: Element) -> bool:
-    """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
+    """True for a semantic description (MoveIt's SRDF), whose root is also ``<robot>``."""
     from urdfkit.text.schema import SRDF_TAGS
 
-    return root.child("link") is None and any(one.tag in SRDF_TAGS for one in root.children)
+    return root.child("link") is None and any(child.tag in SRDF_TAGS for child in root.children)
 
 
 def is_list_of_joints(root: Element) -> bool:
-    """True for joints without links, parents and children: the settings of another program."""
+    """True for joints without links, parents and children: settings of another program."""
     return bool(root.children) and all(
         joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
         for joint in root.children
@@ -57,10 +57,10 @@ def is_list_of_joints(root: Element) -> bool:
 
 
 def is_extension(root: Element) -> bool:
-    """True for joints without a robot's name and links, which a robot includes.
+    """True for a file with joints but neither a robot name nor links, which a robot includes.
 
-    Clearpath's robots include the file that an environment variable names; what is no element
-    of URDF there is a call of a macro.
+    Clearpath's robots include the file that an environment variable names; elements of it that are
+    not URDF are macro calls.
     """
     is_robot = root.get("name") is not None or root.child("link") is not None
     return not is_robot and root.child("joint") is not None

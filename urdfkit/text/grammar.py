@@ -1,7 +1,7 @@
-"""Where a document deviates from URDF's grammar: one walk, shared by the rules URD.
+"""Deviations of a document from URDF's grammar, found in one walk that the rules URD share.
 
-Each deviation belongs to one rule, so nothing is reported twice: a misspelt element that is needed
-is not missing as well, and a shape that URDF does not have is not an unknown element as well.
+Each deviation belongs to one rule, so nothing is reported twice: a misspelt required element is not
+also missing, and an unknown shape is not also an unknown element.
 """
 
 from __future__ import annotations
@@ -17,29 +17,29 @@ from urdfkit.text import urdf_extensions as extensions
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
 
-#: Unknown names of one document that are compared with known ones.
+#: Most unknown names of one document that are compared with known names.
 MAX_UNKNOWN = 1000
 
-#: Without it a simulator leaves out the link, although the grammar does not require it.
-_NEEDED = {"link": ("inertial",)}
+#: Elements that the grammar does not require, but simulators do: they drop a link without inertia.
+_EXPECTED = {"link": ("inertial",)}
 
-#: Similarity from which a word is a typo of what one program adds: they often resemble one another.
+#: Least similarity of a typo of a name from an extension: such names often resemble one another.
 _FOREIGN_TYPO = 0.88
 
 #: Elements whose name must not be empty.
 _NAMED = ("link", "joint")
 
-#: A tab or a line break between two numbers: only then are values looked at as they were typed.
+#: A tab or a line break between two numbers: only then are values compared as they were typed.
 _BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
 
 
 class Deviation(Record):
     """One deviation; which fields are set depends on the rule that reports it."""
 
-    element: Element  # the element that is wrong or lacks something
-    attribute: Attribute | None = None  # that is wrong
-    name: str = ""  # what is missing or expected
-    #: The intended name, or the version of URDF that is needed; empty if unknown.
+    element: Element  # the element that is wrong or incomplete
+    attribute: Attribute | None = None  # the wrong attribute
+    name: str = ""  # the missing or expected name
+    #: The intended name, or the required version of URDF; empty if unknown.
     suggested: str = ""
 
 
@@ -50,8 +50,8 @@ def deviations(
 
     Args:
         document: after expansion.
-        plain: True if the document stands in the file as it is, so that white space in a value
-            reaches URDF parsers as it was typed.
+        plain: True for a file that is not expanded, so that URDF parsers read the white space in a
+            value as it was typed.
         claimed: tags that another rule reports.
     """
     root = document.root
@@ -64,17 +64,17 @@ def deviations(
         element, grammar = stack.pop()
         walk.attributes(element, grammar)
         stack += reversed(walk.children(element, grammar))
-    return walk.found
+    return walk.deviations
 
 
 def calling_macro(element: Element) -> str:
-    """The macro that an element was given to as a block, which inserted it; empty for others."""
+    """Name of the macro that inserted the element, which was passed as a block; empty if none."""
     frame = element.parent.frame if element.parent else None
     return frame.name if frame and frame.kind == "macro" and element.frame is not frame else ""
 
 
 def places_of(element: Element) -> list[str]:
-    """The elements that may hold one of its tag, which is not known where it stands."""
+    """Tags of the elements that may contain a misplaced element."""
     if places := schema.places_of(element.tag):
         return sorted(places)
     place = extensions.place_of(element)
@@ -82,7 +82,7 @@ def places_of(element: Element) -> list[str]:
 
 
 def owner(element: Element) -> str:
-    """The link, joint or material that an element belongs to, such as ``link 'arm'``."""
+    """The link, joint or material that contains an element, such as ``link 'arm'``."""
     while element.parent is not None and element.parent.parent is not None:
         element = element.parent
     name = element.get("name")
@@ -90,7 +90,7 @@ def owner(element: Element) -> str:
 
 
 def version_of(root: Element) -> str:
-    """The version of URDF that a robot declares; 1.0 if it does not say."""
+    """The version of URDF that a robot declares; 1.0 if it declares none."""
     text = root.get("version")
     if text is None:
         return schema.VERSIONS[0]
@@ -108,8 +108,8 @@ def is_number(text: str) -> bool:
     return -inf < value < inf and text.isascii() and "_" not in text and not text[-1].isspace()
 
 
-def _reads(text: str, length: int) -> bool:
-    """True if a value surely is so many numbers; a quick answer for the common case."""
+def _is_plain_vector(text: str, length: int) -> bool:
+    """True if a value certainly is ``length`` numbers; a fast test for the common case."""
     try:
         values = list(map(float, text.split()))
     except ValueError:
@@ -125,17 +125,17 @@ def _reads(text: str, length: int) -> bool:
 
 
 def has_break(text: str) -> bool:
-    """True if a tab or a line break follows a number, where urdfdom wants a space."""
+    """True if a tab or a line break follows a number; urdfdom requires a space."""
     return re.search(r"\S[\t\r\n]", text) is not None
 
 
 def is_expression(text: str) -> bool:
-    """True if xacro should have replaced the value, which is XAC003's finding."""
+    """True if xacro should have replaced the value, which XAC003 reports."""
     return "${" in text or "$(" in text
 
 
 def _is_attribute(child: Element, element: Element, grammar: Grammar) -> bool:
-    """True for the ``<size>`` of a ``<box>``: URD003 reports the attribute that it stands for."""
+    """True for the ``<size>`` of a ``<box>``: URD003 reports the missing attribute instead."""
     rule = grammar.attributes.get(child.tag)
     return rule is not None and rule.required and child.tag not in element.attributes
 
@@ -144,15 +144,15 @@ class _Walk:
     """Collects deviations element by element."""
 
     def __init__(self, root: Element, claimed: Collection[str], breaks: bool) -> None:
-        self.found: dict[str, list[Deviation]] = {}
+        self.deviations: dict[str, list[Deviation]] = {}
         self._root = root
         self._claimed = claimed
         self._breaks = breaks
-        #: Values that were looked at and are right, by their length; most stand often.
-        self._good: dict[int, set[str]] = {length: set() for length in schema.LENGTHS.values()}
-        written = version_of(root)
+        #: Values that were parsed successfully, by their length; most occur often.
+        self._valid: dict[int, set[str]] = {length: set() for length in schema.LENGTHS.values()}
+        declared = version_of(root)
         # An unknown version is one finding, not one for every feature.
-        self._version = written if written in schema.VERSIONS else schema.VERSIONS[-1]
+        self._version = declared if declared in schema.VERSIONS else schema.VERSIONS[-1]
         self._unknown = 0
 
     def _add(
@@ -163,71 +163,71 @@ class _Walk:
         name: str = "",
         suggested: str = "",
     ) -> None:
-        found = Deviation(element, attribute, name, suggested)
-        self.found.setdefault(code, []).append(found)
+        deviation = Deviation(element, attribute, name, suggested)
+        self.deviations.setdefault(code, []).append(deviation)
 
     def attributes(self, element: Element, grammar: Grammar) -> None:
-        """Missing, unknown and unreadable attributes of an element."""
-        written = element.attributes
+        """Report missing, unknown and invalid attributes of an element."""
+        present = element.attributes
         known, missing = 0, []
         for name, rule in grammar.attributes.items():
-            attribute = written.get(name)
+            attribute = present.get(name)
             if attribute is not None:
                 known += 1
                 length = schema.LENGTHS.get(rule.type)
                 if length is None:
                     self._text(attribute, rule)
-                elif attribute.value not in self._good[length] or rule.since > self._version:
+                elif attribute.value not in self._valid[length] or rule.since > self._version:
                     self._value(attribute, rule, length)
             elif rule.required:
                 missing.append(name)
-        if known != len(written):
+        if known != len(present):
             missing = self._unknown_attributes(element, grammar, missing)
         for name in missing:
             self._add("URD003", element, name=name)
         if element.text and not element.text.isspace() and not missing:
             self._add("URD017", element)
-        if grammar.any_of and not any(name in written for name in grammar.any_of):
+        if grammar.any_of and not any(name in present for name in grammar.any_of):
             self._add("URD003", element, name="' or '".join(grammar.any_of))
 
     def _unknown_attributes(
         self, element: Element, grammar: Grammar, missing: list[str]
     ) -> list[str]:
-        """Report unknown attributes; returns what of ``missing`` none of them misspells."""
+        """Report unknown attributes; returns the names in ``missing`` that are not misspelt."""
         for name, attribute in element.attributes.items():
             if name in grammar.attributes or name == "xmlns" or ":" in name:
-                if intended := extensions.intended_of_drake(name, "attributes"):
-                    self._add("URD002", element, attribute, suggested=intended)
+                if suggested := extensions.drake_suggestion(name, "attributes"):
+                    self._add("URD002", element, attribute, suggested=suggested)
                 continue
             if extensions.has_attribute(element.tag, name):
                 continue
             self._unknown += 1
             if self._unknown > MAX_UNKNOWN:
                 break
-            suggested = nearest(
-                name, (key for key in grammar.attributes if element.get(key) is None)
-            ) or nearest(name, extensions.attributes_of(element.tag), _FOREIGN_TYPO)
+            free = [key for key in grammar.attributes if element.get(key) is None]
+            foreign = extensions.attributes_of(element.tag)
+            suggested = nearest(name, free) or nearest(name, foreign, _FOREIGN_TYPO) or ""
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
                 self._add("URD003", element, attribute, suggested, suggested)
             else:
-                self._add("URD002", element, attribute, suggested=suggested or "")
+                self._add("URD002", element, attribute, suggested=suggested)
         return missing
 
     def version_number(self) -> None:
-        """A version that not every parser reads."""
+        """Report a version that not every parser supports."""
         attribute = self._root.attributes.get("version")
         version = version_of(self._root)
         if attribute is not None and version != schema.VERSIONS[0]:
             self._add("URD011", self._root, attribute)
 
     def _value(self, attribute: Attribute, rule: AttributeRule, length: int) -> None:
-        """A value that is no number, or too few or too many of them."""
+        """Report a value that is not a number, or has the wrong count of numbers."""
         text = attribute.value
         if rule.since > self._version:
             self._add("URD011", attribute.element, attribute, suggested=rule.since)
-        elif _reads(text, length) and not self._breaks:
-            self._good[length].add(text)
+        elif _is_plain_vector(text, length) and not self._breaks:
+            self._valid[length].add(text)
         elif not is_expression(text):
             parts = [part for part in text.split(" ") if part]
             if (
@@ -239,7 +239,7 @@ class _Walk:
                 self._add("URD005", attribute.element, attribute, rule.type)
 
     def _text(self, attribute: Attribute, rule: AttributeRule) -> None:
-        """A link or joint without a name, a value that is none of the words that are known."""
+        """Report an empty name of a link or joint, or a value that is not an allowed word."""
         element, text = attribute.element, attribute.value
         if attribute.name == "name" and element.tag in _NAMED and not text.strip():
             self._add("URD003", element, attribute, attribute.name)
@@ -247,8 +247,8 @@ class _Walk:
             self._add("URD005", element, attribute, rule.type)
 
     def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
-        """Missing, unknown and repeated children; those that are read and have a grammar."""
-        seen: dict[str, Element] = {}
+        """Report missing, unknown and repeated children; returns the children with a grammar."""
+        first: dict[str, Element] = {}
         inner: list[tuple[Element, Grammar]] = []
         unknown: list[Element] = []
         for child in element.children:
@@ -256,33 +256,33 @@ class _Walk:
             known = grammar.children.get(tag)
             if known is None:
                 if ":" in tag:
-                    self._of_drake(child)
+                    self._drake_elements(child)
                     continue
                 if not extensions.has_element(element.tag, tag):
                     unknown.append(child)
                     continue
                 known = extensions.grammar_of(element.tag, tag) or schema.ANYTHING
             if not known.open:
-                if tag in seen and tag not in grammar.many:
+                if tag in first and tag not in grammar.many:
                     self._add("URD007", child)
                 else:
                     inner.append((child, known))
-            seen.setdefault(tag, child)
-        missing = [tag for tag in grammar.required if tag not in seen]
+            first.setdefault(tag, child)
+        missing = [tag for tag in grammar.required if tag not in first]
         if grammar.choice:
             unknown = self._choice(element, grammar, unknown)
             del inner[1:]
         if unknown:
-            missing = self._unknown_children(element, grammar, unknown, missing, seen)
+            missing = self._unknown_children(element, grammar, unknown, missing, first)
         for tag in missing:
             self._add("URD004", element, name=tag)
         return inner
 
-    def _of_drake(self, element: Element) -> None:
-        """Misspelt elements of Drake, which ignores them without a message."""
+    def _drake_elements(self, element: Element) -> None:
+        """Report misspelt elements of Drake, which ignores them without a message."""
         for inner in element.walk() if element.tag.startswith("drake:") else ():
-            if intended := extensions.intended_of_drake(inner.tag):
-                self._add("URD001", inner, suggested=intended)
+            if suggested := extensions.drake_suggestion(inner.tag):
+                self._add("URD001", inner, suggested=suggested)
 
     def _unknown_children(
         self,
@@ -290,17 +290,17 @@ class _Walk:
         grammar: Grammar,
         unknown: list[Element],
         missing: list[str],
-        seen: Collection[str],
+        present: Collection[str],
     ) -> list[str]:
-        """Report unknown children; returns what of ``missing`` none of them misspells."""
+        """Report unknown children; returns the tags in ``missing`` that are not misspelt."""
         unknown = [child for child in unknown if not _is_attribute(child, element, grammar)]
-        free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
-        needed = [*missing, *_NEEDED.get(element.tag, ())]
-        reported = {self._unknown_element(child, free, needed) for child in unknown}
+        free = [tag for tag in grammar.children if tag not in present or tag in grammar.many]
+        expected = [*missing, *_EXPECTED.get(element.tag, ())]
+        reported = {self._unknown_element(child, free, expected) for child in unknown}
         return [tag for tag in missing if tag not in reported]
 
     def _choice(self, element: Element, grammar: Grammar, unknown: list[Element]) -> list[Element]:
-        """Parsers read the first child only; returns what is left of ``unknown``."""
+        """Report extra children, of which parsers read the first only; returns other unknowns."""
         first, *others = [child for child in element.children if ":" not in child.tag] or [element]
         if known := grammar.children.get(first.tag):
             if known.since > self._version:
@@ -318,8 +318,8 @@ class _Walk:
             self._add("URD004", first)
         return [child for child in unknown if child is not first]
 
-    def _unknown_element(self, child: Element, free: list[str], needed: list[str]) -> str:
-        """Report an unknown element; returns the needed one that it misspells, or nothing."""
+    def _unknown_element(self, child: Element, free: list[str], expected: list[str]) -> str:
+        """Report an unknown element; returns the expected tag that it misspells, or nothing."""
         tag = child.tag
         self._unknown += 1
         if self._unknown > MAX_UNKNOWN or tag in self._claimed:
@@ -333,9 +333,9 @@ class _Walk:
             foreign = extensions.elements_in(child.parent.tag)
             suggested = nearest(tag, free, TYPO) or nearest(tag, foreign, _FOREIGN_TYPO) or ""
             if not suggested and calling_macro(child):
-                # A macro distinguishes its blocks by such names, and inserts them as named.
+                # A macro may name its blocks so, and inserts them under these names.
                 suggested = next((word for word in tag.split("_") if word in free), "")
-            needed_one = suggested if suggested in needed else ""
-            self._add("URD001", child, name=needed_one, suggested=suggested)
-            return needed_one
+            name = suggested if suggested in expected else ""
+            self._add("URD001", child, name=name, suggested=suggested)
+            return name
         return ""

@@ -1,7 +1,7 @@
-"""YAML whose values know their places.
+"""YAML values with source locations.
 
-It is read from the parser's events, without recursion and without aliases: files of parameters
-have a few levels, and what is deeper is no such file.
+They are built from the parser's events, without recursion and without aliases: parameter files
+have few levels, and a deeper file is not one.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from typing import Any, TypeAlias
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
 
-#: Larger files are no lists of parameters.
+#: Larger files are not parameter files.
 MAX_BYTES = 1024 * 1024
 MAX_LEVELS = 30
-#: Files whose values are kept: the launch files of a workspace name the same ones again and again.
-KEPT = 64
+#: Files whose values are cached: the launch files of a workspace refer to the same files often.
+CACHE_SIZE = 64
 
 
 class Value(Record):
-    """A scalar, the lines and columns of its ends, from 0, and its tag, such as ``!degrees``."""
+    """A scalar, with line and column of its start and end, from 0, and its tag (``!degrees``)."""
 
     text: str
     source: Source
@@ -31,13 +31,13 @@ class Value(Record):
 
     @property
     def span(self) -> Span:
-        """Its place, counted when it is asked for: the lines of a hostile file are long."""
+        """Source location, computed on demand: the lines of a hostile file are long."""
         start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:4])
         return Span(self.source, start, end)
 
 
 class Key(str):
-    """A key of a mapping, which knows its place."""
+    """A key of a mapping, with its source location."""
 
     __slots__ = ("at",)
     at: Value
@@ -51,12 +51,12 @@ class Key(str):
 Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def load(source: Source) -> Node:
-    """The value of a file, which several may read and none may change; None if it is not YAML."""
+    """The value of a file, shared and not to be changed; None if it is not YAML."""
     if len(source.data) > MAX_BYTES:
         return None
-    import yaml  # 15 ms, and few models name a file of parameters
+    import yaml  # 15 ms, and few models refer to a parameter file
 
     loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
@@ -66,19 +66,19 @@ def load(source: Source) -> Node:
 
 
 def mapping(node: Node, *keys: str) -> dict[str, Node]:
-    """The mapping at some keys, one below the other; empty where there is none."""
+    """The mapping at a path of keys; empty if there is none."""
     for key in keys:
         node = node.get(key) if isinstance(node, dict) else None
     return node if isinstance(node, dict) else {}
 
 
 def scalars(node: Node) -> list[Value]:
-    """The scalars of a list; none where there is no list."""
-    return [one for one in node if isinstance(one, Value)] if isinstance(node, list) else []
+    """The scalars of a list; empty if the node is not a list."""
+    return [item for item in node if isinstance(item, Value)] if isinstance(node, list) else []
 
 
 def _compose(source: Source, events: Iterable[Any]) -> Node:
-    """The value that events make; None where it is too deep.
+    """The value of a stream of events; None if it is too deep.
 
     Raises:
         yaml.YAMLError: it is not YAML.
@@ -86,8 +86,8 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
     import yaml
 
     top: list[Node] = []
-    stack: list[Node] = [top]  # the collections that are open
-    keys: list[str | None] = [None]  # of each, the key that waits for its value
+    stack: list[Node] = [top]  # the open collections
+    keys: list[str | None] = [None]  # the pending key of each open collection
     for event in events:
         if isinstance(event, yaml.DocumentEndEvent):
             break
@@ -107,7 +107,7 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
 
 
 def _add(owner: Node, key: str | None, node: Node) -> str | None:
-    """Add a node to the collection that it is in; the key that waits for a value then."""
+    """Add a node to its collection; returns the key that is pending then."""
     if isinstance(owner, list):
         owner.append(node)
     elif isinstance(owner, dict) and key is None:
@@ -118,7 +118,7 @@ def _add(owner: Node, key: str | None, node: Node) -> str | None:
 
 
 def _continued(owner: Node, key: str | None, node: Node) -> Node:
-    """The mapping to fill: a key that comes again, such as ``/**``, goes on, as ROS 2 reads it."""
+    """The mapping to fill: mappings of a repeated key, such as ``/**``, are merged as in ROS 2."""
     if isinstance(owner, dict) and isinstance(node, dict) and key is not None:
         before = owner.get(key)
         return before if isinstance(before, dict) else node
@@ -133,9 +133,9 @@ def _key(node: Node) -> str:
     return key
 
 
-@lru_cache(KEPT)
-def mistake(source: Source) -> tuple[Span, str] | None:
-    """Where and why a file is no YAML; None if it is."""
+@lru_cache(CACHE_SIZE)
+def syntax_error(source: Source) -> tuple[Span, str] | None:
+    """Location and message of the first syntax error; None if the file is valid YAML."""
     if len(source.data) > MAX_BYTES:
         return None
     import yaml

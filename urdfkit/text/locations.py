@@ -1,4 +1,4 @@
-"""Places as JSON: what ``urdfkit expand --map`` writes, and one address for every element."""
+"""Source locations as JSON, for ``urdfkit expand --map``, and elements by their address."""
 
 from typing import Any
 
@@ -11,18 +11,17 @@ VERSION = 1
 
 
 class NoSuchElement(UrdfkitError):
-    """An address that leads to no element or attribute."""
+    """No element or attribute has the address."""
 
 
 def place_map(document: Document) -> dict[str, Any]:
-    """Where every element of a document was written, and the calls that led there.
+    """Source location of every element of a document, and the calls that led there.
 
     Returns:
         ``{"version", "elements": [{"element", "path", "line", "column", "literal", "via"}]}``, in
-        the order of the document; ``literal`` names the attributes whose text in the file is their
-        value.
+        document order; ``literal`` lists the attributes whose text in the file is their value.
     """
-    return {"version": VERSION, "elements": [_element(e) for e in document.root.walk()]}
+    return {"version": VERSION, "elements": list(map(_element, document.root.walk()))}
 
 
 def _element(element: Element) -> dict[str, Any]:
@@ -47,7 +46,7 @@ def find(document: Document, address: str) -> Element | Attribute:
     """The element or attribute at an address such as ``link/arm/inertial/inertia@ixx``.
 
     Raises:
-        NoSuchElement: with the nearest address.
+        NoSuchElement: the message contains the nearest address.
     """
     path, at, name = address.partition("@")
     elements = {element.path: element for element in reversed(list(document.root.walk()))}

@@ -1,7 +1,7 @@
-"""Markdown that several outputs need: plain text, tables, and a text that fits a comment.
+"""Markdown for several outputs: escaped text, tables, and a text that fits a comment.
 
-The words of a robot's file come from anybody: whatever would be markup, a mention or a link is
-shown as the characters it is made of.
+The text of a robot's file is not trusted: markup, mentions and links in it are shown as plain
+characters.
 """
 
 import re
@@ -9,24 +9,24 @@ from collections.abc import Iterable, Sequence
 
 from urdfkit.text.terminal import printable
 
-#: Characters that a comment on GitHub may have; GitLab and Gitea allow more.
+#: Most characters of a comment on GitHub; GitLab and Gitea allow more.
 MAX_CHARACTERS = 65_536
 _MORE = f"\n_Cut to {MAX_CHARACTERS} characters; the JSON has everything._\n"
-#: Characters of a message, a path or a help text.
+#: Most characters of a message, a path or a help text.
 MAX_TEXT = 600
 
-#: What Markdown, HTML and formulas are made of, and the colon of an address.
-_SIGN = re.compile(r"[&<>|\\`*_{}\[\]~$]|:(?=//)")
-#: Mentions, issues and bare addresses are found in the text after markup: they are broken up.
-_FOUND_LATER = re.compile(r"(?<=[@#])(?=\w)|(?<=\bwww)(?=\.)")
+#: Special characters of Markdown, HTML and formulas, and the colon of a URL.
+_SPECIAL = re.compile(r"[&<>|\\`*_{}\[\]~$]|:(?=//)")
+#: Mentions, issues and bare URLs, which are recognised after markup: they are broken up.
+_AUTOLINK = re.compile(r"(?<=[@#])(?=\w)|(?<=\bwww)(?=\.)")
 
 
 def escape(text: str) -> str:
-    """A text on one line that Markdown shows as it is."""
+    """A text on one line, escaped so that Markdown shows it unchanged."""
     text = printable(text)
     if len(text) > MAX_TEXT:
         text = text[:MAX_TEXT] + " ..."
-    return _FOUND_LATER.sub("&#8203;", _SIGN.sub(r"\\\g<0>", text))
+    return _AUTOLINK.sub("&#8203;", _SPECIAL.sub(r"\\\g<0>", text))
 
 
 def code(text: str) -> str:
@@ -35,13 +35,13 @@ def code(text: str) -> str:
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table; its cells are escaped already."""
+    """A table of cells that are already escaped."""
     lines = [header, ["---"] * len(header), *rows]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def fitted(sections: Iterable[str]) -> str:
-    """Sections with an empty line between them, cut at a line after MAX_CHARACTERS."""
+    """Sections separated by empty lines, cut at a line end to MAX_CHARACTERS."""
     text = "\n".join(sections)
     if len(text) <= MAX_CHARACTERS:
         return text

@@ -1,35 +1,35 @@
-"""Python files of others as syntax trees: they are read, and never run."""
+"""Syntax trees of Python files of a workspace, which are never run."""
 
 import ast
 import warnings
 from functools import lru_cache
 
-#: Files whose trees are kept: launch files include the same ones again and again.
-KEPT = 64
+#: Files whose trees are cached: launch files include the same files often.
+CACHE_SIZE = 64
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
-    """The syntax tree of a Python file, which several may read and none may change.
+    """The syntax tree of a Python file, shared and not to be changed.
 
     Raises:
-        SyntaxError: it is no Python, or nested too deeply to be read.
+        SyntaxError: it is not Python, or nested too deeply.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # about its style
+        warnings.simplefilter("ignore")  # about style
         try:
             return ast.parse(text, path)
         except (ValueError, RecursionError, MemoryError) as error:
             raise SyntaxError(str(error) or type(error).__name__) from error
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
-    """All nodes of a file, as `ast.walk` finds them."""
+    """All nodes of a file, in the order of `ast.walk`."""
     return tuple(ast.walk(tree))
 
 
 def string(node: ast.expr | None) -> str | None:
-    """The text of a string that is written out; None for anything else."""
+    """The value of a string literal; None for any other expression."""
     value = node.value if isinstance(node, ast.Constant) else None
     return value if isinstance(value, str) else None

@@ -1,10 +1,10 @@
-"""URDF's grammar as data: which elements and attributes there are, how often, of which type.
+"""URDF's grammar as data: the elements and attributes, their number and their types.
 
 Sources: the URDF specification of the ROS wiki (http://wiki.ros.org/urdf/XML), urdfdom's
-``xsd/urdf.xsd`` and README, and what its ``check_urdf`` 3.0.1 and 6.0.0 accept when they are tried.
-Only ``<link>``, ``<joint>`` and ``<material>`` subtrees have a grammar here; ``<gazebo>``,
-``<transmission>`` and ``<ros2_control>`` have their own families of rules. What another program
-adds to URDF without a prefix (Bullet, MuJoCo, Drake) is in ``catalog/urdf_extensions.json``.
+``xsd/urdf.xsd`` and README, and experiments with its ``check_urdf`` 3.0.1 and 6.0.0. Only
+``<link>``, ``<joint>`` and ``<material>`` subtrees have a grammar here; ``<gazebo>``,
+``<transmission>`` and ``<ros2_control>`` have their own families of rules. Elements that other
+programs (Bullet, MuJoCo, Drake) add to URDF without a prefix are in ``urdf_extensions.json``.
 """
 
 from __future__ import annotations
@@ -23,30 +23,30 @@ XYZ = "x y z"
 RGBA = "red green blue alpha"
 QUATERNION = "x y z w"
 
-#: How many numbers an attribute has. One scale for all three axes is rejected, too.
+#: Number of values of an attribute. A single scale for all three axes is rejected, too.
 LENGTHS = {FLOAT: 1, XYZ: 3, RGBA: 4, QUATERNION: 4}
 
-#: The versions that ``<robot version>`` may name, oldest first; without one it is the first.
+#: The valid values of ``<robot version>``, oldest first; the first is the default.
 VERSIONS = ("1.0", "1.1", "1.2")
 
 
 class AttributeRule(Record):
-    """What an attribute holds."""
+    """Type and version of an attribute."""
 
-    type: str  # one of the constants above, or the words of which it is one: ``true|false``
+    type: str  # one of the constants above, or the allowed words: ``true|false``
     required: bool = False  # True if parsers reject the element without it
     since: str = VERSIONS[0]  # the first URDF version that has it
 
 
 class Grammar(Record):
-    """What an element may hold."""
+    """Attributes and children of an element."""
 
     attributes: dict[str, AttributeRule]  # by name
     children: dict[str, Grammar]  # by tag, the grammar of each
     required: tuple[str, ...] = ()  # tags that must occur
     many: tuple[str, ...] = ()  # tags that may occur more than once
-    open: bool = False  # True if anything else may stand here too
-    choice: bool = False  # True if exactly one of the children stands here, and first
+    open: bool = False  # True if any other content is allowed
+    choice: bool = False  # True if exactly one of the children is required, as the first child
     any_of: tuple[str, ...] = ()  # attributes of which at least one is required
     since: str = VERSIONS[0]  # the first URDF version that has the element
 
@@ -136,7 +136,7 @@ JOINT_GRAMMAR = Grammar(
             {},
             any_of=("damping", "friction"),
         ),
-        # effort and velocity: JNT002 knows for which types they are required.
+        # JNT002 checks for which joint types effort and velocity are required.
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
             # URDF 1.2, and ignored in older versions
@@ -179,9 +179,9 @@ ROBOT = Grammar(
     many=("link", "joint", "material"),
 )
 
-#: Tags that Gazebo reads in a ``<gazebo>`` block and nowhere else. Source: what sdformat's URDF
-#: converter handles by name, and the children that SDF's ``<link>``, ``<joint>`` and ``<model>``
-#: have besides those of URDF.
+#: Tags that Gazebo reads only in a ``<gazebo>`` block. Source: the names that sdformat's URDF
+#: converter handles, and the children of SDF's ``<link>``, ``<joint>`` and ``<model>`` that URDF
+#: does not have.
 GAZEBO_TAGS = frozenset(
     "mu1 mu2 fdir1 kp kd maxVel minDepth maxContacts laserRetro selfCollide turnGravityOff "
     "dampingFactor canonicalBody static stopCfm stopErp cfmDamping fudgeFactor provideFeedback "
@@ -190,13 +190,13 @@ GAZEBO_TAGS = frozenset(
     "velocity_decay sensor plugin light projector pose surface friction".split()
 )
 
-#: Elements of SRDF, which has the root element of URDF.
+#: Elements of SRDF, which has the same root element as URDF.
 SRDF_TAGS = frozenset(
     "group group_state end_effector virtual_joint passive_joint disable_collisions "
     "disable_default_collisions enable_collisions link_sphere_approximation joint_property".split()
 )
 
-#: Tags of xacro, which do nothing without their prefix, and the attribute that each has.
+#: Tags of xacro, which have no effect without their prefix, and the required attribute of each.
 XACRO_TAGS = {
     "include": "filename",
     "property": "name",
@@ -209,7 +209,7 @@ XACRO_TAGS = {
 
 
 def elements() -> Iterator[tuple[str, Grammar]]:
-    """The tags of URDF with their grammars, from ``<robot>`` down; one may come several times."""
+    """All tags of URDF with their grammars, from ``<robot>`` down; tags may repeat."""
     stack = [("robot", ROBOT)]
     while stack:
         tag, grammar = stack.pop()
@@ -218,12 +218,12 @@ def elements() -> Iterator[tuple[str, Grammar]]:
 
 
 def places_of(tag: str) -> list[str]:
-    """The elements that may hold a tag, such as ``visual`` for ``material``."""
+    """Tags of the elements that may contain a tag, such as ``visual`` for ``material``."""
     return list(dict.fromkeys(place for place, grammar in elements() if tag in grammar.children))
 
 
 def numeric_attributes() -> frozenset[str]:
-    """The attributes that hold numbers, in whichever element."""
+    """Names of all attributes with numeric values, of any element."""
     return frozenset(
         name
         for _, grammar in elements()

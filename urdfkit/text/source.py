@@ -1,4 +1,4 @@
-"""Bytes and places in them."""
+"""Text files and locations in them."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 
-#: Text files over this size are rejected: no robot needs it, and a hostile one would.
+#: Larger text files are rejected: no robot needs them, but a hostile one could.
 MAX_BYTES = 64 * 1024 * 1024
-#: The path of what comes in through standard input, unless the user names its file.
+#: The path of a text from standard input, unless the user names its file.
 STANDARD_INPUT = "<stdin>"
 
-# Patterns of the ordinary check are compiled when they are needed: each takes 0.1 ms of 40.
+# Compiled when needed: each pattern takes 0.1 ms of the 40 ms of an ordinary check.
 _DECLARED = rb"""^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([A-Za-z0-9._-]+)["']"""
-#: Codecs of Python that are no encodings of XML; some take quadratic time.
-_CODES = frozenset("idna punycode raw_unicode_escape undefined unicode_escape".split())
+#: Codecs of Python that are not encodings of XML; some take quadratic time.
+_NON_XML_CODECS = frozenset("idna punycode raw_unicode_escape undefined unicode_escape".split())
 _BYTE_ORDER_MARKS = (
     (b"\xef\xbb\xbf", "utf-8-sig"),
     (b"\xff\xfe\x00\x00", "utf-32"),
     (b"\x00\x00\xfe\xff", "utf-32"),
     (b"\xff\xfe", "utf-16"),
     (b"\xfe\xff", "utf-16"),
-    (b"<\0", "utf-16-le"),  # without a mark, as expat would guess, too
+    (b"<\0", "utf-16-le"),  # without a mark, as expat detects it too
     (b"\0<", "utf-16-be"),
 )
 
 
 class Source:
-    r"""One text file: where it is, its text as UTF-8 bytes, and its lines.
+    r"""A text file: its path, its text as UTF-8 bytes, and its lines.
 
     A file in another encoding is converted once, here, so that every offset in the
     program counts bytes of ``data``.
@@ -45,9 +45,9 @@ class Source:
     r.urdf:2:15
 
     Attributes:
-        path: as the user or the file that includes it wrote it.
+        path: as the user or the including file wrote it.
         data: the text in UTF-8, without a byte-order mark.
-        encoding: that of the file on disk.
+        encoding: of the file on disk.
         undecodable: offset in ``data`` of the first byte that is not text, or None.
     """
 
@@ -62,7 +62,7 @@ class Source:
         self._is_ascii: bool | None = None
 
     def __getstate__(self) -> tuple[None, dict[str, object]]:
-        """What other processes are sent: no index of lines, which is longer than the text."""
+        """The state for other processes, without the line index, which is longer than the text."""
         state = {name: getattr(self, name) for name in self.__slots__ if name != "__weakref__"}
         return None, {**state, "_starts": None, "_is_ascii": None}
 
@@ -86,7 +86,7 @@ class Source:
 
     @classmethod
     def of(cls, file: str | os.PathLike[str] | Source) -> Source:
-        """What has been read already, or a file, which is read now.
+        """A source that is already read, or the source of a file, which is read now.
 
         Raises:
             UnreadableFile: it is missing, a directory, too large, or may not be opened.
@@ -107,11 +107,11 @@ class Source:
                 data.decode("utf-8")
             except UnicodeDecodeError as error:
                 self.undecodable = error.start
-                # One byte for one byte, so that all other places stay true.
+                # Each byte is replaced by one byte, so that all other offsets stay valid.
                 return data[: error.start] + _ascii_only(data[error.start :])
             return data
         try:
-            if self.encoding.replace("-", "_") in _CODES:
+            if self.encoding.replace("-", "_") in _NON_XML_CODECS:
                 raise LookupError(self.encoding)
             return data.decode(self.encoding).encode("utf-8")
         except UnicodeError as error:
@@ -121,7 +121,7 @@ class Source:
         return _ascii_only(data)
 
     def position(self, offset: int) -> tuple[int, int]:
-        """The line and the column of a byte, both from 1; the column counts characters."""
+        """Line and column of an offset, both from 1; the column counts characters."""
         starts = self._line_starts()
         line = bisect_right(starts, offset)
         start = starts[line - 1]
@@ -132,19 +132,19 @@ class Source:
         return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
 
     def offset(self, line: int, column: int) -> int:
-        """The byte at a line and a column, both from 1; the nearest there is."""
+        """Offset of a line and column, both from 1; the nearest valid one."""
         starts = self._line_starts()
         line = min(max(line, 1), len(starts))
         before = self.line(line)[: max(column - 1, 0)]
         return min(starts[line - 1] + len(before.encode()), len(self.data))
 
     def line(self, number: int) -> str:
-        """The text of a line, counted from 1, without its line end."""
+        """The text of a line, numbered from 1, without its line end."""
         start, end = self.line_bounds(number)
         return self.data[start:end].decode("utf-8", "replace").rstrip("\r\n")
 
     def line_bounds(self, number: int) -> tuple[int, int]:
-        """Where a line, counted from 1, begins, and where the next one does."""
+        """Offsets of the start of a line, numbered from 1, and of the next line."""
         starts = self._line_starts()
         return starts[number - 1], starts[number] if number < len(starts) else len(self.data)
 
@@ -153,7 +153,7 @@ class Source:
             lines = self.data.splitlines(keepends=True)
             self._starts = [0, *accumulate(map(len, lines))]
             if lines and not lines[-1].endswith((b"\n", b"\r")):
-                self._starts.pop()  # no line begins at the end of the file
+                self._starts.pop()  # the end of the file does not start a line
         return self._starts
 
     def __repr__(self) -> str:
@@ -161,13 +161,13 @@ class Source:
 
 
 def why_unreadable(path: str, error: OSError) -> str:
-    """Why a file could not be opened, and what to do."""
+    """Why a file could not be opened, and how to fix it."""
     if disk.is_directory(path):
         return "is a directory; name a file in it"
     if isinstance(error, PermissionError):
-        return "may not be read; see its permissions"
+        return "is not readable; check its permissions"
     if error.errno == ELOOP:
-        return "is a link that leads back to itself"
+        return "is a symbolic link to itself"
     if not isinstance(error, FileNotFoundError):
         return error.strerror or str(error)
     directory, name = os.path.split(path)
@@ -175,9 +175,9 @@ def why_unreadable(path: str, error: OSError) -> str:
         siblings = disk.names(directory or ".")
     except OSError:
         return f"no such directory '{directory}'"
-    # By stems: what ends in '.urdf' is similar anyway.
-    alike = [other for other in siblings if nearest(_stem(name), [_stem(other)])]
-    suggested = nearest(name, alike, cutoff=0)
+    # Stems are compared: names that end in '.urdf' are similar anyway.
+    similar = [other for other in siblings if nearest(_stem(name), [_stem(other)])]
+    suggested = nearest(name, similar, cutoff=0)
     return "file not found" + (f"; did you mean '{suggested}'?" if suggested else "")
 
 
@@ -190,7 +190,7 @@ def _ascii_only(data: bytes) -> bytes:
 
 
 class Span(Record):
-    """A piece of a source: bytes ``start`` to ``end``."""
+    """A range of a source: bytes ``start`` to ``end``."""
 
     source: Source
     start: int
@@ -217,16 +217,16 @@ class Span(Record):
 
 
 def shown(path: str) -> str:
-    """A path as people and programs are shown it, wherever a report or a message names a file.
+    """A path as reports and messages show it.
 
-    It is relative to the current directory if the file lies in it, else absolute.
+    It is relative to the current directory if the file is in it, otherwise absolute.
 
     >>> shown(os.path.abspath("README.md")), shown("./README.md"), shown("/etc/hosts")
     ('README.md', 'README.md', '/etc/hosts')
     """
     try:
         relative = os.path.relpath(path)
-    except (OSError, ValueError):  # the current directory is gone; another drive
+    except (OSError, ValueError):  # the current directory is deleted; another drive
         return path
     is_outside = relative == os.pardir or relative.startswith(os.path.join(os.pardir, ""))
     return os.path.abspath(path) if is_outside else relative
@@ -238,20 +238,26 @@ def shown_text(text: str) -> str:
         return text
     try:
         return without_directory(text, os.getcwd())
-    except OSError:  # the current directory is gone
+    except OSError:  # the current directory is deleted
         return text
 
 
 def without_directory(text: str, directory: str, instead: str = "") -> str:
-    """A text whose absolute paths in a directory begin at this directory.
+    """A text in which absolute paths below a directory are made relative to it.
 
     >>> without_directory("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
     'tried arm/a.stl and /opt/ws/a.stl'
+    >>> without_directory("searched /ws, /ws/arm", "/ws")
+    'searched ., arm'
     >>> without_directory("file:///ws/arm/a.stl", "/ws")
     'arm/a.stl'
     """
-    prefix = os.path.join(directory, "")
-    if prefix not in text or os.path.dirname(directory) == directory:
+    if directory not in text or os.path.dirname(directory) == directory:
         return text
-    text = re.sub(rf"\bfile:/*(?={re.escape(prefix)})", "", text)
-    return re.sub(rf"(?<![\w./\\-]){re.escape(prefix)}", lambda _: instead, text)
+    prefix = re.escape(os.path.join(directory, ""))
+    # Install commands keep their paths, and pages their end tags and base64 data.
+    text = re.sub(rf"(?<!@ )\bfile:/*(?={prefix})", "", text)
+    before = r"(?<!-e \")(?<![\w./\\<+-])"
+    text = re.sub(before + prefix, lambda _: instead, text)
+    itself = re.escape(directory) + r"(?![\w/\\-]|\.\w)"
+    return re.sub(before + itself, lambda _: instead.rstrip("/") or ".", text)

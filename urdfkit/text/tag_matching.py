@@ -1,4 +1,4 @@
-"""Matches end tags to start tags in a text where some are missing, wrong or one too many."""
+"""Matching of end tags to start tags in a text where some are missing, wrong or superfluous."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ from urdfkit.core.record import Record
 from urdfkit.core.words import few
 
 MAX_ERRORS = 100
-#: Tags that are compared to distinguish a missing end tag from one too many.
+#: Tags that are compared to distinguish a missing end tag from a superfluous one.
 LOOK_AHEAD = 10_000
-#: Tags before an end tag in which its start tag is looked for: the body of a macro is long.
+#: Tags before an end tag that are searched for its start tag: the body of a macro is long.
 LOOK_BACK = 2000
 
 
 class SyntaxMistake(Record):
-    """One error of syntax."""
+    """One syntax error."""
 
-    #: start and end: bytes of the text that are wrong; equal where something is missing.
+    #: start and end: offsets of the wrong bytes; equal if something is missing.
     start: int
     end: int
-    message: str  # what is wrong
-    #: Other places that explain it, as (start, end, message).
+    message: str
+    #: Other locations that explain it, as (start, end, message).
     notes: tuple[tuple[int, int, str], ...] = ()
-    trailing: bool = False  # True for what follows the end of the root element
-    help: str = ""  # what to do; empty where the message says it
-    #: Texts that put it right, as (start, end, text); empty where they are not known.
+    trailing: bool = False  # True for content after the end of the root element
+    help: str = ""  # how to fix it; empty if the message says it
+    #: Edits that fix it, as (start, end, text); empty if unknown.
     fix: tuple[tuple[int, int, str], ...] = ()
 
 
 class TagToken(Record):
-    """A tag or a text; ``kind`` is ``open``, ``empty``, ``close``, ``text``, or ``unsure``.
+    """A tag or a text; ``kind`` is ``open``, ``empty``, ``close``, ``text``, or ``unfinished``.
 
-    Unsure is a start tag whose end is missing: it may have been meant as an empty element.
+    ``unfinished`` is a start tag without ``>``: it may be intended as an empty element.
     """
 
     kind: str
@@ -45,8 +45,6 @@ class TagToken(Record):
 
 
 class TagMatching:
-    """Matches end tags to start tags."""
-
     def __init__(
         self, data: bytes, tags: list[TagToken], mistakes: list[SyntaxMistake], *, cut_off: bool
     ) -> None:
@@ -56,16 +54,16 @@ class TagMatching:
         self._cut_off = cut_off
         self._open: list[TagToken] = []
         self._counts: dict[str, int] = {}
-        self._late: dict[str, int] = {}  # reported as not closed; their end tag may still come
+        self._unclosed: dict[str, int] = {}  # reported as such; their end tag may still follow
         self._root: TagToken | None = None
 
     def run(self) -> None:
         for number, tag in enumerate(self._tags):
             if len(self._mistakes) >= MAX_ERRORS:
                 return
-            if not self._open and tag.kind != "close" and not self._outside(tag):
+            if not self._open and tag.kind != "close" and not self._outside_root(tag):
                 return
-            if tag.kind in ("open", "unsure"):
+            if tag.kind in ("open", "unfinished"):
                 self._push(tag)
             elif tag.kind == "close":
                 self._close(number, tag)
@@ -74,8 +72,8 @@ class TagMatching:
     def _add(self, at: tuple[int, int], message: str, *notes: tuple[int, int, str]) -> None:
         self._mistakes.append(SyntaxMistake(*at, message, notes))
 
-    def _outside(self, tag: TagToken) -> bool:
-        """Something outside of any element; False if what follows makes no sense any more."""
+    def _outside_root(self, tag: TagToken) -> bool:
+        """Handle content outside of the root element; False if matching must stop there."""
         if self._root is None:
             if tag.kind == "text":
                 start, end = _stripped(self._data, tag)
@@ -85,9 +83,9 @@ class TagMatching:
             return True
         name = self._root.name
         start, end = _stripped(self._data, tag) if tag.kind == "text" else (tag.start, tag.end)
-        what = "text" if tag.kind == "text" else f"<{tag.name}>"
+        content = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
-        message = f"{what} after the end of <{name}>"
+        message = f"{content} after the end of <{name}>"
         self._mistakes.append(SyntaxMistake(start, end, message, (note,), trailing=True))
         return False
 
@@ -101,52 +99,54 @@ class TagMatching:
         return tag
 
     def _close(self, number: int, tag: TagToken) -> None:
-        known = self._counts.get(tag.name, 0) > 0
-        while self._open and self._open[-1].kind == "unsure" and self._open[-1].name != tag.name:
+        is_open = self._counts.get(tag.name, 0) > 0
+        while (
+            self._open and self._open[-1].kind == "unfinished" and self._open[-1].name != tag.name
+        ):
             self._pop()
         if self._open and self._open[-1].name == tag.name:
             self._pop()
         elif not self._open:
             self._stray(number, tag)
-        elif known:
-            self._not_the_innermost(number, tag)
+        elif is_open:
+            self._close_outer(number, tag)
         elif self._next_unmatched(number) == self._open[-1].name:
             self._stray(number, tag)
         else:
-            self._instead(tag)
+            self._mismatched(tag)
 
-    def _not_the_innermost(self, number: int, tag: TagToken) -> None:
-        """The end of an element around the innermost one."""
+    def _close_outer(self, number: int, tag: TagToken) -> None:
+        """Handle the end tag of an element that contains the innermost open element."""
         depth = len(self._open) - 1
         while self._open[depth].name != tag.name:
             depth -= 1
-        around = self._open[depth - 1].name if depth else None
+        outer = self._open[depth - 1].name if depth else None
         parent = self._open[-2].name
         following = self._next_unmatched(number)
-        if following == parent and following != around:
-            self._instead(tag)
+        if following == parent and following != outer:
+            self._mismatched(tag)
             return
         while self._open[-1].name != tag.name:
             inner = self._pop()
             if inner.kind == "open":
-                self._late[inner.name] = self._late.get(inner.name, 0) + 1
+                self._unclosed[inner.name] = self._unclosed.get(inner.name, 0) + 1
                 message = f"{self._shown(inner)} is not closed before </{tag.name}>"
-                note = tag.note(f"</{tag.name}> closes the element around it")
+                note = tag.note(f"</{tag.name}> closes an enclosing element")
                 self._add((inner.start, inner.end), message, note)
         self._pop()
 
-    def _instead(self, tag: TagToken) -> None:
+    def _mismatched(self, tag: TagToken) -> None:
         expected = self._pop()
-        note = expected.note(f"{self._shown(expected)} is open since here")
-        message = f"</{tag.name}> stands where </{expected.name}> is expected"
+        note = expected.note(f"{self._shown(expected)} is opened here")
+        message = f"expected </{expected.name}>, found </{tag.name}>"
         self._add((tag.start, tag.end), message, note)
 
     def _stray(self, number: int, tag: TagToken) -> None:
-        """An end tag to which there is no start tag."""
-        if self._late.get(tag.name, 0):
-            self._late[tag.name] -= 1
+        """Handle an end tag without a start tag."""
+        if self._unclosed.get(tag.name, 0):
+            self._unclosed[tag.name] -= 1
             return
-        if not self._open and self._root is not None and self._late:
+        if not self._open and self._root is not None and self._unclosed:
             return
         notes = []
         for earlier in reversed(self._tags[max(0, number - LOOK_BACK) : number]):
@@ -161,15 +161,15 @@ class TagMatching:
         self._add((tag.start, tag.end), message, *notes)
 
     def _next_unmatched(self, number: int) -> str | None:
-        """Name of the next end tag that closes nothing of what is opened after ``number``."""
+        """Name of the next end tag whose start tag is not after the tag ``number``."""
         opened: list[TagToken] = []
         for tag in self._tags[number + 1 : number + 1 + LOOK_AHEAD]:
-            if tag.kind in ("open", "unsure"):
+            if tag.kind in ("open", "unfinished"):
                 opened.append(tag)
             elif tag.kind == "close":
-                while opened and opened[-1].kind == "unsure" and opened[-1].name != tag.name:
+                while opened and opened[-1].kind == "unfinished" and opened[-1].name != tag.name:
                     opened.pop()
-                if not any(one.name == tag.name for one in opened[-50:]):
+                if not any(start.name == tag.name for start in opened[-50:]):
                     return tag.name
                 while opened.pop().name != tag.name:
                     pass
@@ -185,13 +185,13 @@ class TagMatching:
             end = len(self._data.rstrip())
             self._add((end, end), f"the file ends before {names}", *notes)
         elif self._root is None and not self._mistakes:
-            self._add((0, 0), "there is no element in the file")
+            self._add((0, 0), "the file has no element")
 
     def _shown(self, tag: TagToken) -> str:
-        """A start tag with its name attribute, so that it can be distinguished from others."""
+        """A start tag with its name attribute."""
         text = self._data[tag.start : tag.end][:500]
-        found = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
-        name = f' name="{found.group(1).decode("utf-8", "replace")}"' if found else ""
+        match = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
+        name = f' name="{match.group(1).decode("utf-8", "replace")}"' if match else ""
         return f"<{tag.name}{name}>"
 
 

@@ -1,29 +1,29 @@
-"""Text on a screen: what may be shown of a robot's file, and how many columns it takes."""
+"""Terminal output: safe text of a robot's file, its width in columns, and code frames."""
 
 import re
 
 from urdfkit.text.source import Span
 
-#: A tab in a frame, where its true width cannot be known.
+#: Replacement of a tab in a frame, where its true width is unknown.
 _TAB = "    "
-#: What is shown for one character, the columns that it takes, and whether a caret is below.
+#: The text for one character, its width in columns, and whether a caret is below.
 _Cell = tuple[str, int, bool]
-#: Stands for what was cut off.
+#: Marks the end at which a line is cut.
 _CUT = "..."
 _COMMAND = r"(?:(?<=\s)|^):(?=:)|#(?=#(?:\[|vso))"
 
 
 def printable(text: str) -> str:
-    """A text on one line, without anything that could steer a terminal or a CI server.
+    """A text on one line, without characters that control a terminal or a CI server.
 
-    A robot's file may hold escape sequences and marks that turn the direction of writing; they
-    are shown by their numbers. So is the first character of what GitHub and Azure take for a
-    command in a log: ``::`` at the beginning of a line, which a word may become, or ``##[``.
+    Escape sequences and marks that change the writing direction are shown by their numbers, and so
+    is the first character of a log command of GitHub or Azure: ``::`` at the start of a line, to
+    which a word may be wrapped, or ``##[``.
     """
     if not text.isprintable():
         text = "".join(map(_printable, text))
     if "::" in text or "##" in text:
-        text = re.sub(_COMMAND, lambda found: f"\\x{ord(found[0]):x}", text)
+        text = re.sub(_COMMAND, lambda match: f"\\x{ord(match[0]):x}", text)
     return text
 
 
@@ -36,24 +36,23 @@ def _printable(char: str) -> str:
 
 
 def columns(text: str) -> int:
-    """The columns that a printable text takes: Chinese characters two, accents none."""
+    """Width of a printable text in columns: Chinese characters take two, accents none."""
     if text.isascii():
         return len(text)
     from unicodedata import category, east_asian_width
 
-    foreign = [char for char in text if char > "\x7f"]
-    wide = sum(east_asian_width(char) in "WF" for char in foreign)
-    return len(text) + wide - sum(category(char) in ("Mn", "Me") for char in foreign)
+    special = [char for char in text if char > "\x7f"]
+    wide = sum(east_asian_width(char) in "WF" for char in special)
+    return len(text) + wide - sum(category(char) in ("Mn", "Me") for char in special)
 
 
 def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
-    """Break a text at spaces where it would pass ``width``; a long word stays whole.
+    """Break a printable text at spaces to fit ``width``; a long word is not split.
 
     Args:
-        text: printable.
         width: of the screen, in columns.
         indent: columns before the second and later lines.
-        used: columns of the first line that are taken.
+        used: occupied columns of the first line.
     """
     lines = [""]
     available = width - used
@@ -77,28 +76,28 @@ def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
 
 
 def frame(span: Span, width: int) -> tuple[str, str]:
-    """The line that a span begins on, without its indentation, and carets below the span.
+    """The line on which a span begins, without its indentation, and carets below the span.
 
-    The line is cut to ``width`` columns around the span. It may be a whole robot of many
-    kilobytes: only what can be seen is looked at.
+    The line is cut to ``width`` columns around the span. It may contain a whole robot of many
+    kilobytes: only the visible part is read.
     """
     data, start = span.source.data, span.start
-    reach = 4 * width  # bytes; a character has four at most
-    before = _last_line(data[max(0, start - reach) : start])
-    after = _first_line(data[start : start + reach])
+    window = 4 * width  # bytes; a character has four at most
+    before = _last_line(data[max(0, start - window) : start])
+    after = _first_line(data[start : start + window])
     text = _text(after)
-    length = len(_text(after[: max(0, span.end - start)])) or 1  # a place between characters
+    length = len(_text(after[: max(0, span.end - start)])) or 1  # an empty span gets one caret
     left = _text(before).lstrip()
-    whole = left + text
-    is_plain = whole.isascii() and whole.isprintable() and text
-    if len(whole) <= width and is_plain and max(len(before), len(after)) < reach:
-        return whole.rstrip(), " " * len(left) + "^" * len(text[:length].rstrip() or " ")
+    line = left + text
+    is_plain = line.isascii() and line.isprintable() and text
+    if len(line) <= width and is_plain and max(len(before), len(after)) < window:
+        return line.rstrip(), " " * len(left) + "^" * len(text[:length].rstrip() or " ")
     cells = [
-        *_cells(_CUT if len(before) == reach else "", marked=False),
+        *_cells(_CUT if len(before) == window else "", marked=False),
         *_cells(left, marked=False),
         *_cells(text[:length] or " ", marked=True),
         *_cells(text[length:], marked=False),
-        *_cells(_CUT if len(after) == reach else "", marked=False),
+        *_cells(_CUT if len(after) == window else "", marked=False),
     ]
     return _cut(cells, width)
 
@@ -112,7 +111,7 @@ def _first_line(data: bytes) -> bytes:
 
 
 def _text(data: bytes) -> str:
-    # As wide as before, but no command to a CI server.
+    # The width is unchanged, but a CI server reads no command.
     return data.decode("utf-8", "replace").replace("##[", "#?[").replace("##vso[", "#?vso[")
 
 
@@ -122,14 +121,14 @@ def _cells(text: str, *, marked: bool) -> list[_Cell]:
 
 
 def _cut(cells: list[_Cell], width: int) -> tuple[str, str]:
-    """The piece of a line that shows its marked cells, and the carets."""
+    """The part of a line around its marked cells, and the carets."""
     total = sum(size for _, size, _ in cells)
     begin, end = 0, total
     if total > width:
         first = next(number for number, (_, _, mark) in enumerate(cells) if mark)
         left = sum(size for _, size, _ in cells[:first])
         marked = sum(size for _, size, mark in cells if mark)
-        # The carets in the middle; of a long span, the beginning and something before it.
+        # The carets are centred; of a long span, the beginning is shown with some text before it.
         spare = max(width - marked, width // 4)
         begin = min(max(0, left - spare // 2), total - width)
         end = begin + width

@@ -1,7 +1,7 @@
-"""The tokens of an XML text: tags, comments and what stands between them, in their order.
+"""Tokens of an XML text, in order: tags, comments, texts between them and others.
 
-The text need not be well-formed: a tag ends where the next one begins, a value at the next tag at
-the latest. What the formatter reads is well-formed; what an editor holds is being written.
+The text need not be well-formed, as in an editor: a tag ends before the next tag at the latest, and
+so does a value.
 """
 
 from __future__ import annotations
@@ -23,15 +23,13 @@ _UNFINISHED = re.compile(rb"<[?!][^<>]*>?")
 
 
 class TokenKind(Enum):
-    """What a token is."""
-
     COMMENT = "comment"
     CDATA = "cdata"
-    INSTRUCTION = "instruction"  # the XML declaration, too
+    INSTRUCTION = "instruction"  # including the XML declaration
     DOCTYPE = "doctype"
     START = "start"
     EMPTY = "empty"  # <a/>
-    UNFINISHED = "unfinished"  # a start tag without its end
+    UNFINISHED = "unfinished"  # a start tag without ``>``
     END = "end"
     TEXT = "text"
 
@@ -39,20 +37,20 @@ class TokenKind(Enum):
 class AttributeToken(Record):
     """An attribute of a tag."""
 
-    name: tuple[int, int]  # first and last byte of it, with its prefix
-    value: tuple[int, int] | None  # those of the value without quotes; None if there is none yet
+    name: tuple[int, int]  # start and end offset, with its prefix
+    value: tuple[int, int] | None  # start and end offset without quotes; None if it is missing
 
 
 class Token(Record):
-    """A piece of a text."""
+    """A tag, comment, text, instruction or declaration."""
 
-    kind: TokenKind  # what it is
+    kind: TokenKind
     data: bytes  # the whole text
-    #: start and end: first and last byte of the piece.
+    #: start and end: offsets in ``data``.
     start: int
     end: int
-    name_span: tuple[int, int] = (0, 0)  # those of the name of a tag; empty right behind a ``<``
-    attributes: tuple[AttributeToken, ...] = ()  # of a start tag, in their order
+    name_span: tuple[int, int] = (0, 0)  # offsets of the name of a tag; empty for a lone ``<``
+    attributes: tuple[AttributeToken, ...] = ()  # of a start tag, in order
 
     @property
     def text(self) -> str:
@@ -68,13 +66,14 @@ class Token(Record):
         """Names and values of the attributes, as written."""
         data = self.data
         return [
-            (_text(data, one.name), _text(data, one.value or (0, 0))) for one in self.attributes
+            (_text(data, token.name), _text(data, token.value or (0, 0)))
+            for token in self.attributes
         ]
 
 
 def tokens(data: bytes) -> Iterator[Token]:
-    """The tokens of a text in UTF-8; together they are the whole text."""
-    # Of many '<!DOCTYPE' or '<?' without an end, not each is read to the end of the text.
+    """The tokens of a text in UTF-8; they cover the whole text."""
+    # Computed once: many unclosed '<!DOCTYPE' or '<?' would each be read to the end of the text.
     doctype = _DOCTYPE.match(data, max(data.find(b"<!DOCTYPE"), 0))
     last_end = data.rfind(b"?>")
     at = 0
@@ -90,10 +89,10 @@ def tokens(data: bytes) -> Iterator[Token]:
             token = _until(b"?>", TokenKind.INSTRUCTION, data, at)
         elif doctype and at == doctype.start():
             token = Token(TokenKind.DOCTYPE, data, *doctype.span())
-        elif found := _UNFINISHED.match(data, at):
-            token = Token(TokenKind.INSTRUCTION, data, *found.span())
-        elif found := _END_TAG.match(data, at):
-            token = Token(TokenKind.END, data, *found.span(), found.span(1))
+        elif match := _UNFINISHED.match(data, at):
+            token = Token(TokenKind.INSTRUCTION, data, *match.span())
+        elif match := _END_TAG.match(data, at):
+            token = Token(TokenKind.END, data, *match.span(), match.span(1))
         else:
             token = _start_tag(data, at)
         yield token
@@ -101,20 +100,20 @@ def tokens(data: bytes) -> Iterator[Token]:
 
 
 def _until(end: bytes, kind: TokenKind, data: bytes, start: int) -> Token:
-    """A token that goes on to a mark, or to the end of the text."""
-    found = data.find(end, start + 2)
-    return Token(kind, data, start, found + len(end) if found >= 0 else len(data))
+    """A token up to a delimiter, or to the end of the text."""
+    at = data.find(end, start + 2)
+    return Token(kind, data, start, at + len(end) if at >= 0 else len(data))
 
 
 def _start_tag(data: bytes, start: int) -> Token:
     name = _NAME.match(data, start + 1)
     assert name is not None
     at, attributes = name.end(), []
-    while found := _ATTRIBUTE.match(data, at):
-        group = "double" if found["double"] is not None else "single"
-        value = found.span(group) if found[group] is not None else None
-        attributes.append(AttributeToken(found.span(1), value))
-        at = found.end()
+    while match := _ATTRIBUTE.match(data, at):
+        group = "double" if match["double"] is not None else "single"
+        value = match.span(group) if match[group] is not None else None
+        attributes.append(AttributeToken(match.span(1), value))
+        at = match.end()
     end = _TAG_END.match(data, at)
     assert end is not None
     kind = TokenKind.UNFINISHED

@@ -2,8 +2,8 @@
 
 import os
 from functools import cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import nearest
 from urdfkit.text.document import Element
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar
@@ -13,12 +13,12 @@ _TYPO = 0.85
 
 @cache
 def _data() -> dict[str, Any]:
-    from json import load  # most models need no facts
+    from json import load  # most models do not need it
 
     path = os.path.join(os.path.dirname(__file__), "urdf_extensions.json")
     with open(path, encoding="utf-8") as file:
-        facts: dict[str, Any] = load(file)
-    return facts
+        data: dict[str, Any] = load(file)
+    return data
 
 
 def _extensions() -> list[dict[str, Any]]:
@@ -27,53 +27,53 @@ def _extensions() -> list[dict[str, Any]]:
 
 
 @cache
-def _read(kind: str) -> frozenset[tuple[str, str]]:
-    """Pairs of a tag and an element or attribute that a program reads in it."""
+def _pairs(kind: str) -> frozenset[tuple[str, str]]:
+    """Pairs of a tag and a child or attribute of it, as programs read them."""
     return frozenset(
         (extension["in"], name) for extension in _extensions() for name in extension.get(kind, ())
     )
 
 
 def has_element(parent: str, tag: str) -> bool:
-    """True if a known program reads an element in another one, such as ``contact`` in a link."""
-    return (parent, tag) in _read("elements")
+    """True if a known program reads the tag in the parent, such as ``contact`` in a link."""
+    return (parent, tag) in _pairs("elements")
 
 
 def has_attribute(tag: str, name: str) -> bool:
-    """True if a known program reads an attribute, such as ``concave`` of a collision."""
-    return (tag, name) in _read("attributes")
+    """True if a known program reads the attribute, such as ``concave`` of a collision."""
+    return (tag, name) in _pairs("attributes")
 
 
 @cache
 def elements_in(parent: str) -> frozenset[str]:
-    """The elements that programs read in another one."""
-    return frozenset(tag for place, tag in _read("elements") if place == parent)
+    """Tags that programs read in a parent element."""
+    return frozenset(tag for place, tag in _pairs("elements") if place == parent)
 
 
 @cache
 def attributes_of(tag: str) -> frozenset[str]:
-    """The attributes that programs read in an element."""
-    return frozenset(name for place, name in _read("attributes") if place == tag)
+    """Attributes that programs read in an element."""
+    return frozenset(name for place, name in _pairs("attributes") if place == tag)
 
 
-def intended_of_drake(written: str, kind: str = "elements") -> str:
-    """What a misspelt or former element or attribute of Drake should be; empty for others."""
-    prefix, _, name = written.partition(":")
+def drake_suggestion(qualified: str, kind: str = "elements") -> str:
+    """The present name of a misspelt or former element or attribute of Drake; empty for others."""
+    prefix, _, name = qualified.partition(":")
     if prefix != "drake":
         return ""
-    facts = _data()["drake"]
-    known = facts[kind].split()
+    data = _data()["drake"]
+    known = data[kind].split()
     if name in known:
         return ""
-    intended = facts["former"].get(name) or nearest(name, known, _TYPO)
-    return f"drake:{intended}" if intended else ""
+    suggestion = data["former"].get(name) or nearest(name, known, _TYPO)
+    return f"drake:{suggestion}" if suggestion else ""
 
 
 def place_of(element: Element) -> str:
-    """Where a program reads an element that stands elsewhere; empty if no program is known.
+    """Tag of the parent in which a program reads a misplaced element; empty if unknown.
 
-    That is ``mujoco`` for a ``compiler`` in the robot, and the robot for a ``mujoco`` in a link.
-    Names mean other things elsewhere, as ``contact`` in SDF: what such an element holds must fit.
+    It is ``mujoco`` for a ``compiler`` in the robot, and ``robot`` for a ``mujoco`` in a link.
+    A name can have other meanings, such as ``contact`` in SDF: the children must match, too.
     """
     parent = element.parent.tag if element.parent else ""
     for extension in _extensions():
@@ -87,7 +87,7 @@ def place_of(element: Element) -> str:
 
 @cache
 def grammar_of(parent: str, tag: str) -> Grammar | None:
-    """What a program reads in an element of its own; None if that is not known."""
+    """The grammar of an element of a program; None if unknown."""
     for extension in _extensions():
         if extension["in"] == parent and tag in extension.get("grammar", ()):
             return _grammar(extension["grammar"][tag])

@@ -1,20 +1,20 @@
-"""Characters that XML forbids, and hyphens that it forbids in comments."""
+"""Characters that are not allowed in XML, and hyphens that are not allowed in its comments."""
 
 import re
 
 from urdfkit.text.tag_matching import SyntaxMistake
 
 _CONTROLS = re.compile(rb"\x00+|[\x01-\x08\x0b\x0c\x0e-\x1f]|\xef\xbf[\xbe\xbf]")
-#: What XML forbids between ``<!--`` and ``-->``: two hyphens, or one before the end.
+#: Hyphens that XML forbids between ``<!--`` and ``-->``: two, or one before the end.
 _HYPHENS = re.compile(rb"--+|-\Z")
 
 
 def control_characters(data: bytes) -> list[tuple[int, int]]:
-    return [found.span() for found in _CONTROLS.finditer(data)]
+    return [match.span() for match in _CONTROLS.finditer(data)]
 
 
 def control_mistake(data: bytes, start: int, end: int) -> SyntaxMistake:
-    """A control character, or NUL bytes in a row."""
+    """The mistake of a control character, or of consecutive NUL bytes."""
     code, count = ord(data[start:end].decode()[0]), end - start
     if code:
         message = f"the control character U+{code:04X} is not allowed in XML"
@@ -28,9 +28,9 @@ def control_mistake(data: bytes, start: int, end: int) -> SyntaxMistake:
 
 
 def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
-    """The hyphens that XML forbids in a comment, whose text is between two offsets."""
+    """The mistake of forbidden hyphens in a comment with its text from ``start`` to ``end``."""
     inner = data.find(b"<!--", start, end)
-    if inner >= 0:  # it holds elements, or an earlier comment has swallowed them
+    if inner >= 0:  # the comment contains elements, or an unclosed comment continues to here
         return SyntaxMistake(
             inner,
             inner + 4,
@@ -39,10 +39,10 @@ def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
             help="write '-->' at the end of the first comment, or remove the inner one",
         )
     fix: list[tuple[int, int, str]] = []
-    for found in _HYPHENS.finditer(data[start:end]):
-        at, count = start + found.start(), len(found[0])
-        is_word = count == 2 and found.end() < end - start  # such as an option of a command
-        text = "- -" if is_word else "=" * count
+    for match in _HYPHENS.finditer(data[start:end]):
+        at, count = start + match.start(), len(match[0])
+        is_inside = count == 2 and match.end() < end - start  # such as an option of a command
+        text = "- -" if is_inside else "=" * count
         fix.append((at, at + count, text if count > 1 else ""))
     if not fix:
         return None

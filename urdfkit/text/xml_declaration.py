@@ -1,4 +1,4 @@
-"""The encoding of a file and its XML declaration, as URDF parsers take them."""
+"""The encoding of a file and its XML declaration, as URDF parsers interpret them."""
 
 import re
 from xml.parsers import expat
@@ -7,23 +7,23 @@ from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Severity
 from urdfkit.text.source import Source, Span
 
-# Compiled when needed, which is seldom.
+# Compiled when needed, which is rare.
 _DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
 _VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
 
 def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
-    """An encoding that readers do not know, or a byte that is not text in it.
+    """Problems of an encoding that parsers do not support, or of a byte that is invalid in it.
 
     Args:
-        strict: True where only UTF-8 is read, as by xacro.
+        strict: True for parsers that read only UTF-8, such as xacro.
     """
     if source.undecodable is not None:
         from urdfkit.text.xml_errors import is_binary
 
         if is_binary(source.data) or b"<" not in source.data:
-            return []  # no encoding makes it XML, which is reported
+            return []  # it is not XML in any encoding, which is reported
         return [_undecodable(source, source.undecodable)]
     encoding = source.encoding
     if encoding in _UTF_8 or (source.data.isascii() and not encoding.startswith("utf-")):
@@ -39,18 +39,18 @@ def _undecodable(source: Source, start: int) -> Problem:
     at = Span(source, start, start + 1)
     declared = re.search(rb"encoding\s*=\s*[\"']([^\"']*)", source.data[:200])
     if declared is None:
-        message = f"this byte is not {source.encoding}, which XML takes where nothing is declared"
+        message = f"this byte is not {source.encoding}, the default encoding of XML"
         return Problem("XML002", at, message)
     try:
         "".encode(source.encoding)
-    except (LookupError, UnicodeError):  # the latter of the codec 'undefined'
+    except (LookupError, UnicodeError):  # UnicodeError by the codec 'undefined'
         at = Span(source, *declared.span(1))
         return Problem("XML002", at, f"the declared encoding '{source.encoding}' does not exist")
     return Problem("XML002", at, f"this byte is not {source.encoding}, which the file declares")
 
 
 def _is_known_to_expat(encoding: str) -> bool:
-    """True for encodings of one byte per character, in which urdfdom at least finds the tags."""
+    """True for encodings with one byte per character, in which urdfdom at least finds the tags."""
     if encoding.startswith("utf-"):
         return False
     try:
@@ -62,8 +62,11 @@ def _is_known_to_expat(encoding: str) -> bool:
     return True
 
 
-def forgiven(source: Source, problems: list[Problem]) -> bytes:
-    """The bytes to parse: what urdfdom forgives in and before the XML declaration is blanked."""
+def without_declaration(source: Source, problems: list[Problem]) -> bytes:
+    """The bytes to parse: the XML declaration, which urdfdom does not validate, is blanked.
+
+    Its defects, and text before it, are added to ``problems``.
+    """
     data = source.data
     declaration = re.search(_DECLARATION, data[:20_000])
     if declaration is None:
@@ -78,12 +81,12 @@ def forgiven(source: Source, problems: list[Problem]) -> bytes:
     is_well_formed = _is_well_formed(declaration.group())
     if not (is_known and is_well_formed):
         at = Span(source, start, end)
-        fix = Fix("write the XML declaration anew", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
-        message = "the XML declaration is not that of XML 1.0"
+        fix = Fix("replace the XML declaration", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
+        message = "the XML declaration is not valid in XML 1.0"
         # No parser rejects a declaration for its version alone.
         severity = Severity.WARNING if is_well_formed else None
         problems.append(Problem("XML007", at, message, fix=fix, severity=severity))
-    # The encoding is settled by Source; the declaration has nothing more to say.
+    # Source has already applied the encoding; the declaration has no other effect.
     return b" " * end + data[end:]
 
 
@@ -97,15 +100,13 @@ def _is_well_formed(declaration: bytes) -> bool:
 
 
 def _before_declaration(before: Span, end: int) -> Problem:
-    """What stands before the XML declaration, which ends at ``end``."""
+    """The problem of text before the XML declaration, which ends at ``end``."""
     text = before.text.strip()
     edits: tuple[Edit, ...] = (Edit(before, ""),)
     if not text:
         message = "white space before the XML declaration"
         fix = Fix("delete the white space", edits, safe=True)
-        return Problem(
-            "XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix
-        )
+        return Problem("XML007", before, message, "start the file with <?xml ...?>", fix=fix)
     edits += (Edit(Span(before.source, end, end), f"\n{text}"),)
     return Problem(
         "XML007",

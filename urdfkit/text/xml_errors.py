@@ -1,9 +1,9 @@
-"""Every place where a text is not well-formed XML, in words, with the place to fix.
+"""All errors of a text that is not well-formed XML, each at the location to fix.
 
-A parser stops at the first error, and often names the place where it noticed a mistake made above.
-This scanner reads on: it takes the text apart into tags, then fits end tags to start tags, and
-chooses where something is missing what the rest of the file agrees with best. It is run on files
-that expat has rejected; it never rejects a file that expat accepts.
+A parser stops at the first error, and often reports a later location than that of the mistake.
+This scanner continues: it splits the text into tags, then matches end tags to start tags, and
+resolves ambiguities by the rest of the file. It is run on files that expat has rejected; it never
+rejects a file that expat accepts.
 """
 
 import re
@@ -16,9 +16,9 @@ from urdfkit.text.xml_characters import (
     is_character,
 )
 
-#: Tags that are fitted to each other; what follows in a larger broken file is not looked at.
+#: Tags that are matched; the rest of a larger malformed file is not read.
 MAX_TAGS = 300_000
-#: Control characters that a text may hold by mistake.
+#: Most control characters in a text file; a file with more is binary.
 MAX_CONTROLS = 20
 
 _NAME = rb"[A-Za-z_:\x80-\xff][A-Za-z0-9_:.\x80-\xff-]*"
@@ -27,10 +27,10 @@ _SPACED_START = re.compile(rb"<\s+(%s)(?=\s+[\w:.-]+\s*=|\s*/?>)" % _NAME)
 _END = re.compile(rb"</(%s)\s*>" % _NAME)
 _ATTRIBUTE_NAME = re.compile(_NAME)
 _TARGET = re.compile(rb"<\?%s(?=[\s?])" % _NAME)
-_BLANK = re.compile(rb"[ \t\r\n]*")
+_SPACE = re.compile(rb"[ \t\r\n]*")
 _UNQUOTED = re.compile(rb"[^\s<>\"'/]+")
 _UNOPENED = re.compile(rb"""[^<>="']*""")
-_SWALLOWED = re.compile(rb"\s(%s)\s*=\s*$" % _NAME)
+_NEXT_ATTRIBUTE = re.compile(rb"\s(%s)\s*=\s*$" % _NAME)
 _JUNK = re.compile(
     rb"""[\w.:-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*')|["']|[^\s/>"'<A-Za-z_:\x80-\xff]+|/"""
 )
@@ -42,60 +42,55 @@ _DECLARATION = re.compile(
 )
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 
-
-_NAME_ANOTHER = "name the URDF or xacro of the robot"
+_NOT_ROBOT_HELP = "name the URDF or xacro of the robot"
 
 
 def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
-    """All errors of a text in the order of their places; none if it is not known what is wrong.
-
-    Args:
-        data: UTF-8.
-    """
-    if other := _other_kind(data):
-        message, help = other
+    """All errors of a UTF-8 text, ordered by offset; empty if this scanner finds none."""
+    if file_kind := _other_kind(data):
+        message, help = file_kind
         return [SyntaxMistake(0, 0, message, help=help)]
     controls = control_characters(data)
     count = sum(end - start for start, end in controls)
     if is_binary(data):
-        message = f"not a text file: it holds {count} control characters"
-        return [SyntaxMistake(*controls[0], message, help=_NAME_ANOTHER)]
+        message = f"not a text file: it contains {count} control characters"
+        return [SyntaxMistake(*controls[0], message, help=_NOT_ROBOT_HELP)]
     scanner = _Scanner(data)
     scanner.run()
     first: dict[int, SyntaxMistake] = {}
     for mistake in scanner.mistakes:
-        first.setdefault(mistake.start, mistake)  # what else is wrong there follows from it
+        first.setdefault(mistake.start, mistake)  # others at the same offset follow from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
 
 
 def is_binary(data: bytes) -> bool:
-    """True for what is no text in any encoding."""
+    """True for data that is not text in any encoding."""
     return sum(end - start for start, end in control_characters(data)) > MAX_CONTROLS
 
 
 def _other_kind(data: bytes) -> tuple[str, str] | None:
-    """What the file is if it is something else altogether, and what to do."""
+    """Message and help if the file is not XML, or is a web page."""
     start = data[:1000].lstrip().lower()
     if not data.strip():
-        return "the file is empty", "write a <robot> into it, or name another file"
+        return "the file is empty", "add a <robot>, or name another file"
     if start.startswith((b"<!doctype html", b"<html")):
         return "the file is a web page, not a robot", "download the raw file"
     if start.startswith(b"version https://git-lfs"):
-        return "the file is a pointer of Git LFS, not the robot itself", "run: git lfs pull"
+        return "the file is a Git LFS pointer, not the robot itself", "run: git lfs pull"
     if b"<" not in data:
-        return "not an XML file: there is no tag in it", _NAME_ANOTHER
+        return "not an XML file: it contains no tag", _NOT_ROBOT_HELP
     return None
 
 
 class _Scanner:
-    """Takes a text apart; ``mistakes`` collects what is wrong."""
+    """Splits a text into tags; ``mistakes`` collects the errors."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
         self.mistakes: list[SyntaxMistake] = []
         self._tags: list[TagToken] = []
         self._has_doctype = False
-        self._cut_off = False  # the rest of the file belongs to something that never ends
+        self._cut_off = False  # True after an unclosed construct, which extends to the end
 
     def run(self) -> None:
         for start, end in control_characters(self.data):
@@ -119,11 +114,11 @@ class _Scanner:
     def _declaration(self, position: int) -> int:
         if not re.compile(rb"<\?xml(?![-_])").match(self.data, position):
             return position
-        if good := _DECLARATION.match(self.data, position):
-            return good.end()
+        if match := _DECLARATION.match(self.data, position):
+            return match.end()
         end = self.data.find(b"?>", position)
         if 0 <= end < position + 1000:
-            message = 'the XML declaration must read <?xml version="1.0"?>'
+            message = 'the XML declaration must be <?xml version="1.0"?>'
             self._add(position, end + 2, message)
             return end + 2
         return position
@@ -131,7 +126,7 @@ class _Scanner:
     # ------------------------------------------------------------------- text
 
     def _text(self, start: int, end: int) -> None:
-        """Character data: references, and the one sequence that XML forbids in it."""
+        """Scan character data for references and ``]]>``, which XML forbids in it."""
         self._references(start, end)
         forbidden = self.data.find(b"]]>", start, end)
         if forbidden >= 0:
@@ -142,24 +137,26 @@ class _Scanner:
     def _references(self, start: int, end: int) -> None:
         position = self.data.find(b"&", start, end)
         while position >= 0 and len(self.mistakes) < MAX_ERRORS:
-            found = _REFERENCE.match(self.data, position, end)
-            assert found is not None
-            decimal, hexadecimal, name = found.groups()
-            if found.group() == b"&":
+            match = _REFERENCE.match(self.data, position, end)
+            assert match is not None
+            decimal, hexadecimal, name = match.groups()
+            if match.group() == b"&":
                 self._add(position, position + 1, "'&' must be written '&amp;'")
             elif name is not None and name not in _PREDEFINED and not self._has_doctype:
-                text = found.group().decode("utf-8", "replace")
-                self._add(*found.span(), f"'{text}' is not defined; XML knows &lt; &gt; &amp; only")
+                text = match.group().decode("utf-8", "replace")
+                message = f"'{text}' is not defined; XML defines only &lt; &gt; &amp; &quot; &apos;"
+                self._add(*match.span(), message)
             elif decimal or hexadecimal:
                 digits = (decimal or hexadecimal)[:12]
                 if not is_character(int(digits, 10 if decimal else 16)):
-                    self._add(*found.span(), f"'{found.group().decode()[:20]}' is no character")
-            position = self.data.find(b"&", found.end(), end)
+                    text = match.group().decode()[:20]
+                    self._add(*match.span(), f"'{text}' is not a character")
+            position = self.data.find(b"&", match.end(), end)
 
     # ----------------------------------------------------------------- markup
 
     def _markup(self, start: int) -> int:
-        """Read what begins with the ``<`` at ``start``; the offset behind it."""
+        """Scan the construct that begins with the ``<`` at ``start``; returns its end."""
         data = self.data
         if data.startswith(b"<!--", start):
             return self._comment(start)
@@ -167,7 +164,7 @@ class _Scanner:
             return self._until(start, 9, b"]]>", "CDATA section")
         if data.startswith(b"<?", start):
             if re.match(rb"<\?[xX][mM][lL][\s?]", data[start : start + 6]):
-                message = "the XML declaration must stand at the very beginning of the file"
+                message = "the XML declaration must be at the very beginning of the file"
                 self._add(start, start + 5, message)
             if not _TARGET.match(data, start):
                 self._add(start, start + 2, "a name must follow '<?'")
@@ -177,23 +174,24 @@ class _Scanner:
             return self._doctype(start)
         if data.startswith(b"</", start):
             return self._end_tag(start)
-        if found := _START.match(data, start):
-            return self._start_tag(found)
-        if found := _SPACED_START.match(data, start):
-            name = found.group(1).decode("utf-8", "replace")
-            self._add(start, found.end(), f"no space may stand between '<' and '{name}'")
-            return self._start_tag(found)
-        self._add(start, start + 1, "'<' begins no tag; in a text it must be written '&lt;'")
+        if match := _START.match(data, start):
+            return self._start_tag(match)
+        if match := _SPACED_START.match(data, start):
+            name = match.group(1).decode("utf-8", "replace")
+            self._add(start, match.end(), f"no space is allowed between '<' and '{name}'")
+            return self._start_tag(match)
+        message = "'<' does not begin a tag; in a text it must be written '&lt;'"
+        self._add(start, start + 1, message)
         return start + 1
 
-    def _until(self, start: int, skip: int, end: bytes, what: str) -> int:
-        found = self.data.find(end, start + skip)
-        if found >= 0:
-            return found + len(end)
-        self._add(start, start + skip, f"the {what} never ends: '{end.decode()}' is missing")
-        return self._give_up()
+    def _until(self, start: int, skip: int, end: bytes, construct: str) -> int:
+        at = self.data.find(end, start + skip)
+        if at >= 0:
+            return at + len(end)
+        self._add(start, start + skip, f"the {construct} never ends: '{end.decode()}' is missing")
+        return self._skip_rest()
 
-    def _give_up(self) -> int:
+    def _skip_rest(self) -> int:
         self._cut_off = True
         return len(self.data)
 
@@ -205,50 +203,51 @@ class _Scanner:
 
     def _doctype(self, start: int) -> int:
         self._has_doctype = True
-        found = re.compile(rb"""(?:[^<>\["']|"[^"]*"|'[^']*')*(\[)?""").match(self.data, start + 9)
-        assert found is not None
-        position = found.end()
-        if found.group(1):
+        head = re.compile(rb"""(?:[^<>\["']|"[^"]*"|'[^']*')*(\[)?""").match(self.data, start + 9)
+        assert head is not None
+        position = head.end()
+        if head.group(1):
             inner = re.compile(rb"""(?:<!--.*?-->|"[^"]*"|'[^']*'|[^\]"'])*\]\s*""", re.DOTALL)
             body = inner.match(self.data, position)
             position = body.end() if body else position
         if self.data.startswith(b">", position):
             return position + 1
         self._add(start, start + 9, "the <!DOCTYPE never ends")
-        return self._give_up()
+        return self._skip_rest()
 
     def _end_tag(self, start: int) -> int:
-        if found := _END.match(self.data, start):
-            name = found.group(1).decode("utf-8", "replace")
-            self._tags.append(TagToken("close", name, start, found.end()))
-            return found.end()
-        name_found = re.compile(rb"</\s*(%s)" % _NAME).match(self.data, start)
-        if name_found is None:
-            self._add(start, start + 2, "'</' begins no end tag: a name must follow")
+        if match := _END.match(self.data, start):
+            name = match.group(1).decode("utf-8", "replace")
+            self._tags.append(TagToken("close", name, start, match.end()))
+            return match.end()
+        head = re.compile(rb"</\s*(%s)" % _NAME).match(self.data, start)
+        if head is None:
+            self._add(start, start + 2, "'</' does not begin an end tag: a name must follow")
             return start + 2
-        name = name_found.group(1).decode("utf-8", "replace")
-        rest = re.compile(rb"[^<>]*(>?)").match(self.data, name_found.end())
+        name = head.group(1).decode("utf-8", "replace")
+        rest = re.compile(rb"[^<>]*(>?)").match(self.data, head.end())
         assert rest is not None
-        closed = bool(rest.group(1))
-        end = rest.end() if closed else name_found.end()
-        what = f"an end tag holds nothing but its name: </{name}>" if closed else None
-        if not closed and rest.end() == len(self.data):
-            self._add(start, end, f"the file ends inside </{name}")
-            return self._give_up()
-        self._add(start, end, what or f"'>' is missing behind </{name}")
+        if rest.group(1):
+            end, message = rest.end(), f"an end tag contains only its name: </{name}>"
+        else:
+            end, message = head.end(), f"'>' is missing after </{name}"
+            if rest.end() == len(self.data):
+                self._add(start, end, f"the file ends inside </{name}")
+                return self._skip_rest()
+        self._add(start, end, message)
         self._tags.append(TagToken("close", name, start, end))
         return end
 
     # -------------------------------------------------------------- start tag
 
-    def _start_tag(self, found: re.Match[bytes]) -> int:
-        data, start, position = self.data, found.start(), found.end()
-        name = found.group(1).decode("utf-8", "replace")
-        seen: dict[bytes, tuple[int, int]] = {}
+    def _start_tag(self, head: re.Match[bytes]) -> int:
+        data, start, position = self.data, head.start(), head.end()
+        name = head.group(1).decode("utf-8", "replace")
+        names: dict[bytes, tuple[int, int]] = {}
         while True:
-            blank = _BLANK.match(data, position)
-            assert blank is not None
-            before, position = position, blank.end()
+            space = _SPACE.match(data, position)
+            assert space is not None
+            before, position = position, space.end()
             if data.startswith(b">", position):
                 self._tags.append(TagToken("open", name, start, position + 1))
                 return position + 1
@@ -258,23 +257,23 @@ class _Scanner:
             if position >= len(data):
                 if self._cut_off:  # by a value without its closing quote
                     return position
-                self._add(start, found.end(), f"the file ends inside <{name}")
-                return self._give_up()
+                self._add(start, head.end(), f"the file ends inside <{name}")
+                return self._skip_rest()
             if data.startswith(b"<", position):
-                self._cut(before, name)
-                self._tags.append(TagToken("unsure", name, start, before))
+                self._unfinished_tag(before, name)
+                self._tags.append(TagToken("unfinished", name, start, before))
                 return position
             attribute = _ATTRIBUTE_NAME.match(data, position)
             if attribute is None:
                 junk = _JUNK.match(data, position)
                 end = junk.end() if junk else position + 1
                 text = data[position:end].decode("utf-8", "replace")
-                self._add(position, end, f"'{text[:20]}' does not belong into <{name}>")
+                self._add(position, end, f"'{text[:20]}' does not belong in <{name}>")
                 position = end
                 continue
-            position = self._attribute(attribute, before, seen)
+            position = self._attribute(attribute, before, names)
             if position < 0:
-                # The tag's own end was taken into a value that is never closed.
+                # An unclosed value contains the end of the tag.
                 end = -position
                 kind = "empty" if data[end - 2 : end] == b"/>" else "open"
                 self._tags.append(TagToken(kind, name, start, end))
@@ -282,28 +281,28 @@ class _Scanner:
             if len(self.mistakes) >= MAX_ERRORS:
                 return position
 
-    def _cut(self, at: int, name: str) -> None:
-        """A start tag without its end; an attribute that is cut off there has been reported."""
+    def _unfinished_tag(self, at: int, name: str) -> None:
+        """Report a start tag without ``>``, unless an attribute cut off there is reported."""
         if not self.mistakes or self.mistakes[-1].end != at:
             self._add(at, at, f"'>' is missing at the end of <{name}")
 
     def _attribute(
-        self, found: re.Match[bytes], before: int, seen: dict[bytes, tuple[int, int]]
+        self, match: re.Match[bytes], before: int, names: dict[bytes, tuple[int, int]]
     ) -> int:
-        """Read an attribute; the offset behind it, negative if it also ends the tag."""
-        data, name = self.data, found.group().decode("utf-8", "replace")
-        if found.start() == before:
+        """Scan an attribute; returns its end, negative if it also ends the tag."""
+        data, name = self.data, match.group().decode("utf-8", "replace")
+        if match.start() == before:
             self._add(before, before, f"a space is missing before '{name}'")
-        if found.group() in seen:
-            first = (*seen[found.group()], "first given here")
-            self._add(*found.span(), f"attribute '{name}' is given twice", first)
-        seen[found.group()] = found.span()
-        equals = re.compile(rb"\s*=\s*").match(data, found.end())
-        if (equals or found).end() == len(data):
+        if match.group() in names:
+            first = (*names[match.group()], "first given here")
+            self._add(*match.span(), f"attribute '{name}' is given twice", first)
+        names[match.group()] = match.span()
+        equals = re.compile(rb"\s*=\s*").match(data, match.end())
+        if (equals or match).end() == len(data):
             return len(data)  # which the caller reports
         if equals is None:
-            self._add(*found.span(), f"attribute '{name}' has no value")
-            return found.end()
+            self._add(*match.span(), f"attribute '{name}' has no value")
+            return match.end()
         start = equals.end()
         quote = data[start : start + 1]
         if quote not in (b'"', b"'"):
@@ -317,18 +316,18 @@ class _Scanner:
             self._add(opening, opening + 1, "'<' inside a value must be written '&lt;'")
         elif end < 0:
             return self._unclosed(name, start, len(data))
-        elif contained := self._contained(start, end):
+        elif following := self._next_attribute(start, end):
             self._add(start, start + 1, f"the value of '{name}' has no closing quote")
-            return contained
+            return following
         self._references(start + 1, end)
         return end + 1
 
-    def _contained(self, start: int, end: int) -> int:
-        """Where the next attribute begins if the closing quote found is its opening one."""
+    def _next_attribute(self, start: int, end: int) -> int:
+        """Start of the next attribute if the quote at ``end`` is its opening quote; 0 otherwise."""
         if self.data[end + 1 : end + 2] in (b" ", b"\t", b"\r", b"\n", b"/", b">", b"?", b""):
             return 0
-        found = _SWALLOWED.search(self.data, max(start + 1, end - 1000), end)
-        return found.start() if found else 0
+        match = _NEXT_ATTRIBUTE.search(self.data, max(start + 1, end - 1000), end)
+        return match.start() if match else 0
 
     def _unquoted(self, name: str, start: int) -> int:
         data = self.data
@@ -349,5 +348,5 @@ class _Scanner:
         self._add(start, start + 1, f"the value of '{name}' has no closing quote")
         end = self.data.find(b">", start, limit)
         if end < 0:
-            return limit if limit < len(self.data) else self._give_up()
+            return limit if limit < len(self.data) else self._skip_rest()
         return -(end + 1)

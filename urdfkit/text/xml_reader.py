@@ -1,29 +1,29 @@
-"""Reading one description, plain or xacro, whatever state it is in.
+"""Reading of plain XML into documents with source locations.
 
-Reading never raises on a bad robot. What is wrong with the text becomes a Problem, which names
-the rule that explains it; the rules XML and XAC turn Problems into findings.
+Reading never raises on a bad robot. A defect of the text is returned as a Problem, which names the
+rule that explains it; the rules XML and XAC turn Problems into findings.
 """
 
 from __future__ import annotations
 
 import gc
 import re
-from typing import TYPE_CHECKING
 from xml.parsers import expat
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_declaration import encoding_problems, forgiven
+from urdfkit.text.xml_declaration import encoding_problems, without_declaration
 
 if TYPE_CHECKING:
     from urdfkit.text.tag_matching import SyntaxMistake
 
-#: Elements and attributes of one document; the largest real robot has 40 000 elements.
+#: Most elements and attributes of a document; the largest real robot has 40 000 elements.
 MAX_ELEMENTS = 1_000_000
-#: Entities and nested groups of a DTD; expat processes both by recursion, and its stack is finite.
+#: Most entities and nested groups of a DTD; expat processes both by recursion.
 MAX_DTD_DEPTH = 1000
-#: Places of the same defect that are worth naming.
+#: Most locations of the same defect that are reported.
 MAX_RELATED = 5
 
 
@@ -36,17 +36,17 @@ def read_xml(
 ) -> tuple[Document | None, list[Problem]]:
     """Read plain XML.
 
-    What urdfdom loads although it is not strict XML (text before the declaration, another
+    Input that urdfdom loads although it is not strict XML (text before the declaration, another
     version number, undeclared prefixes) is read, and reported as a Problem.
 
     Args:
-        frame: the launch file that names it, if one does.
+        frame: the launch file that refers to it, if any.
 
     Returns:
-        The document, or None if it is not well formed, and what is wrong with it.
+        The document, or None if it is not well formed, and its problems.
     """
     problems = encoding_problems(source, strict=False)
-    data = forgiven(source, problems)
+    data = without_declaration(source, problems)
     builder = _DocumentBuilder(source, frame)
     try:
         builder.parse(data)
@@ -65,8 +65,8 @@ def require_shallow_dtd(data: bytes) -> None:
     """Reject declarations that could overflow the stack of expat.
 
     Raises:
-        DocumentTooLarge: there are more entities, or parentheses in an element declaration, than
-            expat may process by recursion.
+        DocumentTooLarge: there are too many entities, or parentheses in an element declaration,
+            for the recursion of expat.
     """
     if data.count(b"<!ENTITY") > MAX_DTD_DEPTH:
         raise DocumentTooLarge(f"more than {MAX_DTD_DEPTH} entity declarations")
@@ -89,7 +89,7 @@ class _DocumentBuilder:
         self._count = 0
         self._prefixed: dict[str, Element] = {}
         self._unexpanded: list[Element] = []
-        # Without namespaces, as urdfdom reads: an undeclared prefix is part of the name.
+        # Without namespaces, like urdfdom: an undeclared prefix is part of the name.
         self._parser = parser = expat.ParserCreate("utf-8")
         parser.ordered_attributes = True
         parser.buffer_text = True
@@ -107,7 +107,7 @@ class _DocumentBuilder:
         """
         require_shallow_dtd(data)
         collecting = gc.isenabled()
-        gc.disable()  # nothing of what is built is garbage
+        gc.disable()  # the document contains no garbage
         try:
             self._parser.Parse(data, True)
         finally:
@@ -148,28 +148,28 @@ class _DocumentBuilder:
 
     def undeclared_prefixes(self, *, strict: bool = False) -> list[Problem]:
         """Prefixes without ``xmlns``: strict parsers reject them, urdfdom does not."""
-        found = []
+        problems = []
         for prefix, first in self._prefixed.items():
             element: Element | None = first
             while element is not None and f"xmlns:{prefix}" not in element.attributes:
                 element = element.parent
             if element is None and (strict or prefix != "xacro" or not self._unexpanded):
-                found.append(_undeclared(prefix, first))
-        return found
+                problems.append(_undeclared(prefix, first))
+        return problems
 
     def unexpanded(self) -> list[Problem]:
         if not self._unexpanded:
             return []
         first, *others = self._unexpanded
         count = f", the first of {1 + len(others)}" if others else ""
-        message = f"<{first.tag}> is a call of a xacro macro{count}, and no macro is defined here"
+        message = f"<{first.tag}> calls a xacro macro{count}, but no macro is defined here"
         notes = tuple(Related(other.span, f"<{other.tag}>") for other in others[:MAX_RELATED])
         return [Problem("XAC003", first.tag_at.name_span, message, related=notes)]
 
     def _entity(self, name: str, *_: object) -> None:
         at = self._parser.CurrentByteIndex
         self.problems.append(entity_problem(self.source, at, name))
-        # With a default handler set, expat hands over references instead of expanding them.
+        # With a default handler, expat does not expand references.
         self._parser.DefaultHandler = _ignore
 
 
@@ -178,23 +178,23 @@ def _undeclared(prefix: str, first: Element) -> Problem:
     at = tag.name_span
     if not first.tag.startswith(f"{prefix}:"):
         name = next(name for name in first.attributes if name.startswith(f"{prefix}:"))
-        found = tag.span.source.data.find(name.encode(), tag.start, tag.inner_start)
-        at = Span(tag.source, found, found + len(name.encode())) if found >= 0 else tag.span
+        start = tag.span.source.data.find(name.encode(), tag.start, tag.inner_start)
+        at = Span(tag.source, start, start + len(name.encode())) if start >= 0 else tag.span
     message = f"the prefix '{prefix}:' is used but never declared"
     help = f'declare it on the root element: xmlns:{prefix}="..."'
     return Problem("XML007", at, message, help)
 
 
 def unbound_prefixes(source: Source) -> list[Problem]:
-    """The prefixes that a well-formed file uses but does not declare, for a strict reader."""
+    """Problems of undeclared prefixes in a well-formed file, which strict parsers reject."""
     builder = _DocumentBuilder(source)
     try:
-        builder.parse(forgiven(source, []))
+        builder.parse(without_declaration(source, []))
     except (expat.ExpatError, DocumentTooLarge):
         return syntax_problems(source)
     assert builder.root is not None
     root = builder.root
-    found = []
+    problems = []
     for problem in builder.undeclared_prefixes(strict=True):
         fix = None
         help = problem.help
@@ -204,9 +204,8 @@ def unbound_prefixes(source: Source) -> list[Problem]:
             text = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
             edit = Edit(Span(source, end, end), text)
             fix = Fix("declare the prefix on the root element", (edit,), safe=True)
-        error = problem._replace(help=help, fix=fix, severity=Severity.ERROR)
-        found.append(error)
-    return found or [_expat_problem(source, source.data, namespaces=True)]
+        problems.append(problem._replace(help=help, fix=fix, severity=Severity.ERROR))
+    return problems or [_expat_problem(source, source.data, namespaces=True)]
 
 
 def _ignore(_: str) -> None:
@@ -214,7 +213,7 @@ def _ignore(_: str) -> None:
 
 
 def entity_problem(source: Source, at: int, name: str) -> Problem:
-    """An entity declaration, which is read over; ``at`` is a place in it."""
+    """The problem of an entity declaration, which is ignored; ``at`` is an offset in it."""
     start = max(source.data.rfind(b"<!ENTITY", 0, at + 8), 0)
     return Problem("XML003", Span(source, start, start + 8), f"entity '{name}' is declared")
 
@@ -223,7 +222,7 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
     """All syntax errors of a file that is not well formed.
 
     Args:
-        data: its text if read otherwise than it stands, at the same offsets.
+        data: the parsed text, if it differs from the file; with the same offsets.
     """
     from urdfkit.text.xml_errors import syntax_mistakes  # needed for broken files only
 
@@ -243,13 +242,13 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
 
 
 def _fix(source: Source, mistake: SyntaxMistake) -> Fix | None:
-    """The fix of a mistake; it is known for comments, which no URDF parser reads."""
+    """The fix of a mistake; it is safe, since only comments have one."""
     edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.fix)
     return Fix(mistake.help, edits, safe=True) if edits else None
 
 
 def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:
-    """What expat says, for a file that only expat rejects."""
+    """The error of expat, for a file that only expat rejects."""
     parser = expat.ParserCreate("utf-8", " " if namespaces else None)
     try:
         parser.Parse(data, True)

@@ -1,7 +1,8 @@
 """How large a value may be that an expression makes, and how its size is counted."""
 
 from collections.abc import Iterator
-from typing import Any
+
+from urdfkit.core.static_typing import Any
 
 #: Characters and items of one value, counted as often as they are shared.
 MAX_LENGTH = 1_000_000

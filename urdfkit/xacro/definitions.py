@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source

@@ -5,9 +5,9 @@ import os
 import re
 from collections.abc import Iterable
 from types import FrameType
-from typing import Any
 
 from urdfkit.core import disk
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import Any
 from xml.dom import minidom
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget

@@ -1,9 +1,9 @@
 """A xacro file as DOM: the events of expat become nodes that know where they were written."""
 
-from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source

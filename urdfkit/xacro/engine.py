@@ -18,10 +18,10 @@ from functools import lru_cache
 from io import StringIO
 from keyword import iskeyword
 from types import ModuleType
-from typing import Any
 from xml.dom import minidom
 
 from urdfkit.core import libraries
+from urdfkit.core.static_typing import Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.xacro import dom, patterns
 from urdfkit.xacro.bounds import UnsafeExpression
@@ -285,7 +285,8 @@ class XacroEngine:
             text = StringIO()
             with redirect_stderr(text):
                 locate()
-            self._run.say("", text.getvalue().rstrip("\n"))
+            for line in text.getvalue().splitlines():
+                self._run.say("", line)
 
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)

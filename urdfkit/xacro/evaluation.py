@@ -7,8 +7,8 @@ value is no further error, so that one run finds all errors.
 import re
 import sys
 from functools import lru_cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.definitions import annotations_of
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.expansion import ExpansionRun

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import sys
 from types import FrameType
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge
@@ -168,6 +168,7 @@ class ExpansionRun:
             None if self.request.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
             self._ros_version,
+            self.warn,
         )
         try:
             return substitute(content, context)

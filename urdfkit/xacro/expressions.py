@@ -12,8 +12,8 @@ import warnings
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import CodeType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import MAX_BITS, TooLarge, UnsafeExpression
 from urdfkit.xacro.sandbox import Sandbox
 

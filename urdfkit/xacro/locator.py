@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 from urdfkit.xacro.dom import Node

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS

@@ -2,8 +2,8 @@
 
 import re
 from collections.abc import Callable
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 
 #: Characters of all parameters of a macro; real ones have 1 000.

@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from types import BuiltinFunctionType, MethodDescriptorType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import (
     TooLarge,
     UnsafeExpression,

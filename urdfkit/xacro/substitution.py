@@ -9,9 +9,9 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import MissingArgument
 from urdfkit.xacro.expressions import evaluate
@@ -48,6 +48,7 @@ class SubstitutionContext(Record):
     sandbox: Sandbox | None  # for expressions; None if every variable and expression is allowed
     functions: Mapping[str, Any]  # what expressions may call
     ros_version: Callable[[], str]  # what ``ROS_VERSION`` is where no ROS has set it
+    warn: Callable[[str], None]  # warns the user
 
 
 def substitute(content: str, context: SubstitutionContext) -> str:
@@ -102,6 +103,11 @@ def _variable(name: str, context: SubstitutionContext) -> str:
 def _optional_variable(name: str, default: str, context: SubstitutionContext) -> str:
     if may_read(name, context):
         return context.environment.get(name, default)
+    if name in context.environment:
+        context.warn(
+            f"environment variable '{name}' is set, but not on the allow-list: $(optenv) takes its "
+            "default; --trust reads the variable"
+        )
     return default
 
 

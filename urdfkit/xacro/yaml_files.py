@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.source import Source, Span
 from urdfkit.xacro.errors import BrokenYaml
 

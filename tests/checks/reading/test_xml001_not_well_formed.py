@@ -40,7 +40,7 @@ def test_rules_that_need_the_robot_are_skipped_and_say_why() -> None:
 def test_a_file_without_a_byte(name: str) -> None:
     (found,) = reported("XML001", b"", name)
     assert (found.message, found.span.line, found.span.column) == ("the file is empty", 1, 1)
-    assert found.help == "write a <robot> into it, or name another file"
+    assert found.help == "add a <robot>, or name another file"
 
 
 def test_in_a_file_that_a_xacro_includes(tmp_path: Path) -> None:
@@ -60,7 +60,7 @@ def test_in_a_file_that_a_xacro_includes(tmp_path: Path) -> None:
 def test_a_declaration_that_xacro_refuses() -> None:
     robot = '<?xml verison="1.0"?><robot name="r"><link name="a"/></robot>'
     (found,) = reported("XML001", robot, "robot.xacro")
-    assert found.message == 'the XML declaration must read <?xml version="1.0"?>'
+    assert found.message == 'the XML declaration must be <?xml version="1.0"?>'
     assert reported("XML001", robot, "robot.urdf") == [], "urdfdom forgives it: XML007"
 
 

@@ -12,7 +12,7 @@ def declared(encoding: str) -> bytes:
 def test_a_byte_that_is_not_utf_8() -> None:
     (found,) = reported("XML002", ROBOT.encode("latin-1"))
     assert (found.span.line, found.span.column) == (1, 24)
-    assert found.message == "this byte is not utf-8, which XML takes where nothing is declared"
+    assert found.message == "this byte is not utf-8, the default encoding of XML"
 
 
 def test_a_byte_that_is_not_what_is_declared() -> None:

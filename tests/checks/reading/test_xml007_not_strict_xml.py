@@ -22,7 +22,7 @@ REST = '<robot name="r"><link name="a"/></robot>'
 def test_a_declaration_of_another_kind(declaration: str) -> None:
     (found,) = reported("XML007", f"{declaration}\n{REST}")
     assert found.span.text == declaration
-    assert found.message == "the XML declaration is not that of XML 1.0"
+    assert found.message == "the XML declaration is not valid in XML 1.0"
     assert fixed("XML007", f"{declaration}\n{REST}") == f'<?xml version="1.0"?>\n{REST}'
 
 

@@ -73,7 +73,7 @@ def test_calls_that_nobody_answers(namespace: str) -> None:
     assert (found.span.line, found.span.text) == (2, "xacro:camera")
     assert found.severity is Severity.WARNING
     assert found.message == (
-        "<xacro:camera> is a call of a xacro macro, the first of 2, and no macro is defined here"
+        "<xacro:camera> calls a xacro macro, the first of 2, but no macro is defined here"
     )
     assert [(one.span.line, one.message) for one in found.related] == [(3, "<xacro:lidar>")]
 

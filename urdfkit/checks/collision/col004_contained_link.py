@@ -15,8 +15,7 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours

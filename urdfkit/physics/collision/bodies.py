@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 from math import dist, hypot
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform, Vector
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.model import Body, Shape
 
 if TYPE_CHECKING:

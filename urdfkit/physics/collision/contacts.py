@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, minus
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.physics.collision.bodies import THINNEST, TOUCH, CollisionBody, collision_bodies
 from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative

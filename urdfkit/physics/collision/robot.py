@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
 
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.physics.collision.contacts import Contacts
 
 if TYPE_CHECKING:

@@ -4,10 +4,10 @@ import ast
 from collections.abc import Iterator
 from functools import lru_cache
 
-from urdfkit.text.python_source import KEPT, nodes
+from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def decided_calls(tree: ast.Module) -> frozenset[ast.Call]:
     """The calls that are run in one branch of the program only, or whose value is used in one."""
     within: set[ast.AST] = set(_decided(tree))

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
-from urdfkit.text.located_yaml import KEPT, Key, Node, Value, load, mistake
+from urdfkit.text.located_yaml import CACHE_SIZE, Key, Node, Value, load, syntax_error
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
@@ -47,12 +47,12 @@ class _Action(Element):
         return self._span
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
     """The document of a launch file, None if there is none, and what is wrong with its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
-    if found := mistake(source):
+    if found := syntax_error(source):
         span, reason = found
         return None, (Problem("XML001", span, f"not YAML: {reason}"),)
     top = load(source)

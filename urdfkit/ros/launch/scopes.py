@@ -6,7 +6,7 @@ import ast
 from functools import lru_cache
 
 from urdfkit.core.record import Record
-from urdfkit.text.python_source import KEPT, nodes
+from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
@@ -69,7 +69,7 @@ class Scopes:
         return scope
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def scopes(tree: ast.Module) -> Scopes:
     """The names of a file, worked out once."""
     return Scopes(tree)

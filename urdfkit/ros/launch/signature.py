@@ -13,7 +13,7 @@ from urdfkit.ros.launch.markup import parsed
 from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
 from urdfkit.text.document import Element
-from urdfkit.text.python_source import KEPT
+from urdfkit.text.python_source import CACHE_SIZE
 from urdfkit.text.source import Source
 
 #: Actions that declare an argument, of launch and of packages such as moveit_configs_utils.
@@ -50,7 +50,7 @@ USE = re.compile(r"\$\((?:arg|var)\s+['\"]?([^\s()$'\"]+)['\"]?\s*\)")
 _UNKNOWN = Signature(frozenset(), frozenset(), False, False, False)
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def signature(source: Source) -> Signature:
     """The arguments of a launch file; one that cannot be read may take any."""
     if source.path.endswith(".py"):

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from urdfkit.text.diagnostic import Edit
 
-#: The longer marks first: that of UTF-32 begins with that of UTF-16.
+#: Longer marks first: the mark of UTF-32 begins with the mark of UTF-16.
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32-le"),
@@ -16,14 +16,14 @@ _MARKS = (
 
 
 def apply_edits(data: bytes, edits: Iterable[Edit]) -> bytes:
-    """The text of a source after some edits of it.
+    """The text of a source after edits.
 
     Args:
-        data: of the source that all the edits are in.
-        edits: in any order; where two insert at one place, they do so in the order given.
+        data: of the source that all edits refer to.
+        edits: in any order; insertions at the same offset keep their order.
 
     Raises:
-        ValueError: two edits overlap, or one lies outside the text.
+        ValueError: two edits overlap, or an edit is outside the text.
     """
     pieces: list[bytes] = []
     done = 0
@@ -38,14 +38,14 @@ def apply_edits(data: bytes, edits: Iterable[Edit]) -> bytes:
 
 
 def encoded(text: bytes, encoding: str, original: bytes) -> bytes:
-    """The text of a source as the file holds it, in its encoding and with its byte-order mark.
+    """The text of a source in the encoding of its file, with its byte-order mark.
 
     Args:
         text: in UTF-8.
-        original: the bytes of the file that it was read from.
+        original: the bytes of the file.
 
     Raises:
-        UnicodeEncodeError: the encoding lacks a character.
+        UnicodeEncodeError: the encoding does not have a character.
     """
     for mark, codec in _MARKS:
         if original.startswith(mark):

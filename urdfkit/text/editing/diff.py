@@ -1,4 +1,4 @@
-"""The difference of two texts, as a unified diff."""
+"""Unified diffs."""
 
 from __future__ import annotations
 
@@ -8,22 +8,21 @@ from array import array
 
 from urdfkit.text.source import shown
 
-#: Deletions and insertions up to which the smallest diff is looked for.
+#: Most deletions and insertions for which the smallest diff is searched.
 _MAX_EDITS = 2000
 
 
 def diff(path: str, before: bytes, after: bytes) -> str:
-    """What changes of a file, as a unified diff that ``patch -p0`` takes.
+    """The changes of a file in UTF-8, as a unified diff for ``patch -p0``.
 
     Args:
-        path: of the file. It is relative in the diff if the file lies in the current directory:
-            ``patch`` rejects absolute paths.
-        before: its text, in UTF-8.
+        path: of the file. The diff contains it relative to the current directory if the file is in
+            it: ``patch`` rejects absolute paths.
     """
     old, new = _lines(before), _lines(after)
     matcher = difflib.SequenceMatcher(None, old, new)
     if common := _common(old, new):
-        vars(matcher)["matching_blocks"] = common  # which it would look for otherwise
+        vars(matcher)["matching_blocks"] = common  # replaces difflib's own search
     name = shown(path)
     lines = [f"--- {name}\n", f"+++ {name}\n"] if before != after else []
     for group in matcher.get_grouped_opcodes():
@@ -40,7 +39,7 @@ def diff(path: str, before: bytes, after: bytes) -> str:
 
 
 def _range(group: list[tuple[str, int, int, int, int]], column: int) -> str:
-    """First line and number of lines of a hunk, in one of the two texts."""
+    """First line and number of lines of a hunk, in one of the texts."""
     start, end = int(group[0][column]), int(group[-1][column + 1])
     return f"{start + (end > start)},{end - start}" if end - start != 1 else f"{start + 1}"
 
@@ -48,10 +47,10 @@ def _range(group: list[tuple[str, int, int, int, int]], column: int) -> str:
 def _common(old: list[str], new: list[str]) -> list[difflib.Match]:
     """The longest common subsequence of two texts, as runs of lines; empty if they differ too much.
 
-    difflib takes lines that are frequent, such as </inertial>, for unimportant, and then shows
-    many more changes than there are. Myers 1986, https://doi.org/10.1007/BF01840446.
+    difflib ignores frequent lines, such as </inertial>, and then reports more changes than
+    necessary. Myers 1986, https://doi.org/10.1007/BF01840446.
     """
-    ends: list[array[int]] = []  # after n edits: how far each diagonal of the grid is reached
+    ends: list[array[int]] = []  # after n edits: the furthest point on each diagonal of the grid
     reached = {1: 0}
     for edits in range(_MAX_EDITS):
         for k in range(-edits, edits + 1, 2):
@@ -61,13 +60,13 @@ def _common(old: list[str], new: list[str]) -> list[difflib.Match]:
                 x += 1
             reached[k] = x
             if x >= len(old) and x - k >= len(new):
-                return _traced(ends, x, x - k)
+                return _backtrack(ends, x, x - k)
         ends.append(array("l", (reached[k] for k in range(-edits, edits + 1, 2))))
     return []
 
 
-def _traced(ends: list[array[int]], x: int, y: int) -> list[difflib.Match]:
-    """The runs of equal lines on the way through the grid that ends at a point."""
+def _backtrack(ends: list[array[int]], x: int, y: int) -> list[difflib.Match]:
+    """The runs of equal lines on the path through the grid to an end point."""
     blocks = [difflib.Match(x, y, 0)]
     for edits in range(len(ends), 0, -1):
         before, k = ends[edits - 1], x - y
@@ -85,5 +84,5 @@ def _traced(ends: list[array[int]], x: int, y: int) -> list[difflib.Match]:
 
 
 def _lines(text: bytes) -> list[str]:
-    """With their ends, and as ``patch`` counts them: nothing but a line feed ends one."""
+    """Lines with their ends, as in ``patch``: only a line feed ends a line."""
     return [*io.StringIO(text.decode("utf-8", "replace"), newline="\n")]

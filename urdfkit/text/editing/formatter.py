@@ -1,9 +1,9 @@
-"""The format of URDF and xacro: one way to write a document, with the same meaning.
+"""Formatter of URDF and xacro, which keeps the meaning of a document.
 
-Every element begins a line, indented by its depth; attributes have one order and one kind of
-quotes; numbers of a vector stand one space apart, as written. Comments stay where
-they stand, single blank lines as well. What holds text is left as it is, unless it is an element of
-URDF that may hold elements only: there a text is stray, and gets a line of its own.
+Every element begins a line, indented by its depth; attributes have a fixed order and double quotes;
+numbers of a vector are separated by one space, as written. Comments and single blank lines stay in
+their places. Elements with text do not change, except elements of URDF that may contain only
+elements: a text in them is stray, and gets a line of its own.
 """
 
 from __future__ import annotations
@@ -14,26 +14,26 @@ from xml.parsers import expat
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.editing.edits import STEP
-from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
+from urdfkit.text.editing.start_tags import MACRO, container_tags, parameters, start_tag, vectors
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.tokens import Token, TokenKind, tokens
 from urdfkit.text.xml_reader import DocumentTooLarge, require_shallow_dtd, syntax_problems
 
-#: Columns of a line; only what cannot be broken is longer.
+#: Columns of a line; only unbreakable text is longer.
 WIDTH = 100
-#: Levels of elements; indentation grows with the square of them, and robots have 20.
+#: Most levels of elements; indentation grows with their square, and robots have 20.
 MAX_DEPTH = 1000
-#: What a tab in front of a comment's line stands for.
+#: Columns of a tab before a line of a comment.
 _TAB = 4
 
 _TAGS = (TokenKind.START, TokenKind.EMPTY)
-#: Blocks in which other programs read their own tags.
+#: Elements whose content other programs read.
 _FOREIGN = frozenset(("gazebo", "transmission", "ros2_control"))
 
 
 def formatted(source: Source, width: int = WIDTH) -> bytes:
-    r"""The text of a source, formatted; in UTF-8, with the line ends that it has.
+    r"""The formatted text of a source, in UTF-8, with its line ends.
 
     >>> text = b"<robot  name='r' >\n<link name='a'></link><!-- one --></robot>"
     >>> print(formatted(Source("r.urdf", text)).decode(), end="")
@@ -45,24 +45,24 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
         width: columns of a line.
 
     Raises:
-        UnreadableRobot: it is not well-formed, or no robot.
+        UnreadableRobot: it is not well-formed, or not a robot.
     """
     _require_robot(source)
     data = source.data.replace(b"\r\n", b"\n")
-    found = list(tokens(data))
-    outline = _outline(found, source.path)
-    layout = "\n".join(_LineWriter(found, data, outline, width).lines()) + "\n"
-    if _meaning(layout.encode()) != _meaning(data):
+    document = list(tokens(data))
+    outline = _outline(document, source.path)
+    text = "\n".join(_LineWriter(document, data, outline, width).lines()) + "\n"
+    if _meaning(text.encode()) != _meaning(data):
         raise AssertionError(f"{source.path}: formatting would change the meaning")
     newline = "\r\n" if b"\r\n" in source.data else "\n"
-    return layout.replace("\n", newline).encode()
+    return text.replace("\n", newline).encode()
 
 
 def _require_robot(source: Source) -> None:
-    """See that a file can be formatted.
+    """Check that a file can be formatted.
 
     Raises:
-        UnreadableRobot: it is not well-formed, or no robot.
+        UnreadableRobot: it is not well-formed, or not a robot.
     """
     if source.undecodable is not None:
         raise UnreadableRobot(f"{source.path}: the file is not valid text")
@@ -75,48 +75,46 @@ def _require_robot(source: Source) -> None:
         problems = syntax_problems(source)
         reason = f"{problems[0].span}: {problems[0].message}"
         raise UnreadableRobot(reason, tuple(problems)) from None
-    root = next(one for one in tokens(source.data) if one.kind in _TAGS)
+    root = next(token for token in tokens(source.data) if token.kind in _TAGS)
     if root.name != "robot" and not is_xacro(source):
         raise UnreadableRobot(f"{source.path}: not a robot, its root is <{root.name}>")
 
 
 class _Outline(Record):
-    """Which tokens of a document belong together."""
+    """The elements among the tokens of a document, by the numbers of their start tags."""
 
-    ends: dict[int, int]  # the number of the end tag by that of the start tag
-    #: Start tags of elements that stay as they are, because they hold text: white space may mean
-    #: something there. In a few of URDF's it means nothing.
-    verbatim: set[int]
+    ends: dict[int, int]  # number of the end tag
+    verbatim: set[int]  # elements that must not change: their white space may have a meaning
 
 
 class _Open(Record):
-    """An element whose end tag has not come."""
+    """An element before its end tag."""
 
-    name: str  # of it
-    is_foreign: bool  # True where attributes are another program's affair
+    name: str
+    is_foreign: bool  # True for elements of other programs, whose attributes keep their order
 
 
 class _LineWriter:
-    """Makes lines of tokens."""
+    """Writes tokens as lines."""
 
-    def __init__(self, found: list[Token], data: bytes, outline: _Outline, width: int) -> None:
-        self._tokens = found
+    def __init__(self, document: list[Token], data: bytes, outline: _Outline, width: int) -> None:
+        self._tokens = document
         self._data = data
         self._width = width
         self._ends, self._verbatim = outline
         self._lines: list[str] = []
         self._open: list[_Open] = []
-        #: Line ends since the last token that is no white space.
+        #: Line ends since the last token that is not white space.
         self._gap = 0
-        #: True after a start tag and before an end tag: inside, blank lines help nobody there.
-        self._fresh = True
+        #: True after a start tag and before an end tag, where blank lines are removed.
+        self._at_edge = True
 
     def lines(self) -> list[str]:
         number = 0
         while number < len(self._tokens):
             token = self._tokens[number]
             if token.kind is TokenKind.TEXT:
-                self._text_of(token)
+                self._text(token)
             elif token.kind is TokenKind.COMMENT:
                 self._comment(token, number)
             elif token.kind is TokenKind.END:
@@ -128,15 +126,15 @@ class _LineWriter:
             number += 1
         return self._lines
 
-    def _text_of(self, token: Token) -> None:
-        """Count the line ends of white space; write each line of a stray text."""
+    def _text(self, token: Token) -> None:
+        """Count line ends; write each line of a stray text."""
         for number, line in enumerate(token.text.split("\n")):
             self._gap += bool(number)
             if line.strip():
                 self._line(line.strip())
 
     def _element(self, token: Token, number: int) -> int:
-        """Write a start tag, or a whole element that stays as it is; the last token of it."""
+        """Write a start tag, or a whole element that must not change; returns its last token."""
         end = self._ends.get(number, number)
         if number in self._verbatim:
             inner = self._data[token.end : self._tokens[end].start].decode()
@@ -149,14 +147,14 @@ class _LineWriter:
             return end
         self._line(self._start_tag(token, ">"))
         self._open.append(_Open(token.name, self._is_foreign or token.name in _FOREIGN))
-        self._fresh = True
+        self._at_edge = True
         return number
 
     def _start_tag(self, token: Token, close: str) -> str:
         return start_tag(token, close, self._indent, self._width, is_foreign=self._is_foreign)
 
     def _end(self, token: Token) -> None:
-        self._fresh = True
+        self._at_edge = True
         if len(self._open) > 1:
             self._gap = 0
         self._open.pop()
@@ -171,14 +169,14 @@ class _LineWriter:
         return bool(self._open) and self._open[-1].is_foreign
 
     def _line(self, text: str) -> None:
-        """Begin a line, after a blank one if there was one."""
-        if self._gap > 1 and not (self._fresh and len(self._open) > 1):
+        """Write a line, after a blank line if the source has one."""
+        if self._gap > 1 and not (self._at_edge and len(self._open) > 1):
             self._lines.append("")
         self._lines.append(self._indent + text)
-        self._gap, self._fresh = 0, False
+        self._gap, self._at_edge = 0, False
 
     def _comment(self, token: Token, number: int) -> None:
-        """Behind what it stands behind on its line, else on a line of its own."""
+        """Write a comment, on the line of the preceding token if it was there."""
         before = self._tokens[number - 1] if number else None
         if before and before.kind is TokenKind.TEXT:
             before = self._tokens[number - 2] if number > 1 else None
@@ -189,16 +187,16 @@ class _LineWriter:
         ):
             self._lines[-1] += f" {_stripped(token.text)}"
             return
-        self._line(_shifted(token.text, self._column(token.start), len(self._indent)))
+        self._line(_reindented(token.text, self._column(token.start), len(self._indent)))
 
     def _column(self, at: int) -> int | None:
-        """The indentation of a place; None if something else stands before it on its line."""
+        """The indentation at an offset; None if other text precedes it on its line."""
         before = self._data[self._data.rfind(b"\n", 0, at) + 1 : at].decode()
         return None if before.strip() else len(before.expandtabs(_TAB))
 
 
-def _outline(found: list[Token], path: str) -> _Outline:
-    """Which tokens are elements.
+def _outline(document: list[Token], path: str) -> _Outline:
+    """The elements among the tokens of a document.
 
     Raises:
         UnreadableRobot: they are nested too deeply.
@@ -206,7 +204,7 @@ def _outline(found: list[Token], path: str) -> _Outline:
     ends: dict[int, int] = {}
     verbatim: set[int] = set()
     stack: list[int] = []
-    for number, token in enumerate(found):
+    for number, token in enumerate(document):
         if token.kind in _TAGS:
             if ("xml:space", "preserve") in token.pairs:
                 verbatim.add(number)
@@ -217,10 +215,10 @@ def _outline(found: list[Token], path: str) -> _Outline:
         elif token.kind is TokenKind.END:
             start = stack.pop()
             ends[start] = number
-            inner = found[start + 1]
+            inner = document[start + 1]
             if number == start + 2 and inner.kind is TokenKind.TEXT and "\n" not in inner.text:
                 verbatim.add(start)  # one space can be a value
-        elif stack and _holds_meaning(token, [found[i].name for i in stack]):
+        elif stack and _is_significant(token, [document[i].name for i in stack]):
             verbatim.add(stack[-1])
     return _Outline(ends, verbatim & ends.keys())
 
@@ -229,32 +227,28 @@ def _is_blank(token: Token) -> bool:
     return token.kind is TokenKind.TEXT and not token.text.strip()
 
 
-def _holds_meaning(token: Token, path: list[str]) -> bool:
-    """True for a text that somebody may read.
-
-    Args:
-        token: any but tags.
-    """
+def _is_significant(token: Token, path: list[str]) -> bool:
+    """True for a text that a parser may read; ``token`` is not a tag."""
     if token.kind is TokenKind.CDATA:
         return True
     return token.kind is TokenKind.TEXT and bool(token.text.strip()) and not _is_stray_in(path)
 
 
 def _is_stray_in(path: list[str]) -> bool:
-    """True if no parser reads a text in the last of some nested elements."""
-    return path[-1] in holders() and not _FOREIGN.intersection(path)
+    """True if no parser reads a text in the innermost of nested elements."""
+    return path[-1] in container_tags() and not _FOREIGN.intersection(path)
 
 
 def _stripped(comment: str) -> str:
-    """A comment without white space at the end of its lines."""
+    """A comment without trailing white space."""
     return "\n".join(line.rstrip() for line in comment.split("\n"))
 
 
-def _shifted(comment: str, old: int | None, new: int) -> str:
-    """A comment whose first line moves from one column to another, and the others with it."""
-    first, *others = _stripped(comment).split("\n")
+def _reindented(comment: str, old: int | None, new: int) -> str:
+    """A comment moved from one column to another, with all its lines."""
+    first, *rest = _stripped(comment).split("\n")
     lines = [first]
-    for line in others:
+    for line in rest:
         text = line.lstrip(" \t")
         column = len(line[: len(line) - len(text)].expandtabs(_TAB))
         if old is not None:
@@ -264,7 +258,7 @@ def _shifted(comment: str, old: int | None, new: int) -> str:
 
 
 def _meaning(data: bytes) -> list[tuple[object, ...]]:
-    """What a document says, whatever its layout: tags, values, texts and comments in order."""
+    """The content of a document without its layout: tags, values, texts and comments in order."""
     events: list[tuple[object, ...]] = []
     path: list[str] = []
 

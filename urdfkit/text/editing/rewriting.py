@@ -1,4 +1,4 @@
-"""New texts for files: shown as a diff, or written."""
+"""New contents of files: shown as a diff, or written."""
 
 from __future__ import annotations
 
@@ -14,23 +14,22 @@ from urdfkit.text.source import Source
 
 
 class Rewrite(Record):
-    """A new text for a file."""
+    """New contents of a file."""
 
-    path: str  # of the file, as a user would type it
-    #: before and after: its bytes.
+    path: str  # relative to the current directory, or absolute
     before: bytes
     after: bytes
 
     def diff(self) -> str:
-        """What changes, as a unified diff that ``patch -p0`` takes."""
-        from urdfkit.text.editing.diff import diff  # which a check that counts fixes does without
+        """The change as a unified diff for ``patch -p0``."""
+        from urdfkit.text.editing.diff import diff  # not needed to count fixes
 
         before, after = (Source(self.path, data).data for data in (self.before, self.after))
         return diff(self.path, before, after)
 
 
 def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
-    """The files of some edits with these made; nothing is written.
+    """The files of edits with these applied; nothing is written.
 
     Raises:
         UnwritableFile: a file has changed since it was read.
@@ -38,35 +37,35 @@ def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
     by_source: dict[Source, list[Edit]] = {}
     for edit in edits:
         by_source.setdefault(edit.span.source, []).append(edit)
-    found = []
+    results = []
     for source, changes in by_source.items():
         before = unchanged(source)
         after = encoded(apply_edits(source.data, changes), source.encoding, before)
-        found.append(Rewrite(os.path.normpath(source.path), before, after))
-    return tuple(found)
+        results.append(Rewrite(os.path.normpath(source.path), before, after))
+    return tuple(results)
 
 
 def write(rewrites: Iterable[Rewrite]) -> None:
-    """Replace files, each whole or not at all, with the permissions that it has.
+    """Replace files atomically, with their permissions.
 
     Raises:
-        UnwritableFile: a file may not be written, or has changed since it was read.
+        UnwritableFile: a file is not writable, or has changed since it was read.
     """
-    from urdfkit.core import atomic  # which a check that only counts fixes does without
+    from urdfkit.core import atomic  # not needed to count fixes
 
     rewrites = tuple(rewrites)
-    for one in rewrites:
-        now = on_disk(one.path)
+    for rewrite in rewrites:
+        now = on_disk(rewrite.path)
         if now is None:
-            raise UnwritableFile(f"{one.path}: file not found")
-        if now != one.before:
-            raise FileChanged(one.path)
-    for one in rewrites:
-        atomic.write(one.path, one.after, before=one.before)
+            raise UnwritableFile(f"{rewrite.path}: file not found")
+        if now != rewrite.before:
+            raise FileChanged(rewrite.path)
+    for rewrite in rewrites:
+        atomic.write(rewrite.path, rewrite.after, before=rewrite.before)
 
 
 def unchanged(source: Source) -> bytes:
-    """The bytes of the file of a source; none if it is not there.
+    """The bytes of the file of a source; empty if it does not exist.
 
     Raises:
         UnwritableFile: it has changed since it was read.

@@ -1,4 +1,4 @@
-"""The layout of start tags: attributes in one order, in as few lines as they take."""
+"""The format of start tags: attributes in a fixed order, on as few lines as possible."""
 
 import re
 from collections.abc import Iterator
@@ -9,25 +9,25 @@ from urdfkit.text.editing.edits import STEP
 from urdfkit.text.tokens import Token
 
 MACRO = "xacro:macro"
-#: First attributes of tags of xacro; those of URDF come from its grammar.
+#: First attributes of xacro tags; the order for URDF tags comes from its grammar.
 _XACRO_ORDER = {
     MACRO: ("name", "params"),
     "xacro:property": ("name", "value"),
     "xacro:arg": ("name", "default"),
     "xacro:include": ("filename",),
 }
-#: The upper half of a tensor: its rows are those of the matrix.
+#: The upper triangle of the inertia tensor; one line for each row of the matrix.
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: bool) -> str:
-    """A start tag, its further lines below its first attribute.
+    """A formatted start tag, its further lines aligned with its first attribute.
 
     Args:
         close: its end, ``>`` or ``/>``.
-        indent: spaces before it, which are no part of what is returned.
+        indent: spaces before it, which the result does not contain.
         width: columns of a line.
-        is_foreign: attributes are another program's affair, and stay in their order.
+        is_foreign: True for elements of other programs, whose attributes keep their order.
     """
     pairs = list(_attributes(token, is_foreign=is_foreign))
     attributes = [f"{name}={value}" for name, value in pairs]
@@ -42,23 +42,23 @@ def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: 
     first = f"{indent}<{token.name} "
     available = width - len(close)
     if token.name.startswith("xacro:") and token.name not in _XACRO_ORDER:
-        rows = [[attribute] for attribute in attributes]  # of a macro: what each stands for
+        rows = [[attribute] for attribute in attributes]  # the parameters of a macro call
     elif tuple(name for name, _ in pairs) == _TENSOR:
         rows = [attributes[:3], attributes[3:5], attributes[5:]]
     else:
         if token.name == MACRO:
-            attributes = [_filled(name, value, hang, available) for name, value in pairs]
+            attributes = [_wrapped(name, value, hang, available) for name, value in pairs]
         rows = _rows(attributes, len(first), hang, available)
     lines = [" ".join(row) for row in rows]
     return (first + f"\n{' ' * hang}".join(lines)).lstrip() + close
 
 
 def _attributes(token: Token, *, is_foreign: bool) -> Iterator[tuple[str, str]]:
-    """Names and quoted values, in their order."""
-    written = token.pairs
+    """Names and quoted values, in the order of the format."""
+    pairs = token.pairs
     order = () if is_foreign else _order().get(token.name, ())
-    known = sorted((a for a in written if a[0] in order), key=lambda a: order.index(a[0]))
-    for name, text in (*known, *(a for a in written if a[0] not in order)):
+    known = sorted((pair for pair in pairs if pair[0] in order), key=lambda a: order.index(a[0]))
+    for name, text in (*known, *(pair for pair in pairs if pair[0] not in order)):
         value = text
         if name in vectors() and not is_foreign:
             value = _vector(text)
@@ -67,17 +67,16 @@ def _attributes(token: Token, *, is_foreign: bool) -> Iterator[tuple[str, str]]:
         yield name, f"'{value}'" if '"' in value else f'"{value}"'
 
 
-def _filled(name: str, value: str, hang: int, width: int) -> str:
-    """An attribute of a macro; its parameters in the lines that they had, each below the first.
+def _wrapped(name: str, value: str, hang: int, width: int) -> str:
+    """An attribute of a macro; its parameters keep their lines, aligned with the first parameter.
 
     Args:
         hang: columns before it.
         width: columns of a line.
     """
-    found = parameters(value[1:-1]) if name == "params" else []
     rows: list[str] = []
     hang += len(name) + 2
-    for line in found:
+    for line in parameters(value[1:-1]) if name == "params" else ():
         rows.append("")
         for word in line:
             if rows[-1] and hang + len(f"{rows[-1]} {word}") >= width:
@@ -88,11 +87,11 @@ def _filled(name: str, value: str, hang: int, width: int) -> str:
 
 
 def _rows(attributes: list[str], first: int, hang: int, width: int) -> list[list[str]]:
-    """Attributes in as few lines as they take, with the same number in each if that fits.
+    """Attributes on as few lines as possible, with the same number on each line if they fit.
 
     Args:
-        first: columns before those of the first line.
-        hang: columns before those of the others.
+        first: columns before the attributes of the first line.
+        hang: columns before the attributes of the other lines.
         width: columns of a line.
     """
     rows = [attributes[:1]]
@@ -111,7 +110,7 @@ _VECTOR = re.compile(r"\s*[-+.\deE]+(?:\s+[-+.\deE]+)*\s*")
 
 
 def _vector(value: str) -> str:
-    """Numbers one space apart, each as written; anything else as it is."""
+    """Numbers separated by one space, each as written; any other value unchanged."""
     return " ".join(value.split()) if _VECTOR.fullmatch(value) else value
 
 
@@ -119,10 +118,10 @@ _PARAMETER = re.compile(r"""(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+""")
 
 
 def parameters(value: str) -> list[list[str]]:
-    """The parameters of a macro, line by line; none where that is not sure.
+    """The parameters of a macro, line by line; empty if they cannot be split safely.
 
-    White space between them says nothing to xacro; that in quotes is part of a default, and a
-    line end there is a space.
+    White space between them has no meaning in xacro. White space in quotes belongs to a default,
+    and a line end in quotes is a space.
     """
     lines = value.split("\n")
     if any(map(_rest, lines)):
@@ -133,7 +132,7 @@ def parameters(value: str) -> list[list[str]]:
 
 
 def _rest(line: str) -> str:
-    """What is no parameter: a quote that is open at the end."""
+    """The text that is not a parameter: an unclosed quote."""
     return _PARAMETER.sub("", line).strip()
 
 
@@ -143,20 +142,20 @@ def _grammars() -> dict[str, schema.Grammar]:
 
 
 @cache
-def holders() -> frozenset[str]:
-    """Elements of URDF that hold elements, and no text that anybody reads."""
+def container_tags() -> frozenset[str]:
+    """Tags of URDF elements that contain elements, and no text that a parser reads."""
     return frozenset(tag for tag, grammar in _grammars().items() if grammar.children)
 
 
 @cache
 def _order() -> dict[str, tuple[str, ...]]:
-    """The order of the attributes of a tag, as far as it is known."""
-    return {tag: tuple(one.attributes) for tag, one in _grammars().items()} | _XACRO_ORDER
+    """The order of the known attributes of each tag."""
+    return {tag: tuple(grammar.attributes) for tag, grammar in _grammars().items()} | _XACRO_ORDER
 
 
 @cache
 def vectors() -> frozenset[str]:
-    """Attributes of several numbers."""
+    """Names of attributes with several numbers."""
     return frozenset(
         name
         for grammar in _grammars().values()
