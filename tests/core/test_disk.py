@@ -120,7 +120,6 @@ READERS = {
     "workspace/config_file.py": "the nearest above a file",
     "workspace/file_head.py": "who calls read_head",
     "workspace/gitignore.py": IN_PACKAGE,
-    "workspace/ignore_files.py": "git's own configuration",
     "workspace/includes.py": IN_PACKAGE,
     "workspace/install_rules.py": IN_PACKAGE,
     "workspace/installs.py": IN_PACKAGE,
@@ -128,8 +127,8 @@ READERS = {
     "workspace/package_directories.py": IN_PACKAGE,
     "workspace/python_installs.py": IN_PACKAGE,
     "workspace/resolve.py": "itself",
-    "workspace/siblings.py": IN_PACKAGE,
-    "workspace/xml_programs.py": ADMITTED,
+    "workspace/srdf_files.py": IN_PACKAGE,
+    "workspace/program_strings.py": ADMITTED,
     "xacro/file_reader.py": "Resolver.allows",
 }
 

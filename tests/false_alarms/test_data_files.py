@@ -62,7 +62,7 @@ def notes(tmp_path: Path, code: str, robot: str = ROBOT) -> list[tuple[str, int,
     ]
 
 
-def test_an_element_and_the_first_of_its_values(tmp_path: Path) -> None:
+def test_an_element_and_the_first_of_its_values_on_each_line(tmp_path: Path) -> None:
     assert notes(tmp_path, "JNT003") == [
         ("limits.yaml", 1, 17, "lower and upper are given here"),
     ]
@@ -72,6 +72,8 @@ def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
     assert sorted(notes(tmp_path, "INE003")) == [
         ("inertials.yaml", 3, 17, "ixx, iyy and izz are given here"),
         ("inertials.yaml", 7, 9, "ixx, iyy and izz are given here"),
+        ("inertials.yaml", 8, 9, "ixx, iyy and izz are given here"),
+        ("inertials.yaml", 9, 9, "ixx, iyy and izz are given here"),
     ]
 
 

@@ -71,6 +71,9 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
         if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
     _show_crashes(report)
+    if not any(name in _FOR_PEOPLE and not file for name, file in outputs):
+        for typo in report.argument_typos:
+            options.warn(typo)
     written = _write(report, outputs, values)
     code = report.exit_code(fail_on(values, chosen))
     code = 0 if code == 1 and values["exit_zero"] else code

@@ -9,6 +9,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
+from urdfkit.workspace.launch_files import has_launch_files
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,7 +40,7 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     job = job._replace(started=())  # what the report needs of it goes to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
-    return _with_other_robots(job, read, context, sets)
+    return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
 def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
@@ -48,14 +49,8 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     Args:
         names: of the arguments that it lacks.
     """
-    from urdfkit.ros.launch.robot_arguments import given
-
     sets: dict[object, RobotArguments] = {}
-    own: Iterable[RobotArguments] = ()
-    if names or not job.frame:
-        no_arguments = context.reading.document is not None and not _defaults(context)
-        own = given(job.path, names, context.resolver, only_parameters=no_arguments)
-    for one in (*own, *job.started):
+    for one in (*_given(job, names, context), *job.started):
         if one.arguments.keys() >= set(names):
             files = (file.path for file in one.parameters)
             sets.setdefault((frozenset(one.arguments.items()), *files), one)
@@ -66,6 +61,15 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
         (rest if one.arguments.items() <= seen else new).append(one)
         seen.update(one.arguments.items())
     return new + rest
+
+
+def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+    if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
+        return []
+    from urdfkit.ros.launch.robot_arguments import given  # for robots with launch files
+
+    no_arguments = context.reading.document is not None and not _defaults(context)
+    return given(job.path, names, context.resolver, only_parameters=no_arguments)
 
 
 def _with_missing(

@@ -285,6 +285,11 @@ class Context(DescriptionFile):
             self._other_robots[path, given] = robot
         return self._other_robots[path, given]
 
+    def names_in_robot(self, path: str) -> frozenset[str]:
+        """Names of the links and joints of another description, read with the same arguments."""
+        source, given = self.resolver.read(path), tuple(sorted(self.arguments.items()))
+        return _names_in_robot(source, self.resolver, given, self.trust)
+
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that the launch file describes and that can be expanded."""
@@ -375,3 +380,13 @@ def _robot(
     cache: bool,
 ) -> Context:
     return Context(source, resolver, dict(arguments), trust=trust, cache=cache)
+
+
+@lru_cache(maxsize=64)  # the robots of a package that share its SRDFs are read for each of them
+def _names_in_robot(
+    source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
+) -> frozenset[str]:
+    robot = Context(source, resolver, dict(arguments), trust=trust)
+    if not robot.is_readable:
+        return frozenset()
+    return frozenset({*robot.model.links_by_name, *robot.model.joints_by_name})

@@ -136,7 +136,7 @@ class Plan:
                 except UnreadableFile:  # a link that leads outside
                     self._add_closed(path)
         else:
-            self._add_source(self.resolver.given(os.fspath(file)))
+            self._add_source(self.resolver.admit_and_read(os.fspath(file)))
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""

@@ -126,6 +126,15 @@ class Report(Record):
         return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
 
     @property
+    def argument_typos(self) -> tuple[str, ...]:
+        """The arguments that no description has, in words: a robot is not the one that is meant."""
+        unknown = (("No robot here has an", *one) for one in self.unknown_arguments)
+        return tuple(
+            f"{which} argument '{name}'" + (f"; did you mean '{meant}'?" if meant else "")
+            for which, name, meant in (*unknown, *self.unknown_in_config)
+        )
+
+    @property
     def ok(self) -> bool:
         """True if there is no error and no warning, and no rule crashed."""
         return self.exit_code() == 0

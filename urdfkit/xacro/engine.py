@@ -285,7 +285,8 @@ class XacroEngine:
             text = StringIO()
             with redirect_stderr(text):
                 locate()
-            self._run.say("", text.getvalue().rstrip("\n"))
+            for line in text.getvalue().splitlines():
+                self._run.say("", line)
 
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)

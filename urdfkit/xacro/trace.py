@@ -6,6 +6,7 @@ looks up, and how each of them got its value.
 
 import reprlib
 from collections.abc import Iterator
+from itertools import chain
 from types import FrameType
 
 from urdfkit.core.static_typing import Any
@@ -90,7 +91,7 @@ class Tracer:
 def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
     """Where in YAML files the values of an attribute, or of those of an element, stand.
 
-    One place for each file, that of the first value.
+    One place for each line.
 
     Args:
         dom: the expanded DOM of a traced run.
@@ -101,7 +102,7 @@ def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
     for attribute in attributes:
         for span in _in_yaml(inputs_of(dom, attribute.element, attribute.name)):
             found.setdefault(span.source, []).append((span, attribute.name))
-    return tuple(Related(*_first(places)) for places in found.values())
+    return tuple(chain.from_iterable(map(_given_here, found.values())))
 
 
 def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
@@ -112,10 +113,13 @@ def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
         yield from _in_yaml(origin.inputs)
 
 
-def _first(places: list[tuple[Span, str]]) -> tuple[Span, str]:
+def _given_here(places: list[tuple[Span, str]]) -> Iterator[Related]:
+    """The first value of each line, in the order of the lines."""
     names = list(dict.fromkeys(name for _, name in places))
-    span = min((span for span, _ in places), key=lambda span: span.start)
-    return span, f"{listed(names)} {'is' if len(names) == 1 else 'are'} given here"
+    message = f"{listed(names)} {'is' if len(names) == 1 else 'are'} given here"
+    spans = sorted((span for span, _ in places), key=lambda span: -span.start)
+    first = {span.line: span for span in spans}
+    return (Related(first[line], message) for line in sorted(first))
 
 
 def _definition(definer: Node, key: str) -> tuple[str, Span, str]:

@@ -85,7 +85,7 @@ def _is_missing(directory: str, path: str) -> bool:
     whole = os.path.normpath(os.path.join(directory, path))
     if not whole.startswith(os.path.join(directory, "")) or disk.exists(whole):
         return False
-    from urdfkit.workspace.revisions import is_ignored  # which runs git
+    from urdfkit.workspace.gitignore import is_ignored  # which runs git
 
     return not is_ignored(whole)
 

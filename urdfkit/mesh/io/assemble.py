@@ -13,8 +13,8 @@ from urdfkit.mesh.io.referenced_files import ReferencedFiles
 MAX_NODES = 20_000
 MAX_TRIANGLES = 20_000_000
 
-#: Parts with so much fewer corners than the file has values are numbered by sorting: a file may
-#: have thousands of parts.
+#: Parts with so much fewer corners than the file has values are numbered by sorting: a file can
+#: contain thousands of parts.
 _SMALL = 16
 
 

@@ -14,6 +14,7 @@ from urdfkit.physics.dynamics.robot import Dynamics
 from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import effort
+from urdfkit.ros.gazebo.gravity import links_without_gravity
 
 #: Poses that are drawn, and the seed.
 SAMPLES, SEED = 200, 0
@@ -26,6 +27,7 @@ class Statics(Record):
     poses: int  # how many were looked at before the climbs
     mass: float  # of the robot with its payload, in kg
     payload: dict[str, float]  # masses in kg by link
+    weightless: tuple[str, ...]  # links on which Gazebo exerts no gravity, which joints do not hold
     searched: bool  # False for more than `MAX_SEARCHED` joints, whose worst loads are those at zero
 
     @property
@@ -56,9 +58,11 @@ def statics(
     by_name = robot.tree.model.joints_by_name
     wanted = by_name if joints is None else [name for name in joints if name in by_name]
     efforts = {name: effort(by_name[name]) for name in wanted}
-    model = GravityModel(robot.tree, robot.payload)
+    weightless = links_without_gravity(robot.tree)
+    model = GravityModel(robot.tree, robot.payload, weightless)
     starts = model.starts(samples, seed)
     found = gravity_loads(model, efforts, starts, pose or {}, progress)
     mass = robot.mass_properties().mass
     searched = is_searched(len(found))
-    return Statics(tuple(found), len(starts), mass, dict(robot.payload), searched)
+    names = tuple(sorted(weightless))
+    return Statics(tuple(found), len(starts), mass, dict(robot.payload), names, searched)

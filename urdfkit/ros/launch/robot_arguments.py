@@ -6,23 +6,19 @@ import os
 import re
 from collections.abc import Collection, Iterator
 from functools import lru_cache
-from itertools import islice
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.ros.launch import read_launch
 from urdfkit.text.document import CallFrame, Element
-from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source, shown
+from urdfkit.text.source import Source
+from urdfkit.workspace.launch_files import directories_of_launch_files, launch_files
 from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse, Launch
-
-#: Launch files of a package that are read, and directories that are searched for them.
-MAX_FILES, MAX_DIRECTORIES = 200, 2000
 
 #: Words of which a launch file contains one if it, or another one that it includes, loads YAML.
 _LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
@@ -68,7 +64,7 @@ def given(
     own: list[RobotArguments] = []
     others: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
-    for directory, name in _searched(robot, resolver):
+    for directory, name in directories_of_launch_files(robot, resolver):
         for path, one in _started(directory, name, resolver, only_parameters=only_parameters):
             if not one.arguments.keys() >= set(needed):
                 continue
@@ -87,7 +83,7 @@ def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) ->
     if no launch file starts the robot.
     """
     real = disk.real(robot)
-    for directory, mentioned in _searched(robot, resolver):
+    for directory, mentioned in directories_of_launch_files(robot, resolver):
         found = [
             one for path, one in _started(directory, mentioned, resolver) if disk.real(path) == real
         ]
@@ -104,7 +100,7 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     Yields:
         The path of a launch file, and the choices or the default of each of its arguments.
     """
-    for directory, name in _searched(robot, resolver):
+    for directory, name in directories_of_launch_files(robot, resolver):
         yield from _declarations(directory, name, resolver)
 
 
@@ -130,7 +126,7 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
     if not name.endswith(".urdf"):
         return False
     named = re.compile(rb"\b%b(?!\.xacro)" % re.escape(name.encode()))
-    if any(named.search(launch.data) for launch in _launch_files(directory, name, resolver)):
+    if any(named.search(launch.data) for launch in launch_files(directory, name, resolver)):
         return False
     package = resolver.packages.enclosing(source.path)
     launches = launches_of_workspace(source.path, resolver) if package else ()
@@ -140,16 +136,7 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
 
 @lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other
 def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
-    return tuple(read_launch(source, resolver) for source in _launch_files(directory, "", resolver))
-
-
-def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
-    """Directories whose launch files may start a robot, and the package that they then mention."""
-    if package := resolver.packages.enclosing(robot):
-        yield package[1], ""
-        workspace = resolver.packages.workspace(robot)
-        if workspace != package[1]:
-            yield workspace, package[0]
+    return tuple(read_launch(source, resolver) for source in launch_files(directory, "", resolver))
 
 
 @lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
@@ -159,7 +146,7 @@ def _started(
     """The robots that launch files of a directory start."""
     return tuple(
         one
-        for source in _launch_files(directory, mentioned, resolver)
+        for source in launch_files(directory, mentioned, resolver)
         if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
         for one in started(read_launch(source, resolver, choice), source.path)
@@ -172,17 +159,8 @@ def _declarations(
 ) -> tuple[tuple[str, dict[str, list[str]]], ...]:
     return tuple(
         (source.path, _declared(source, with_defaults=True))
-        for source in _launch_files(directory, mentioned, resolver)
+        for source in launch_files(directory, mentioned, resolver)
     )
-
-
-def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
-    """The launch files of a directory whose text mentions a package."""
-    files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
-    for path in islice(files, MAX_FILES):
-        source = resolver.readable(shown(path))
-        if source and mentioned.encode() in source.data:
-            yield source
 
 
 def _choices(source: Source) -> Iterator[dict[str, str]]:
