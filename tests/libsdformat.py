@@ -1,57 +1,110 @@
-"""libsdformat, which tests compare with."""
+"""What libsdformat itself makes of a robot."""
 
-import re
 import shutil
 import subprocess
 import tempfile
-from functools import cache
+from hashlib import sha256
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
+DUMP = r"""
+#include <sdf/sdf.hh>
+#include <iomanip>
+#include <iostream>
+using std::cout, std::string;
+static void names(const sdf::ElementPtr &link, const string &kind) {
+  if (!link->HasElement(kind)) return;
+  for (auto e = link->GetElement(kind); e; e = e->GetNextElement(kind))
+    cout << kind << "\t" << e->Get<string>("name") << "\n";
+}
+int main(int count, char **files) {
+  sdf::Console::Instance()->SetQuiet(true);
+  cout << std::setprecision(15);
+  for (int i = 1; i < count; ++i) {
+    sdf::SDFPtr robot(new sdf::SDF());
+    sdf::init(robot);
+    sdf::Errors errors;
+    cout << "file\t" << files[i] << "\n";
+    if (!sdf::readFile(files[i], robot, errors) || !robot->Root()->HasElement("model")) continue;
+    auto model = robot->Root()->GetElement("model");
+    if (model->HasElement("link"))
+      for (auto l = model->GetElement("link"); l; l = l->GetNextElement("link")) {
+        cout << "link\t" << l->Get<string>("name");
+        if (l->HasElement("inertial")) {
+          auto inertial = l->GetElement("inertial");
+          auto at = inertial->Get<ignition::math::Pose3d>("pose").Pos();
+          auto moments = inertial->GetElement("inertia");
+          cout << "\t" << inertial->Get<double>("mass") << "\t" << at.X() << "\t" << at.Y() << "\t"
+               << at.Z() << "\t"
+               << moments->Get<double>("ixx") + moments->Get<double>("iyy") +
+                      moments->Get<double>("izz");
+        }
+        cout << "\n";
+        names(l, "collision");
+        names(l, "visual");
+      }
+    if (model->HasElement("joint"))
+      for (auto j = model->GetElement("joint"); j; j = j->GetNextElement("joint"))
+        cout << "joint\t" << j->Get<string>("name") << "\t" << j->Get<string>("type") << "\t"
+             << j->Get<string>("parent") << "\t" << j->Get<string>("child") << "\n";
+  }
+}
+"""
 
-def program() -> tuple[str, tuple[int, ...]]:
-    """A program with the arguments of ``gz``, and the version of libsdformat.
 
-    ``gz`` or ``ign``, or one that is compiled with libsdformat-dev of apt; skips without these.
+class Simulated(NamedTuple):
+    """A model as libsdformat converts it."""
+
+    links: dict[str, tuple[float, ...]]
+    joints: dict[str, tuple[str, ...]]
+    collisions: list[str]
+    visuals: list[str]
+
+
+def build(directory: Path) -> Path:
+    """A program that prints what libsdformat makes of URDF files, compiled once into a directory.
+
+    The test is skipped where libsdformat or a compiler is missing.
     """
-    found = _installed() or _compiled()
-    if found is None:
-        pytest.skip("neither 'gz sdf' nor libsdformat-dev with g++ and pkg-config is installed")
-    return found
+    flags = None
+    if shutil.which("g++") and shutil.which("pkg-config"):
+        found = subprocess.run(
+            ["pkg-config", "--cflags", "--libs", "sdformat12"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        flags = found.stdout.split() if found.returncode == 0 else None
+    if flags is None:
+        pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
+    program = directory / sha256(DUMP.encode()).hexdigest()
+    if not program.exists():
+        directory.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=directory) as scratch:  # another process may, too
+            built = Path(scratch) / "dump"
+            built.with_suffix(".cc").write_text(DUMP)
+            subprocess.run(
+                ["g++", "-std=c++17", "-O0", str(built.with_suffix(".cc")), "-o", built, *flags],
+                check=True,
+                capture_output=True,
+            )
+            built.replace(program)
+    return program
 
 
-@cache
-def _installed() -> tuple[str, tuple[int, ...]] | None:
-    for name in ("gz", "ign"):
-        path = shutil.which(name)
-        if path is None:
-            continue
-        said = _run(path, "sdf", "--versions")
-        versions = re.findall(r"\d+\.\d+\.\d+", said.stdout)
-        if versions:
-            return path, max(map(_version, versions))
-    return None
-
-
-@cache
-def _compiled() -> tuple[str, tuple[int, ...]] | None:
-    if not (shutil.which("g++") and shutil.which("pkg-config")):
-        return None
-    listed = re.findall(r"^sdformat\d+", _run("pkg-config", "--list-all").stdout, re.MULTILINE)
-    for package in listed:
-        version = _run("pkg-config", "--modversion", package).stdout.strip()
-        flags = _run("pkg-config", "--cflags", "--libs", package).stdout.split()
-        path = Path(tempfile.mkdtemp(prefix="libsdformat-")) / "sdf"
-        source = str(Path(__file__).with_suffix(".cc"))
-        if _run("g++", "-std=c++17", source, *flags, "-o", str(path)).returncode == 0:
-            return str(path), _version(version)
-    return None
-
-
-def _run(*command: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, capture_output=True, text=True, check=False)
-
-
-def _version(text: str) -> tuple[int, ...]:
-    return tuple(map(int, text.split(".")))
+def convert(program: Path, directory: Path, text: str) -> Simulated:
+    file = directory / "robot.urdf"
+    file.write_text(text)
+    lines = subprocess.run([program, file], capture_output=True, text=True, check=True).stdout
+    simulated = Simulated({}, {}, [], [])
+    for line in lines.splitlines():
+        kind, name, *rest = line.split("\t")
+        if kind == "link":
+            simulated.links[name] = tuple(map(float, rest))
+        elif kind == "joint":
+            simulated.joints[name] = tuple(rest)
+        elif kind in ("collision", "visual"):
+            getattr(simulated, f"{kind}s").append(name)
+    return simulated

@@ -104,13 +104,20 @@ def _needs_more_than_defaults(context: Context) -> bool:
 def _with_more_than_defaults(
     job: Job, read: Callable[[Job], Context], sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
-    """A job with each set of arguments with which it expands."""
+    """A job with the sets of arguments of launch files, if it expands with one of them.
+
+    Without a set with which it does not expand, unless a launch file starts it so.
+    """
     given = [one for one in sets if one.arguments]
     tried = [(now, read(now)) for now in _started(job, given[:MAX_GIVEN])]
-    found = [pair for pair in tried if pair[1].reading.document is not None]
-    if found:
-        left = [one.arguments for one in given[MAX_GIVEN:]]
-        found[0][1].unchecked = _unchecked(left, tried, {})
+    if all(context.reading.document is None for _, context in tried):
+        return []
+    found = [
+        (now, context)
+        for now, context in tried
+        if context.reading.document is not None or (now.frame and not now.found)
+    ]
+    found[0][1].unchecked = _unchecked([one.arguments for one in given[MAX_GIVEN:]], tried, {})
     return found
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
-from tests.libsdformat import program
+from tests.gz_sdf import program
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
-from tests.libsdformat import program
+from tests.gz_sdf import program
 from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Converter, SdfConversion
