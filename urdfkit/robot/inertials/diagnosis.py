@@ -16,7 +16,7 @@ from urdfkit.core.spatial import rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
-from urdfkit.robot.joint_loads import is_thrown
+from urdfkit.robot.joint_loads import is_effort_excessive
 from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.shapes import OTHER_UNIT
@@ -273,7 +273,7 @@ def thrown_by(link: LinkInertia, tensor: Tensor) -> Joint | None:
     ``urdfkit simulate`` fails such a robot: a virtual link of 1 g between two joints of a hand.
     """
     joint = link.body.joint
-    if joint is None or is_thrown(joint, link.body.properties):
+    if joint is None or is_effort_excessive(joint, link.body.properties):
         return None
     parts = (
         own._replace(tensor=inertia.rotated(tensor, (frame @ link.inertial.origin).rotation))
@@ -282,7 +282,7 @@ def thrown_by(link: LinkInertia, tensor: Tensor) -> Joint | None:
         for one, frame in link.body.links
         for own in (properties_of(one, frame),)
     )
-    return joint if is_thrown(joint, inertia.combined(parts)) else None
+    return joint if is_effort_excessive(joint, inertia.combined(parts)) else None
 
 
 def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:

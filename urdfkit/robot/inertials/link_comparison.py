@@ -239,8 +239,8 @@ class LinkInertia:
             return None
         if self.is_marker:
             return None
-        least = min(one.least_volume for one in self.solids)
-        most = max(one.most_volume for one in self.solids)
+        least = min(one.minimum_volume for one in self.solids)
+        most = max(one.maximum_volume for one in self.solids)
         return self.mass / most, self.mass / least if least else inf
 
 
