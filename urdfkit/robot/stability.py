@@ -25,7 +25,7 @@ Point = tuple[float, float]
 #: by millimetres. A part of the size of the robot, and at least `LEAST` m.
 TOLERANCE, LEAST = 0.02, 0.003
 
-#: Points on the unit circle.
+#: Points of the unit circle.
 _CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
 #: Descriptions of the verdicts, by their machine-readable names.
