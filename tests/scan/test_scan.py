@@ -15,9 +15,8 @@ from urdfkit.errors import UnreadableFile, UnwritableFile, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal
-from urdfkit.scan.engines import BATCH
 from urdfkit.scan.isolated import Settings
-from urdfkit.scan.run import scan
+from urdfkit.scan.run import BATCH, scan
 
 ROBOT = """<robot name="r{0}"><link name="base"><inertial><mass value="{0}"/>
 <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
