@@ -18,9 +18,9 @@ import time
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from urdfkit.lsp.server import QUIET
+from urdfkit.lsp.server import DEBOUNCE
 
-#: Milliseconds from a key stroke to its findings, without the wait.
+#: Milliseconds of processor time from a key stroke to its findings, without the wait: the median.
 BOUND = 150
 
 HEAD = """\
@@ -142,7 +142,7 @@ def strokes(client: Client, line: int, column: int, count: int) -> list[tuple[fl
         client.replace(line, column, column + 1, str(number % 9 + 1))
         client.findings()
         clock = time.perf_counter() - start
-        found.append((1e3 * (clock - QUIET), 1e3 * (client.processor_time() - worked)))
+        found.append((1e3 * (clock - DEBOUNCE), 1e3 * (client.processor_time() - worked)))
     return found
 
 
@@ -159,7 +159,7 @@ def burst(client: Client, line: int, column: int, count: int) -> tuple[float, fl
     start, published = time.perf_counter(), 1
     while not any(one["code"] == "URD005" for one in client.findings()):
         published += 1
-    return 1e3 * (time.perf_counter() - start - QUIET), published
+    return 1e3 * (time.perf_counter() - start - DEBOUNCE), published
 
 
 def main() -> int:
@@ -184,7 +184,7 @@ def main() -> int:
         finally:
             client.close()
     clock, processor = (sorted(one[n] for one in times) for n in (0, 1))
-    print(f"wait before a check        {1e3 * QUIET:6.0f} ms")
+    print(f"wait before a check        {1e3 * DEBOUNCE:6.0f} ms")
     for name, values in (("clock", clock), ("processor", processor)):
         middle = statistics.median(values)
         row = f"least {values[0]:6.0f}   median {middle:6.0f}   most {values[-1]:6.0f}"
@@ -192,11 +192,10 @@ def main() -> int:
     print(
         f"20 keys in 0.8 s: the last findings {late:.0f} ms after the last, published {published}"
     )
-    worst = processor[0] or clock[0]
-    print(
-        f"{'pass' if worst <= BOUND else 'OVER'}  key stroke to findings: {worst:.0f} of {BOUND} ms"
-    )
-    return int(worst > BOUND)
+    median = statistics.median(processor) or statistics.median(clock)
+    verdict = "pass" if median <= BOUND else "OVER"
+    print(f"{verdict}  key stroke to findings, median: {median:.0f} of {BOUND} ms")
+    return int(median > BOUND)
 
 
 if __name__ == "__main__":

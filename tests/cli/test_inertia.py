@@ -37,7 +37,7 @@ def test_write_and_diff(gazebo_pkg: Path, capsys: pytest.CaptureFixture[str]) ->
     assert main(["inertia", str(file), "--write"]) == 1
     text = capsys.readouterr().out
     assert f"wrote {file}" in text
-    assert "link 'wheel_1' is unchanged: a macro wrote it" in text
+    assert "link 'wheel_1' is unchanged: a macro creates it" in text
     assert file.read_bytes() != before
     assert main(["inertia", str(file), "--write", "--link", "imu_link"]) == 0
     assert capsys.readouterr().out == "nothing to write\n"

@@ -81,9 +81,9 @@ def test_nothing_is_offered_where_nothing_is_known(tmp_path: Path, text: str) ->
 
 def test_what_an_element_needs_comes_first(tmp_path: Path) -> None:
     found = offers(tmp_path, "<robot><joint><parent link='a'/><|</joint></robot>")
-    assert {text for text, offer in found.items() if offer.needed} == {"child"}
+    assert {text for text, offer in found.items() if offer.required} == {"child"}
     found = offers(tmp_path, "<robot><joint name='a' |></joint></robot>")
-    assert {text for text, offer in found.items() if offer.needed} == {"type"}
+    assert {text for text, offer in found.items() if offer.required} == {"type"}
 
 
 def test_an_offer_takes_the_place_of_the_word_before_the_cursor(tmp_path: Path) -> None:

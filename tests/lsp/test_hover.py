@@ -120,7 +120,7 @@ def test_a_finding_is_explained_where_it_is() -> None:
         ("libgazebo_ros_pla", "nar", "**plugin** of gazebo_plugins, classic-ros1"),
         ("<turnGrav", "ityOff>", "**turnGravityOff** for a link: bool"),
         ('<limit eff', 'ort="100"', "**effort**: number"),
-        ("<joint na", 'me="imu_joint"', "**name**: name, needed"),
+        ("<joint na", 'me="imu_joint"', "**name**: name, required"),
     ],
 )  # fmt: skip
 def test_what_tags_and_attributes_hold(before: str, after: str, shown: str) -> None:

@@ -64,7 +64,7 @@ def test_a_cancelled_check_ends_before_the_next_rule_and_changes_nothing() -> No
     with pytest.raises(Cancelled):
         file.workspace.check(file.path, is_cancelled=is_cancelled)
     assert asked == [False, False, True]
-    assert list(file.workspace._of_file(file.path)) == before.diagnostics[file.path]
+    assert list(file.workspace._diagnostics_in(file.path)) == before.diagnostics[file.path]
     assert codes(file.workspace.check(file.path), MISSION) != codes(before, MISSION)
 
 
@@ -206,7 +206,7 @@ def test_a_robot_that_lacks_arguments_has_those_of_a_launch_file(tmp_path: Path)
     path = tmp_path / "arm.xacro"
     path.write_text(text)
     here = Edited(path, text)
-    assert here.robot.given("link") == ["left_arm"]
+    assert here.robot.defined("link") == ["left_arm"]
     codes = {found.code for found in here.workspace.check(str(path)).diagnostics[str(path)]}
     assert "NAM001" in codes
     assert "XAC010" not in codes

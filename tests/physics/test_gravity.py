@@ -18,7 +18,7 @@ from urdfkit.physics import gravity
 from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.gravity import gravity_loads
 from urdfkit.physics.gravity_model import GravityModel
-from urdfkit.robot.joint_loads import effort, largest
+from urdfkit.robot.joint_loads import effort, maximum_loads
 
 lengths = st.floats(-1, 1).map(lambda value: round(value, 3))
 vectors = st.tuples(lengths, lengths, lengths)
@@ -76,7 +76,7 @@ def test_torques_are_those_of_pinocchio(robot: Context, place: float) -> None:
 def test_no_pose_is_worse_and_the_bound_holds(robot: Context, seed: int) -> None:
     """Of 200 drawn poses none is worse than what the search finds, which the bound is not below."""
     model = GravityModel(robot.tree)
-    bound = largest(robot.tree)
+    bound = maximum_loads(robot.tree)
     drawn = [model.torques(pose) for pose in model.starts(200, seed)]
     for load in gravity_loads(model, efforts(robot), model.starts(20, 0), pose={}):
         torques = [abs(torque[load.joint]) for torque in drawn[1:]]  # zero may be beyond limits
@@ -92,7 +92,7 @@ def test_no_pose_is_worse_and_the_bound_holds(robot: Context, seed: int) -> None
 @given(trees(mimics=True))
 def test_the_bound_holds_for_joints_that_others_mimic(robot: Context) -> None:
     model = GravityModel(robot.tree)
-    bound = largest(robot.tree)
+    bound = maximum_loads(robot.tree)
     for load in gravity_loads(model, efforts(robot), model.starts(20, 0), pose={}):
         assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
 

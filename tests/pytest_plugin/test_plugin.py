@@ -14,7 +14,7 @@ pytest_plugins = ["pytester"]
 
 def test_the_marker_is_listed(project: Project) -> None:
     text = project.run("--markers").stdout.str()
-    assert "@pytest.mark.urdf(path, args={}, variant='', variants={}): the model that" in text
+    assert "@pytest.mark.urdf(path, args={}, variant='', variants={}): the model of" in text
     outcome(
         project.test(
             "@pytest.mark.urdf('urdf/arm.urdf.xacro')\ndef test_it(urdf_report): pass",

@@ -8,7 +8,14 @@ from tests.massive import BALL, inertial, link, shape
 from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import read
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.joint_loads import effort, idle, is_thrown, largest, light, overloadable
+from urdfkit.robot.joint_loads import (
+    effort,
+    is_effort_excessive,
+    joints_without_load,
+    light_joints,
+    maximum_loads,
+    overloadable_joints,
+)
 from urdfkit.robot.model import Tensor
 
 
@@ -26,12 +33,14 @@ def pendulum(effort: str) -> str:
 
 
 def test_the_bound_of_a_pendulum_is_its_worst_pose() -> None:
-    assert largest(tree(pendulum("1"))) == {"bob_joint": pytest.approx(2 * 9.81 * 0.7, rel=1e-15)}
+    assert maximum_loads(tree(pendulum("1"))) == {
+        "bob_joint": pytest.approx(2 * 9.81 * 0.7, rel=1e-15)
+    }
 
 
 @pytest.mark.parametrize(("limit", "found"), [("13.7", 1), ("13.8", 0), ("0", 0), ("-1", 0)])
 def test_joints_that_may_be_overloaded(limit: str, found: int) -> None:
-    assert len(overloadable(tree(pendulum(limit)))) == found
+    assert len(overloadable_joints(tree(pendulum(limit)))) == found
 
 
 def test_an_effort_of_zero_says_nothing() -> None:
@@ -59,11 +68,11 @@ def test_an_effort_that_throws_what_it_moves(
     (joint,) = tree(pendulum(effort)).model.joints
     x, y, z = moments
     moved = MassProperties(0.001, center, Tensor(x, 0.0, 0.0, y, 0.0, z))
-    assert is_thrown(joint, moved) is is_found
+    assert is_effort_excessive(joint, moved) is is_found
 
 
 def test_what_is_no_tree_has_no_loads() -> None:
-    assert overloadable(tree(link("a") + link("b"))) == []
+    assert overloadable_joints(tree(link("a") + link("b"))) == []
 
 
 @pytest.mark.parametrize(
@@ -75,7 +84,7 @@ def test_a_joint_is_idle_if_nothing_below_it_is_anything(content: str) -> None:
     """Whatever it is that a link has, the joints above it move something."""
     text = link("base") + link("a") + link("b", content) + link("c")
     text += swinging("a", "base", "1") + swinging("b", "a", "1") + swinging("c", "b", "1")
-    assert [joint.name for joint in idle(tree(text))] == ["c_joint"]
+    assert [joint.name for joint in joints_without_load(tree(text))] == ["c_joint"]
 
 
 def test_what_follows_or_is_fixed_is_not_idle() -> None:
@@ -83,9 +92,9 @@ def test_what_follows_or_is_fixed_is_not_idle() -> None:
     text += swinging("a", "base", "1") + swinging("b", "a", "1").replace(
         "</joint>", '<mimic joint="a_joint"/></joint>'
     )
-    assert [joint.name for joint in idle(tree(text))] == ["a_joint"]
-    assert idle(tree(text.replace("revolute", "fixed"))) == []
-    assert idle(tree(link("a") + link("b"))) == []
+    assert [joint.name for joint in joints_without_load(tree(text))] == ["a_joint"]
+    assert joints_without_load(tree(text.replace("revolute", "fixed"))) == []
+    assert joints_without_load(tree(link("a") + link("b"))) == []
 
 
 def test_a_body_is_light_beside_what_it_carries() -> None:
@@ -95,7 +104,7 @@ def test_a_body_is_light_beside_what_it_carries() -> None:
         text = link("base") + link("m", inertial(middle, (1, 1, 1)))
         text += link("t", inertial(tip, (1, 1, 1)))
         text += swinging("m", "base", "1") + swinging("t", "m", "1")
-        return [joint.name for joint in light(tree(text))]
+        return [joint.name for joint in light_joints(tree(text))]
 
     assert arm(0.0018, 20) == ["m_joint"]
     assert arm(0.0022, 20) == []
@@ -107,9 +116,9 @@ def test_a_slide_lengthens_the_lever_by_its_travel() -> None:
     text = link("base") + link("a") + link("b", inertial(2, (1, 1, 1)))
     slide = swinging("b", "a", "1", "0.5 0 0").replace("revolute", "prismatic")
     text += swinging("a", "base", "1")
-    assert largest(tree(text + slide))["a_joint"] == pytest.approx(2 * 9.81 * 3.5)
+    assert maximum_loads(tree(text + slide))["a_joint"] == pytest.approx(2 * 9.81 * 3.5)
     free = slide.replace('<limit lower="-3" upper="3" effort="1" velocity="1"/>', "")
-    assert largest(tree(text + free))["a_joint"] == pytest.approx(2 * 9.81 * 0.5)
+    assert maximum_loads(tree(text + free))["a_joint"] == pytest.approx(2 * 9.81 * 0.5)
 
 
 def test_it_takes_linear_time() -> None:
@@ -119,8 +128,8 @@ def test_it_takes_linear_time() -> None:
             for n in range(number)
         )
         deep = tree(row)
-        assert len(overloadable(deep)) == number - 1  # the last one has no lever
-        return executed_lines(lambda: overloadable(deep))
+        assert len(overloadable_joints(deep)) == number - 1  # the last one has no lever
+        return executed_lines(lambda: overloadable_joints(deep))
 
     assert lines(1000) < 110 * lines(10)
 
@@ -139,7 +148,7 @@ def test_no_pose_of_a_real_robot_asks_for_more(path: str) -> None:
     from urdfkit.physics.dynamics.statics import statics
 
     robot = read(CORPUS / path)
-    bound = largest(robot.tree)
+    bound = maximum_loads(robot.tree)
     found = statics(robot.dynamics, samples=200)
     assert found.loads
     for load in found.loads:
@@ -149,5 +158,5 @@ def test_no_pose_of_a_real_robot_asks_for_more(path: str) -> None:
 def test_of_a_model_of_our_own() -> None:
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
     most = 9.81 * (1.5 * 0.15 + 0.7 * (0.36 + 0.125))
-    assert largest(arm.tree)["shoulder"] == pytest.approx(most)
-    assert overloadable(arm.tree) == []
+    assert maximum_loads(arm.tree)["shoulder"] == pytest.approx(most)
+    assert overloadable_joints(arm.tree) == []

@@ -52,7 +52,7 @@ def test_it_falls_where_its_mass_hangs_out() -> None:
     assert found is not None
     assert found.tips
     assert found.margin == pytest.approx(-0.05, rel=1e-12)
-    assert found.way == "forwards (+x)"
+    assert found.tip_direction == "forwards (+x)"
     assert found.angle == pytest.approx(-atan2(0.05, 0.5), rel=1e-12)
 
 
@@ -66,7 +66,7 @@ def test_a_payload_moves_the_centre() -> None:
     assert light is not None
     assert heavy is not None
     assert light.center[1] == pytest.approx(0.5 * 0.4 / 3.5)
-    assert (light.tips, heavy.tips, heavy.way) == (False, True, "to its left (+y)")
+    assert (light.tips, heavy.tips, heavy.tip_direction) == (False, True, "to its left (+y)")
 
 
 def test_three_balls_make_a_triangle() -> None:

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from tests.massive import context, joint, link
-from urdfkit.robot.symmetry import apart, joint_pairs, numbered_pairs, pairs
+from urdfkit.robot.symmetry import joint_pairs, numbered_pairs, on_separate_branches, pairs
 
 
 @pytest.mark.parametrize(
@@ -116,24 +116,24 @@ def test_endless_names_take_no_long_time() -> None:
 
 def test_what_hangs_on_one_another_are_no_counterparts() -> None:
     parents = {"link_s": "base", "link_l": "link_s", "link_u": "link_l", "link_r": "link_u"}
-    assert apart([("link_l", "link_r")], parents) == []
-    assert apart([("link_r", "link_l")], parents) == []
+    assert on_separate_branches([("link_l", "link_r")], parents) == []
+    assert on_separate_branches([("link_r", "link_l")], parents) == []
     fork = {"hand": "base", "l_finger": "hand", "r_finger": "hand", "l_tip": "l_finger"}
     found = [("l_finger", "r_finger"), ("r_finger", "l_tip")]
-    assert apart(found, fork) == found
+    assert on_separate_branches(found, fork) == found
 
 
 def test_links_without_a_tree_are_no_counterparts() -> None:
-    assert apart([("l", "r")], {}) == []
-    assert apart([("l", "r")], {"l": "r", "r": "l"}) == []
-    assert apart([("l", "r")], {"l": "base", "r": "r"}) == []
+    assert on_separate_branches([("l", "r")], {}) == []
+    assert on_separate_branches([("l", "r")], {"l": "r", "r": "l"}) == []
+    assert on_separate_branches([("l", "r")], {"l": "base", "r": "r"}) == []
 
 
 def test_a_long_chain_takes_no_long_time() -> None:
     count = 100_000
     parents = {f"link_{number}": f"link_{number - 1}" for number in range(1, count)}
     found = [(f"link_{number}", f"link_{number + 1}") for number in range(count - 1)]
-    assert apart(found, parents) == []
+    assert on_separate_branches(found, parents) == []
 
 
 def symmetric_pairs(*joints: str) -> list[tuple[str, str]]:

@@ -153,9 +153,9 @@ def _safety(found: Stability, verdict: str) -> str:
     if found.tips:
         out = f"{-found.margin:.4g} m outside the support polygon"
         unless = VERDICTS[verdict].removeprefix(VERDICTS["tips"])
-        return f"tips over {found.way}{unless}: the centre of mass is {out}"
+        return f"tips over {found.tip_direction}{unless}: the centre of mass is {out}"
     slope = f"{degrees(found.angle):.3g} deg"
-    return f"margin {found.margin:.4g} m; tips over {found.way} on a slope of {slope}"
+    return f"margin {found.margin:.4g} m; tips over {found.tip_direction} on a slope of {slope}"
 
 
 def as_json(found: Statics, stands: Standing) -> dict[str, Any]:

@@ -1,9 +1,9 @@
-"""A language server: what editors show of a robot while it is being written.
+"""The language server: features of editors for robot descriptions.
 
-``server`` and ``features`` speak the protocol and know nothing of robots; the other modules know
-nothing of sockets and threads. ``workspace`` holds the texts that are not on disk and checks them;
-a ``Robot`` is one description with everything that can be asked about it. ``markup`` and ``names``
-read texts that are no XML yet; the remaining modules are one feature each.
+``server`` and ``features`` implement the protocol; the other modules contain no sockets or
+threads. ``workspace`` keeps and checks the open texts; an ``OpenRobot`` is a description with its
+derived data. ``markup`` and ``names`` parse texts that are not well-formed yet; the remaining
+modules are one feature each.
 
-Only this package uses pygls and lsprotocol, which the extra ``[lsp]`` brings.
+Only this package uses pygls and lsprotocol, from the extra ``[lsp]``.
 """

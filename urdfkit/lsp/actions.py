@@ -1,4 +1,4 @@
-"""What an editor offers to do about a finding: its fix, and a comment that accepts it."""
+"""Code actions for a finding: its fix, and a comment that suppresses it."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from urdfkit.text.diagnostic import Diagnostic, Edit, Fix
 
 
 class QuickFix(Record):
-    """Something to do about a finding."""
+    """A code action for a finding."""
 
-    title: str  # for the menu
-    edits: tuple[Edit, ...]  # of any files
-    diagnostic: Diagnostic  # that it is about
-    preferred: bool = False  # True if it cannot change what the robot does
+    title: str  # in the menu
+    edits: tuple[Edit, ...]  # in any files
+    diagnostic: Diagnostic  # the finding
+    preferred: bool = False  # True if the fix is safe
 
 
 def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
-    """What can be done about a finding.
+    """The code actions for a finding.
 
     Args:
-        diagnostic: one that holds for the text as it is.
+        diagnostic: a finding in the current text.
     """
     fix: Fix | None = diagnostic.fix
     if fix is not None:

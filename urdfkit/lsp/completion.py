@@ -1,4 +1,4 @@
-"""What may be written at the cursor: tags, attributes, names, packages and their files, plugins."""
+"""Completion: tags, attributes, names, packages and their files, plugins."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.grammar import NAMING, USERS, grammar_of
+from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import parameters, path_in
 from urdfkit.lsp.open_robot import OpenRobot
@@ -16,7 +16,7 @@ from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
 from urdfkit.workspace.directories import Directories
 
-#: Files and directories of one directory that are offered.
+#: Offered entries of a directory.
 MAX_FILES = 500
 
 _XACRO_TAGS = {
@@ -48,40 +48,40 @@ _FILES = {
 
 
 class CompletionItem(Record):
-    """Something that may be written."""
+    """A completion."""
 
-    text: str  # to insert, and the label
+    text: str  # inserted text, and label
     kind: str  # ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``
-    detail: str  # a few words about it
-    start: int  # offset of the word that it takes the place of; it ends at the cursor
-    needed: bool = False  # True for what must be there, which is offered first
+    detail: str  # short description
+    start: int  # offset of the replaced word, which ends at the cursor
+    required: bool = False  # True for required elements and attributes, which are offered first
 
 
 def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
-    """Everything that may stand at a place, without regard to what is written of it."""
+    """All completions at an offset, not filtered by the typed prefix."""
     if page.source.path.endswith(".py"):
-        return []  # a launch file: '<' is no tag
+        return []  # a launch file: '<' is not a tag
     here = cursor(page, offset)
     before = page.source.data[:offset]
-    found: Iterable[CompletionItem] = ()
+    items: Iterable[CompletionItem] = ()
     if here.place == "tag":
-        found = _tags(robot, here)
+        items = _tags(robot, here)
     elif here.place == "end" and here.node is not None:
-        found = [
+        items = [
             CompletionItem(here.node.name, "tag", "end tag", page.end_name_at(offset) or offset)
         ]
     elif here.place == "attribute":
-        found = _attributes(robot, here)
+        items = _attributes(robot, here)
     elif here.place in ("value", "text") and here.node is not None:
         start = here.node.tag_end
         if here.attribute and here.attribute.value_span:
             start = here.attribute.value_span.start
-        found = _in_text(robot, page, before[start:], start)
-        if not (found := list(found)) and here.place == "value":
-            found = _values(robot, here)
-        elif not found:
-            found = _contents(robot, here, before)
-    return list({offer.text: offer for offer in found}.values())
+        items = _in_text(robot, page, before[start:], start)
+        if not (items := list(items)) and here.place == "value":
+            items = _values(robot, here)
+        elif not items:
+            items = _contents(robot, here, before)
+    return list({item.text: item for item in items}.values())
 
 
 # ----------------------------------------------------------------------- tags
@@ -91,22 +91,22 @@ def _tags(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
     node = here.node
     assert node is not None
     start = node.start + 1
-    for name, detail, needed in _children(robot, node.parent):
-        yield CompletionItem(name, "tag", detail, start, needed)
+    for name, detail, required in _children(robot, node.parent):
+        yield CompletionItem(name, "tag", detail, start, required)
     if node.parent:
         yield CompletionItem(f"/{node.parent.name}>", "end", "end tag", start)
 
 
 def _children(robot: OpenRobot, parent: TagNode | None) -> Iterator[tuple[str, str, bool]]:
-    """Name, detail and necessity of what may stand in an element."""
+    """Name, detail and necessity of the elements that are allowed in an element."""
     if parent is None:
         yield "robot", "the description", True
         return
     grammar = grammar_of(parent)
-    given = {child.name for child in parent.children}
+    present = {child.name for child in parent.children}
     for name in grammar.children if grammar else ():
-        needed = name in grammar.required and name not in given if grammar else False
-        yield name, "needed" if needed else "", needed
+        required = name in grammar.required and name not in present if grammar else False
+        yield name, "required" if required else "", required
     yield from ((name, detail, False) for name, detail in _in_gazebo(parent))
     if b"xmlns:xacro" in parent.source.data or robot.path.endswith(".xacro"):
         for name in _XACRO_TAGS:
@@ -116,8 +116,8 @@ def _children(robot: OpenRobot, parent: TagNode | None) -> Iterator[tuple[str, s
 
 
 def _in_gazebo(parent: TagNode) -> Iterator[tuple[str, str]]:
-    """What may stand in a ``<gazebo>`` block, a plugin or a sensor."""
-    plugin = parent if parent.name == "plugin" else parent.within("plugin")
+    """The elements that are allowed in a ``<gazebo>`` block, a plugin or a sensor."""
+    plugin = parent if parent.name == "plugin" else parent.ancestor("plugin")
     if plugin is not None:
         yield from _parameters(parent, plugin)
     elif parent.name == "gazebo":
@@ -132,15 +132,15 @@ def _in_gazebo(parent: TagNode) -> Iterator[tuple[str, str]]:
 
 
 def _parameters(parent: TagNode, plugin: TagNode) -> Iterator[tuple[str, str]]:
-    """The parameters that a plugin reads at a place in it."""
+    """The parameters that a plugin reads in an element."""
     prefix = "" if parent is plugin else f"{path_in(parent, plugin)}/"
-    for known in plugins.find(plugin.get("filename").strip()):
-        for path, parameter in known.parameters.items():
+    for entry in plugins.find(plugin.get("filename").strip()):
+        for path, parameter in entry.parameters.items():
             rest = path.removeprefix(prefix)
             if not path.startswith(prefix) or rest.startswith("@"):
                 continue
             default = f" = {parameter.default}" if parameter.default else ""
-            yield rest.partition("/")[0], f"{parameter.type}{default} ({known.generation})"
+            yield rest.partition("/")[0], f"{parameter.type}{default} ({entry.generation})"
 
 
 # ----------------------------------------------------------------- attributes
@@ -150,10 +150,10 @@ def _attributes(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
     node = here.node
     assert node is not None
     start = here.attribute.name_span.start if here.attribute else _word_start(node, here.offset)
-    given = {written.name for written in node.attributes if written is not here.attribute}
-    for name, detail, needed in _attributes_of(robot, node):
-        if name not in given:
-            yield CompletionItem(name, "attribute", detail, start, needed)
+    present = {written.name for written in node.attributes if written is not here.attribute}
+    for name, detail, required in _attributes_of(robot, node):
+        if name not in present:
+            yield CompletionItem(name, "attribute", detail, start, required)
 
 
 def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, bool]]:
@@ -198,15 +198,15 @@ def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[st
     grammar = grammar_of(node)
     rule = grammar.attributes.get(attribute) if grammar else None
     key = (node.name, attribute)
-    kind = NAMING.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
-    if key in (("link", "name"), ("joint", "name")) and node.within(*USERS):
+    kind = REFERENCES.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
+    if key in (("link", "name"), ("joint", "name")) and node.ancestor(*REFERRING_ELEMENTS):
         kind = node.name
-    for one in ("link", "joint") if kind == "frame" else (kind,):
-        yield from ((name, one) for name in robot.given(one))
+    for kind_of_name in ("link", "joint") if kind == "frame" else (kind,):
+        yield from ((name, kind_of_name) for name in robot.defined(kind_of_name))
     if key == ("joint", "type"):
         yield from ((name, "") for name in JOINT_TYPES)
     elif key == ("material", "name"):
-        yield from ((name, "material") for name in robot.given("material"))
+        yield from ((name, "material") for name in robot.defined("material"))
     elif key == ("sensor", "type"):
         yield from ((name, "sensor") for name in sorted(sensors.types()))
     elif key == ("plugin", "filename"):
@@ -215,14 +215,14 @@ def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[st
 
 
 def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterator[CompletionItem]:
-    """Inside ``${...}``, ``$(...)`` and references to packages; ``before`` begins at ``start``."""
+    """Completions in ``${...}``, ``$(...)`` and package URIs; ``before`` begins at ``start``."""
     end = start + len(before)
     word = end - len(_last_word(before))
     packages = robot.resolver.packages.known(page.source.path)
     if _IN_EXPRESSION.search(before):
-        for name in robot.given("property"):
+        for name in robot.defined("property"):
             yield CompletionItem(name, "name", "property", word)
-        yield from _of_macro(page, end, word)
+        yield from _macro_parameters(page, end, word)
         yield from (CompletionItem(name, "word", "built in", word) for name in _BUILT_IN)
     elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
         directory = packages.get(match[1].decode("utf-8", "replace"))
@@ -231,7 +231,7 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
             typed = match[2].decode("utf-8", "replace")
             yield from _files(directory, typed, start + match.start(2), suffixes)
     elif match := _IN_COMMAND.search(before):
-        yield from _of_command(robot, match, packages, word)
+        yield from _command_arguments(robot, match, packages, word)
     elif match := _PACKAGE_NAME.search(before):
         for name in sorted(packages):
             yield CompletionItem(
@@ -239,74 +239,76 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
             )
 
 
-def _of_command(
+def _command_arguments(
     robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
 ) -> Iterator[CompletionItem]:
     if match[2] is None:
         yield from (CompletionItem(name, "word", "substitution", word) for name in _COMMANDS)
     elif match[1] == b"arg":
-        yield from (CompletionItem(name, "name", "argument", word) for name in robot.given("arg"))
+        yield from (CompletionItem(name, "name", "argument", word) for name in robot.defined("arg"))
     elif match[1] == b"find":
         yield from (CompletionItem(name, "name", "package", word) for name in sorted(packages))
 
 
-def _of_macro(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
-    """The parameters of the macro around a place."""
+def _macro_parameters(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
+    """The parameters of the macro around an offset."""
     node = page.node_at(offset)
-    for macro in (node, *node.around()) if node else ():
+    for macro in (node, *node.ancestors()) if node else ():
         if macro.name == "xacro:macro":
             for name in parameters(macro):
                 yield CompletionItem(name, "name", "parameter", word)
 
 
 def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[CompletionItem]:
-    """The text of an element: names that a plugin looks up, materials of Gazebo, booleans."""
+    """The text of an element: names that a plugin refers to, Gazebo materials, booleans."""
     node = here.node
     assert node is not None
     start = here.offset - len(_last_word(before))
     if node.name == "material" and node.parent and node.parent.name == "gazebo":
         for name in sorted(materials.materials()):
             yield CompletionItem(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
-    plugin = node.within("plugin")
+    plugin = node.ancestor("plugin")
     if plugin is None:
         extension = extensions.extensions().get(node.name)
         if extension and extension.type == "bool":
             yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
         return
     path = path_in(node, plugin)
-    for known in plugins.find(plugin.get("filename").strip()):
-        parameter = known.parameters.get(path)
+    for entry in plugins.find(plugin.get("filename").strip()):
+        parameter = entry.parameters.get(path)
         if parameter is None:
             continue
         if parameter.type in ("link", "frame"):
-            yield from (CompletionItem(name, "name", "link", start) for name in robot.given("link"))
+            yield from (
+                CompletionItem(name, "name", "link", start) for name in robot.defined("link")
+            )
         elif parameter.type.startswith("joint"):
             yield from (
-                CompletionItem(name, "name", "joint", start) for name in robot.given("joint")
+                CompletionItem(name, "name", "joint", start) for name in robot.defined("joint")
             )
         elif parameter.type == "bool":
             yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
         yield from (
-            CompletionItem(word, "word", known.generation, start) for word in parameter.words
+            CompletionItem(word, "word", entry.generation, start) for word in parameter.words
         )
 
 
 def _files(
     directory: str, typed: str, start: int, suffixes: tuple[str, ...]
 ) -> Iterator[CompletionItem]:
-    """The files of a kind and the directories below a directory, one level at a time."""
+    """The files with some suffixes and the directories in a directory, one level at a time."""
     inner, _, _ = typed.rpartition("/")
     at = start + len(inner.encode()) + bool(inner)
     if os.path.isabs(inner) or ".." in inner.split("/"):
         return
-    # Listed anew: a file may have been made since the robot was read.
+    # Not from the cache: a file may have been created since the robot was read.
     entries = Directories().entries(os.path.join(directory, inner)) or {}
-    wanted = (
+    matching = (
         (name, is_directory)
         for name, is_directory in sorted(entries.items())
         if not name.startswith(".") and (is_directory or name.lower().endswith(suffixes))
     )
-    for name, is_directory in islice(wanted, MAX_FILES):
+    for name, is_directory in islice(matching, MAX_FILES):
         yield CompletionItem(
             f"{name}/" if is_directory else name, "directory" if is_directory else "file", "", at
         )
@@ -317,5 +319,5 @@ def _word_start(node: TagNode, offset: int) -> int:
 
 
 def _last_word(before: bytes) -> bytes:
-    found = _WORD.search(before[-200:])
-    return found.group() if found else b""
+    match = _WORD.search(before[-200:])
+    return match.group() if match else b""

@@ -1,4 +1,4 @@
-"""What the server can do: a handler for every request and notification."""
+"""Features of the server: a handler for each request and notification."""
 
 import re
 
@@ -43,37 +43,39 @@ def make() -> Server:
     _add_pull(server)
     triggers = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
     kinds = [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
-    server.answer(lsp.TEXT_DOCUMENT_HOVER, _hover, None)
-    server.answer(lsp.TEXT_DOCUMENT_DEFINITION, _definitions, [])
-    server.answer(lsp.TEXT_DOCUMENT_REFERENCES, _references, [])
-    server.answer(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, _symbols, [])
-    server.answer(lsp.TEXT_DOCUMENT_DOCUMENT_LINK, _links, [])
-    server.answer(lsp.TEXT_DOCUMENT_INLAY_HINT, _inlay_hints, [])
-    server.answer(lsp.WORKSPACE_SYMBOL, _workspace_symbols, [])
-    server.answer(lsp.TEXT_DOCUMENT_COMPLETION, _completions, [], triggers)
-    server.answer(lsp.TEXT_DOCUMENT_PREPARE_RENAME, _rename_placeholder, None)
-    server.answer(lsp.TEXT_DOCUMENT_RENAME, _rename, None, lsp.RenameOptions(prepare_provider=True))
-    server.answer(lsp.TEXT_DOCUMENT_FORMATTING, _format, None)
-    server.answer(lsp.TEXT_DOCUMENT_CODE_ACTION, _actions, [], lsp.CodeActionOptions(kinds))
+    server.register(lsp.TEXT_DOCUMENT_HOVER, _hover, None)
+    server.register(lsp.TEXT_DOCUMENT_DEFINITION, _definitions, [])
+    server.register(lsp.TEXT_DOCUMENT_REFERENCES, _references, [])
+    server.register(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, _symbols, [])
+    server.register(lsp.TEXT_DOCUMENT_DOCUMENT_LINK, _links, [])
+    server.register(lsp.TEXT_DOCUMENT_INLAY_HINT, _inlay_hints, [])
+    server.register(lsp.WORKSPACE_SYMBOL, _workspace_symbols, [])
+    server.register(lsp.TEXT_DOCUMENT_COMPLETION, _completions, [], triggers)
+    server.register(lsp.TEXT_DOCUMENT_PREPARE_RENAME, _rename_placeholder, None)
+    server.register(
+        lsp.TEXT_DOCUMENT_RENAME, _rename, None, lsp.RenameOptions(prepare_provider=True)
+    )
+    server.register(lsp.TEXT_DOCUMENT_FORMATTING, _format, None)
+    server.register(lsp.TEXT_DOCUMENT_CODE_ACTION, _actions, [], lsp.CodeActionOptions(kinds))
     return server
 
 
 def _add_documents(server: Server) -> None:
     @server.feature(lsp.INITIALIZED)
     def _(params: lsp.InitializedParams) -> None:
-        server.worker.submit(slow_rules)  # so that the first check is as fast as the others
-        server.places = PositionEncoding(server.server_capabilities.position_encoding or "utf-16")
+        server.worker.submit(slow_rules)  # imports the rules before the first check
+        server.encoding = PositionEncoding(server.server_capabilities.position_encoding or "utf-16")
         server.watch()
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
     def _(params: lsp.DidOpenTextDocumentParams) -> None:
-        server.take(params.text_document.uri)
+        server.update_text(params.text_document.uri)
         server.check_soon(params.text_document.uri, thorough=True)
-        server.leave_to_pull(params.text_document.uri)
+        server.clear_published(params.text_document.uri)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
     def _(params: lsp.DidChangeTextDocumentParams) -> None:
-        server.take(params.text_document.uri)
+        server.update_text(params.text_document.uri)
         server.check_soon(params.text_document.uri)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
@@ -83,13 +85,13 @@ def _add_documents(server: Server) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     async def _(params: lsp.DidCloseTextDocumentParams) -> None:
-        server.forget(params.text_document.uri)
+        server.cancel_check(params.text_document.uri)
         path = server.path(params.text_document.uri)
         nothing: dict[str, list[Diagnostic]] = {}
-        left = await server.ask(lambda: server.robots.close(path), nothing)
+        left = await server.in_worker(lambda: server.robots.close(path), nothing)
         for file, found in left.items():
             server.publish(file, found)
-        if params.text_document.uri not in server.workspace.text_documents:  # opened again
+        if params.text_document.uri not in server.workspace.text_documents:  # not reopened
             server.uris.pop(path, None)
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
@@ -110,41 +112,41 @@ def _add_pull(server: Server) -> None:
 
 def _hover(server: Server, params: lsp.HoverParams) -> lsp.Hover | None:
     robot, page, offset = server.at(params.text_document.uri, params.position)
-    found = server.robots.diagnostics(server.path(params.text_document.uri))
-    text = hover.hover(robot, page, offset, found)
+    diagnostics = server.robots.diagnostics(server.path(params.text_document.uri))
+    text = hover.hover(robot, page, offset, diagnostics)
     return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
 
 
 def _definitions(server: Server, params: lsp.DefinitionParams) -> list[lsp.Location]:
-    at = server.at(params.text_document.uri, params.position)
-    return server.locations(navigation.definitions(*at))
+    location = server.at(params.text_document.uri, params.position)
+    return server.locations(navigation.definitions(*location))
 
 
 def _references(server: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
-    at = server.at(params.text_document.uri, params.position)
-    wanted = params.context.include_declaration
-    return server.locations(navigation.references(*at, definitions=wanted))
+    location = server.at(params.text_document.uri, params.position)
+    with_definitions = params.context.include_declaration
+    return server.locations(navigation.references(*location, definitions=with_definitions))
 
 
 def _symbols(server: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
     robot, page = server.page(params.text_document.uri)
-    return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
+    return [_symbol(server.encoding, entry) for entry in outline.outline(robot, page)]
 
 
 def _links(server: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
     robot, page = server.page(params.text_document.uri)
     return [
-        lsp.DocumentLink(server.places.range(span), to_uri(path))
+        lsp.DocumentLink(server.encoding.range(span), to_uri(path))
         for span, path in navigation.links(robot, page)
     ]
 
 
 def _inlay_hints(server: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
     robot, page, start = server.at(params.text_document.uri, params.range.start)
-    end = server.places.offset(page.source, params.range.end)
+    end = server.encoding.offset(page.source, params.range.end)
     return [
         lsp.InlayHint(
-            server.places.position(page.source, hint.offset), hint.text, padding_left=True
+            server.encoding.position(page.source, hint.offset), hint.text, padding_left=True
         )
         for hint in inlay_hints(robot, page, start, end)
     ]
@@ -154,33 +156,33 @@ def _workspace_symbols(
     server: Server, params: lsp.WorkspaceSymbolParams
 ) -> list[lsp.WorkspaceSymbol]:
     """Symbols of the robots of all open files."""
-    found = outline.symbols(server.robots.open_robots(), params.query)
+    symbols = outline.symbols(server.robots.open_robots(), params.query)
     return [
         lsp.WorkspaceSymbol(
-            server.places.location(span, server.uris), printable(name), _SYMBOLS[kind]
+            server.encoding.location(span, server.uris), printable(name), _SYMBOLS[kind]
         )
-        for kind, name, span in found
+        for kind, name, span in symbols
     ]
 
 
 def _completions(server: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
     robot, page, offset = server.at(params.text_document.uri, params.position)
     offers = completion.complete(robot, page, offset)
-    places, source, snippets = server.places, page.source, server.takes_snippets
-    return [_item(places, source, offset, one, snippets=snippets) for one in offers]
+    encoding, source, snippets = server.encoding, page.source, server.supports_snippets
+    return [_item(encoding, source, offset, offer, snippets=snippets) for offer in offers]
 
 
 def _rename_placeholder(
     server: Server, params: lsp.PrepareRenameParams
 ) -> lsp.PrepareRenamePlaceholder:
     name = navigation.renamable(*server.at(params.text_document.uri, params.position))
-    return lsp.PrepareRenamePlaceholder(server.places.range(name.span), name.text)
+    return lsp.PrepareRenamePlaceholder(server.encoding.range(name.span), name.text)
 
 
 def _rename(server: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-    at = server.at(params.text_document.uri, params.position)
+    location = server.at(params.text_document.uri, params.position)
     try:
-        return server.edit(navigation.rename(*at, params.new_name))
+        return server.edit(navigation.rename(*location, params.new_name))
     except navigation.CannotRename as error:
         warning = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
         server.window_show_message(warning)
@@ -197,42 +199,42 @@ def _actions(server: Server, params: lsp.CodeActionParams) -> list[lsp.CodeActio
     if any(kind.startswith("source") for kind in params.context.only or ()):
         return _fix_all(server, path)
     _, page, start = server.at(params.text_document.uri, params.range.start)
-    end = server.places.offset(page.source, params.range.end)
+    end = server.encoding.offset(page.source, params.range.end)
     return [
         _action(server, action)
-        for found in server.robots.diagnostics(path)
-        if found.span.start <= end and start <= found.span.end
-        for action in actions.actions(page, found)
+        for diagnostic in server.robots.diagnostics(path)
+        if diagnostic.span.start <= end and start <= diagnostic.span.end
+        for action in actions.actions(page, diagnostic)
     ]
 
 
-def _symbol(places: PositionEncoding, entry: outline.OutlineEntry) -> lsp.DocumentSymbol:
-    range_ = places.range(entry.span)
+def _symbol(encoding: PositionEncoding, entry: outline.OutlineEntry) -> lsp.DocumentSymbol:
+    range_ = encoding.range(entry.span)
     return lsp.DocumentSymbol(
         printable(entry.name),
         _SYMBOLS[entry.kind],
         range_,
         lsp.Range(range_.start, range_.start),
         detail=printable(entry.detail),
-        children=[_symbol(places, child) for child in entry.children],
+        children=[_symbol(encoding, child) for child in entry.children],
     )
 
 
 def _item(
-    places: PositionEncoding,
+    encoding: PositionEncoding,
     source: Source,
     offset: int,
     offer: completion.CompletionItem,
     *,
     snippets: bool,
 ) -> lsp.CompletionItem:
-    at = places.range(Span(source, offer.start, offset))
-    # Names of files and links may hold anything; those of tags and attributes may not.
+    at = encoding.range(Span(source, offer.start, offset))
+    # Names of files and links may contain special characters; those of tags and attributes cannot.
     item = lsp.CompletionItem(
         printable(offer.text),
         kind=_ITEMS[offer.kind],
         detail=offer.detail or None,
-        sort_text=f"{0 if offer.needed else 1}{offer.text}",
+        sort_text=f"{0 if offer.required else 1}{offer.text}",
         filter_text=offer.text,
         text_edit=lsp.TextEdit(at, escaped(offer.text)),
     )
@@ -243,7 +245,7 @@ def _item(
 
 
 def _ends_a_name(source: Source, offset: int) -> bool:
-    """True if neither the rest of a name nor its value follows."""
+    """True if neither the rest of a name nor a value follows."""
     return re.match(rb"[\w:-]|\s*=", source.data[offset : offset + 20]) is None
 
 
@@ -258,7 +260,7 @@ def _action(server: Server, action: actions.QuickFix) -> lsp.CodeAction:
 
 
 def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
-    """All safe fixes at once; computed only where they are asked for, as on saving."""
+    """All safe fixes as one action; computed only on request, such as on saving."""
     changes = {
         server.uris.get(file) or to_uri(file): server.replaced(file, text)
         for file, text in server.robots.fixed(path).items()

@@ -1,21 +1,21 @@
-"""What URDF's grammar, SRDF and Gazebo say of an element in a text."""
+"""Grammar of elements in a text: URDF, SRDF and Gazebo."""
 
 from urdfkit.lsp.markup import TagNode, WrittenAttribute
 from urdfkit.text.schema import JOINT, LINK, ROBOT, Grammar
 
 
 def grammar_of(node: TagNode) -> Grammar | None:
-    """What URDF allows in an element; None where URDF has no grammar."""
-    way = [node.name]
-    for outer in node.around():
+    """The URDF grammar of an element; None if URDF does not define it."""
+    path = [node.name]
+    for outer in node.ancestors():
         if outer.name == "robot":
             break
         if not outer.name.startswith("xacro:"):
-            way.insert(0, outer.name)
-    if way == ["robot"]:
+            path.insert(0, outer.name)
+    if path == ["robot"]:
         return ROBOT
-    grammar = ROBOT if way[0] in ROBOT.children else _holder(way[0])
-    for name in way:
+    grammar = ROBOT if path[0] in ROBOT.children else _parent_grammar(path[0])
+    for name in path:
         inner = grammar.children.get(name)
         if inner is None or inner.open:
             return None
@@ -23,8 +23,8 @@ def grammar_of(node: TagNode) -> Grammar | None:
     return grammar
 
 
-def _holder(tag: str) -> Grammar:
-    """The grammar of an element that may hold a tag, for a macro that makes a part of a link."""
+def _parent_grammar(tag: str) -> Grammar:
+    """The grammar of a parent element of a tag, for a macro that creates a part of a link."""
     queue = [ROBOT]
     for grammar in queue:
         if tag in grammar.children:
@@ -33,8 +33,8 @@ def _holder(tag: str) -> Grammar:
     return ROBOT
 
 
-#: Attributes that name a link or a joint outside of URDF's grammar: of SRDF and of Gazebo.
-NAMING = {
+#: Attributes of SRDF and Gazebo that refer to links or joints.
+REFERENCES = {
     ("gazebo", "reference"): "frame",
     ("disable_collisions", "link1"): "link",
     ("disable_collisions", "link2"): "link",
@@ -46,12 +46,12 @@ NAMING = {
     ("virtual_joint", "child_link"): "link",
     ("passive_joint", "name"): "joint",
 }
-#: Elements in which ``<link name>`` and ``<joint name>`` are uses.
-USERS = ("transmission", "ros2_control", "group", "group_state")
+#: Elements in which ``<link name>`` and ``<joint name>`` are references.
+REFERRING_ELEMENTS = ("transmission", "ros2_control", "group", "group_state")
 
 
 def kind_of_value(node: TagNode, written: WrittenAttribute) -> str:
-    """``link`` or ``joint`` for an attribute that refers to one by URDF's grammar."""
+    """``link`` or ``joint`` for a reference by URDF's grammar; empty for other attributes."""
     parent = node.parent.name if node.parent else ""
     grammar = ROBOT.children.get(parent)
     inner = grammar.children.get(node.name) if grammar else None

@@ -1,4 +1,4 @@
-"""Hover texts: numbers of a robot, origins of a value, explanations of a rule."""
+"""Hover texts: properties of a robot, origins of a value, explanations of a rule."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -22,16 +22,16 @@ from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
 from urdfkit.xacro.origin import Origin
 
-#: Values of one expression, levels of definitions and lines of a macro that are shown.
+#: Limit of the values of an expression, levels of origins, and other listed items.
 MAX_SHOWN = 6
-#: Bytes of a mesh that is opened while somebody waits.
+#: Size limit in bytes of a mesh that is measured for a hover.
 MAX_MESH = 5_000_000
 _LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
 _FORCE_UNIT = {"revolute": "N·m", "continuous": "N·m", "prismatic": "N"}
 
 
 def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
-    """Markdown for a place; empty if there is nothing to say."""
+    """Markdown for an offset; empty without information."""
     here = cursor(page, offset)
     parts = [*_values(robot, here), *_name(robot, page, offset), *_mesh(robot, here)]
     parts += [*_plugin(here), *_grammar(here)]
@@ -43,19 +43,19 @@ def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagn
 
 
 def _values(robot: OpenRobot, here: Cursor) -> Iterator[str]:
-    """What an expression became, and the definitions behind it."""
+    """The values of an expression, and their origins."""
     written = here.attribute
     if here.place != "value" or here.node is None or written is None or "$" not in written.value:
         return
-    found = robot.expanded(here.node.source, here.node.start, written.name)
-    values = list(dict.fromkeys(attribute.value for attribute in found))
+    attributes = robot.expanded(here.node.source, here.node.start, written.name)
+    values = list(dict.fromkeys(attribute.value for attribute in attributes))
     if not values:
         return
     shown = few([f"`{_code(value)}`" for value in values], MAX_SHOWN)
     lines = [f"**{escape(written.name)}** = {shown}"]
-    if len(found) > 1:
-        lines[0] += f" in {len(found)} calls"
-    lines += _origins(robot, found[0])
+    if len(attributes) > 1:
+        lines[0] += f" in {len(attributes)} calls"
+    lines += _origins(robot, attributes[0])
     yield "\n".join(lines)
 
 
@@ -84,7 +84,7 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
     if name is None:
         return
     if name.kind in ("link", "joint", "frame"):
-        yield from _of_model(robot, name)
+        yield from _link_or_joint(robot, name)
     elif name.kind == "macro":
         macro = robot.names.macros.get(name.text)
         if macro is not None:
@@ -92,18 +92,18 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
             at = _place(macro.name_span)
             yield f"**macro** `{_code(name.text)}`({_code(params)}), defined at {at}"
     elif name.kind in ("property", "arg"):
-        for one in robot.names.same(name):
-            if one.is_definition:
-                text = one.node.get("value") or one.node.get("default")
-                yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(one.span)}"
+        for use in robot.names.occurrences(name):
+            if use.is_definition:
+                text = use.node.get("value") or use.node.get("default")
+                yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(use.span)}"
     elif name.kind == "package":
         known = robot.resolver.packages.known(page.source.path)
         directory = known.get(name.text)
-        where = f"`{_code(directory)}`" if directory else "not found"
-        yield f"**package** `{_code(name.text)}`: {where}"
+        location = f"`{_code(directory)}`" if directory else "not found"
+        yield f"**package** `{_code(name.text)}`: {location}"
 
 
-def _of_model(robot: OpenRobot, name: NameUse) -> Iterator[str]:
+def _link_or_joint(robot: OpenRobot, name: NameUse) -> Iterator[str]:
     model = robot.model
     if model is None:
         return
@@ -162,7 +162,7 @@ def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
         return
     if node.name not in ("mesh", "texture"):
         return
-    values = [found.value for found in robot.expanded(node.source, node.start, "filename")]
+    values = [attribute.value for attribute in robot.expanded(node.source, node.start, "filename")]
     for value in list(dict.fromkeys(values or [written.value]))[:MAX_SHOWN]:
         yield "\n".join(_file(robot, node, value))
 
@@ -186,7 +186,7 @@ def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
 
 
 def _measures(path: str) -> Iterator[str]:
-    """Triangles and size, where the extra for meshes is installed."""
+    """Triangles and size, if the extra for meshes is installed."""
     try:
         from urdfkit.mesh.describe import describe
 
@@ -202,40 +202,40 @@ def _measures(path: str) -> Iterator[str]:
 
 
 def _plugin(here: Cursor) -> Iterator[str]:
-    """What a plugin of Gazebo is, and what it reads a tag as."""
+    """The description of a Gazebo plugin, or of its parameter."""
     node = here.node
     if node is None:
         return
     if here.place == "value" and here.attribute and node.name == "plugin":
         if here.attribute.name == "filename":
-            for known in plugins.find(here.attribute.value.strip()):
-                where = "not in" if known.removed else f"of {known.package},"
-                reported = f"**plugin** {where} {known.generation}"
-                after = f"; replaced by `{known.successor}`" if known.successor else ""
-                yield reported + after
+            for entry in plugins.find(here.attribute.value.strip()):
+                origin = "not in" if entry.removed else f"of {entry.package},"
+                text = f"**plugin** {origin} {entry.generation}"
+                successor = f"; replaced by `{entry.successor}`" if entry.successor else ""
+                yield text + successor
         return
-    plugin = node.within("plugin")
+    plugin = node.ancestor("plugin")
     if here.place != "tag" or plugin is None:
         return
-    for known in plugins.find(plugin.get("filename").strip()):
-        if parameter := known.parameters.get(path_in(node, plugin)):
-            words = [parameter.type] + ["needed"] * parameter.required
+    for entry in plugins.find(plugin.get("filename").strip()):
+        if parameter := entry.parameters.get(path_in(node, plugin)):
+            words = [parameter.type] + ["required"] * parameter.required
             if parameter.default:
                 words.append(f"`{_code(parameter.default)}` by default")
-            yield f"**{escape(node.name)}** ({known.generation}): {', '.join(words)}"
+            yield f"**{escape(node.name)}** ({entry.generation}): {', '.join(words)}"
 
 
 def _grammar(here: Cursor) -> Iterator[str]:
-    """What an attribute of URDF holds, and what unit a tag of Gazebo has."""
+    """The type of a URDF attribute, or the type and unit of a Gazebo extension."""
     node = here.node
     if here.place == "attribute" and node is not None and here.attribute is not None:
         grammar = grammar_of(node)
         rule = grammar.attributes.get(here.attribute.name) if grammar else None
         if rule is not None:
-            yield f"**{here.attribute.name}**: {rule.type}" + ", needed" * rule.required
-    elif here.place == "tag" and node is not None and node.within("gazebo"):
+            yield f"**{here.attribute.name}**: {rule.type}" + ", required" * rule.required
+    elif here.place == "tag" and node is not None and node.ancestor("gazebo"):
         extension = extensions.extensions().get(node.name)
-        if extension is not None and not node.within("plugin", "sensor"):
+        if extension is not None and not node.ancestor("plugin", "sensor"):
             unit = f" in {extension.unit}" if extension.unit else ""
             yield f"**{escape(node.name)}** for a {extension.on}: {extension.type}{unit}"
 
@@ -244,9 +244,11 @@ def _grammar(here: Cursor) -> Iterator[str]:
 
 
 def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
-    """The explanations of the rules that speak here, or that an ignore comment names."""
+    """The explanations of the rules with findings at an offset, or in an ignore comment there."""
     codes = [
-        found.code for found in diagnostics if found.span.start <= offset <= max(found.span[1:])
+        diagnostic.code
+        for diagnostic in diagnostics
+        if diagnostic.span.start <= offset <= max(diagnostic.span[1:])
     ]
     for comment in ignores(page.source):
         codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
@@ -265,12 +267,12 @@ def _place(span: Span) -> str:
 
 
 def _code(text: str) -> str:
-    """A text for a piece of code in Markdown."""
+    """A text for a code span in Markdown."""
     text = printable(" ".join(text.split())).replace("`", "'")
     return text if len(text) <= 200 else text[:200] + "..."
 
 
 def _kind(joint: Joint) -> str:
-    """The type of a joint, as code if it is none."""
+    """The type of a joint, as code if it is unknown."""
     known = (*DEGREES_OF_FREEDOM, "fixed")
     return joint.kind if joint.kind in known else f"`{_code(joint.kind)}`"

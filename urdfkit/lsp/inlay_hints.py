@@ -1,4 +1,4 @@
-"""The values of expressions, for an editor to show behind them."""
+"""Inlay hints: the values of expressions."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.text.terminal import printable
 
-#: Values of one attribute and letters that are shown.
+#: Limits of the values of an attribute and of the characters of a hint.
 MAX_VALUES, MAX_LETTERS = 3, 40
 
 
 class InlayHint(Record):
-    """A text that an editor shows and the file does not hold."""
+    """A text that an editor shows in addition to the file."""
 
-    offset: int  # of the byte that it stands before
+    offset: int  # of the byte after the hint
     text: str
 
 
 def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[InlayHint]:
-    """What attributes with expressions are after expansion: a value for each call of a macro.
+    """The values of attributes with expressions, one for each call of a macro.
 
     Args:
-        start: first byte of the tags that are asked about.
-        end: behind the last one.
+        start: first byte of the requested range.
+        end: offset after its last byte.
     """
     for node in page.nodes:
         if node.tag_end < start or end < node.start:
@@ -43,7 +43,7 @@ def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[
 
 
 def _short(value: str) -> str:
-    """A value whose numbers have six digits, as people write them."""
+    """A value with numbers of six digits."""
     return " ".join(map(_rounded, value.split()))
 
 

@@ -1,6 +1,6 @@
-"""The tags of a text that may not be XML yet: it is read while somebody writes it.
+"""The tags of a text that may not be well-formed yet, because it is being edited.
 
-An end tag without a start tag is ignored. Nothing here raises, whatever the text.
+End tags without a start tag are ignored. The module raises no errors, whatever the text.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
 from urdfkit.text.tokens import AttributeToken, Token, TokenKind, tokens
 
-#: Elements in one another; whatever is deeper belongs to the one at this depth.
+#: Largest nesting depth; deeper elements are siblings at this depth.
 MAX_DEPTH = 200
 
 _TAGS = (TokenKind.START, TokenKind.EMPTY, TokenKind.UNFINISHED)
@@ -24,7 +24,7 @@ class WrittenAttribute(Record):
 
     name: str  # with its prefix
     name_span: Span  # the name
-    value_span: Span | None  # the value without quotes; None if there is none yet
+    value_span: Span | None  # the value without quotes; None if it is not written yet
 
     @property
     def value(self) -> str:
@@ -35,17 +35,17 @@ class TagNode:
     """An element in a text.
 
     Attributes:
-        name, name_span: with its prefix; empty right behind a ``<``.
+        name, name_span: with the prefix; empty directly after a ``<``.
         source: the text.
-        start: of the start tag.
-        tag_end: offset behind the start tag.
-        end: offset behind the whole element.
-        closed: True if it has an end; one that is still being written goes on behind its last
+        start: offset of the start tag.
+        tag_end: offset after the start tag.
+        end: offset after the element.
+        closed: True if the element has an end; an unfinished one extends beyond its last
             character.
-        end_name: the name in the end tag; None without one.
-        attributes: in the order of the text.
-        parent: the element around it, or None.
-        children: the elements in it.
+        end_name: name in the end tag; None without one.
+        attributes: in text order.
+        parent: the enclosing element, or None.
+        children: the child elements.
     """
 
     __slots__ = (
@@ -71,7 +71,7 @@ class TagNode:
         self.tag_end = self.end = token.end
         self.closed = token.kind is TokenKind.EMPTY
         self.end_name: Span | None = None
-        self.attributes = [_attribute(one, source) for one in token.attributes]
+        self.attributes = [_attribute(attribute, source) for attribute in token.attributes]
         self.parent = parent
         self.children: list[TagNode] = []
         self.depth: int = parent.depth + 1 if parent else 0
@@ -82,7 +82,7 @@ class TagNode:
 
     @property
     def text_span(self) -> Span:
-        """What stands in it, without the white space around it; only if it is text."""
+        """Its leading text without surrounding white space."""
         data = self.source.data
         inner = data[self.tag_end : self.end]
         until = inner.find(b"<")
@@ -91,33 +91,33 @@ class TagNode:
         return Span(self.source, start, start + len(text.strip()))
 
     def get(self, name: str) -> str:
-        """The value of an attribute; empty without it."""
+        """The value of an attribute; empty if it is missing."""
         written = self.attribute(name)
         return written.value if written else ""
 
     def attribute(self, name: str) -> WrittenAttribute | None:
-        return next((one for one in self.attributes if one.name == name), None)
+        return next((attribute for attribute in self.attributes if attribute.name == name), None)
 
-    def around(self) -> Iterator[TagNode]:
-        """The elements around it, the nearest first."""
+    def ancestors(self) -> Iterator[TagNode]:
+        """The enclosing elements, from the inside outwards."""
         node = self.parent
         while node is not None:
             yield node
             node = node.parent
 
-    def within(self, *names: str) -> TagNode | None:
-        """The nearest element around it that has one of these names."""
-        return next((node for node in self.around() if node.name in names), None)
+    def ancestor(self, *names: str) -> TagNode | None:
+        """The nearest enclosing element with one of these names."""
+        return next((node for node in self.ancestors() if node.name in names), None)
 
 
 class Page:
-    """The elements of one text."""
+    """The elements of a text."""
 
     def __init__(self, source: Source) -> None:
         self.source = source  # the text
         self.nodes: list[TagNode] = []  # all elements, in the order of their start tags
-        self._other: list[tuple[int, int]] = []  # comments and the like
-        self._ends: list[int] = []  # of the names of end tags
+        self._comments: list[tuple[int, int]] = []  # also declarations and processing instructions
+        self._ends: list[int] = []  # offsets of the names in end tags
         self._read()
         self._starts = [node.start for node in self.nodes]
 
@@ -130,7 +130,7 @@ class Page:
             elif token.kind in _TAGS:
                 self._open(open_, token)
             elif token.kind is not TokenKind.TEXT:
-                self._other.append((token.start, token.end))
+                self._comments.append((token.start, token.end))
         for node in open_:
             node.end = len(self.source.data)
 
@@ -143,7 +143,7 @@ class Page:
             open_.append(node)
 
     def _close(self, open_: list[TagNode], token: Token) -> None:
-        """An end tag: of the nearest open element of that name; those in it end here, too."""
+        """Close the nearest open element of a name, and the elements inside it."""
         if not any(node.name == token.name for node in open_[-MAX_DEPTH:]):
             return
         while (node := open_.pop()).name != token.name:
@@ -153,7 +153,7 @@ class Page:
         node.end_name = Span(self.source, *token.name_span)
 
     def node_at(self, offset: int) -> TagNode | None:
-        """The innermost element whose tags or content hold a place between two characters."""
+        """The innermost element that contains an offset between two characters."""
         index = bisect_right(self._starts, offset - 1) - 1
         node = self.nodes[index] if index >= 0 else None
         while node is not None and offset > node.end - node.closed:
@@ -161,30 +161,30 @@ class Page:
         return node
 
     def end_name_at(self, offset: int) -> int | None:
-        """Where the name begins if a place is in the name of an end tag, finished or not."""
+        """Offset of the name if an offset is in the name of an end tag; None elsewhere."""
         index = bisect_right(self._ends, offset) - 1
         if index < 0 or re.search(rb"[\s<>/]", self.source.data[self._ends[index] : offset]):
             return None
         return self._ends[index]
 
     def is_comment(self, offset: int) -> bool:
-        """True inside of a comment, a declaration or a processing instruction."""
+        """True inside a comment, a declaration or a processing instruction."""
         data = self.source.data
         return any(
             start < offset < end or (offset == end and not data.endswith(b">", start, end))
-            for start, end in self._other
+            for start, end in self._comments
         )
 
 
 class Cursor(Record):
-    """Where the cursor is."""
+    """The syntactic context of the cursor."""
 
     offset: int  # in bytes
-    node: TagNode | None  # the element in which it is; None outside of all
-    #: ``tag`` (in a name after ``<``), ``end`` (in one after ``</``), ``attribute`` (where a name
-    #: of one stands or could stand), ``value``, ``text``, ``comment``, ``nowhere``.
+    node: TagNode | None  # the innermost element; None outside of all elements
+    #: ``tag`` (in a name after ``<``), ``end`` (in a name after ``</``), ``attribute`` (at an
+    #: attribute name or where one could be written), ``value``, ``text``, ``comment``, ``nowhere``.
     place: str
-    attribute: WrittenAttribute | None = None  # whose name or value it is in, or None
+    attribute: WrittenAttribute | None = None  # the attribute of the name or value
 
 
 def cursor(page: Page, offset: int) -> Cursor:

@@ -1,7 +1,7 @@
-"""The names in the texts of a robot: where each is given, and where it is used.
+"""The names in the texts of a robot: definitions and references.
 
-What stands in the text counts, so that a robot that does not expand yet has names, too. A name
-that an expression makes is known by the values that the expanded document has for it.
+The index is built from the source text, so that it exists for a robot that cannot be expanded yet.
+A name with an expression is identified by its values in the expanded document.
 """
 
 from __future__ import annotations
@@ -12,14 +12,14 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.grammar import NAMING, USERS, kind_of_value
+from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, kind_of_value
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Source, Span
 
-#: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to one macro.
+#: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to a macro.
 KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter", "arg", "package")
 
 _EXPRESSION = re.compile(rb"\$\{([^}]*)\}?|\$\((\w+)\s+([^)]*)\)?")
@@ -30,8 +30,8 @@ _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
 _PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
 _OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
-#: A frame may be a link or a joint.
-_SAME_KINDS = {
+#: Kinds that may refer to the same thing.
+_COMPATIBLE_KINDS = {
     "link": ("link", "frame"),
     "joint": ("joint", "frame"),
     "frame": ("link", "joint", "frame"),
@@ -40,15 +40,15 @@ _SAME_KINDS = {
 
 
 class NameUse(Record):
-    """One place where a name is written."""
+    """An occurrence of a name."""
 
     kind: str  # one of ``KINDS``
     text: str  # as written
     span: Span  # the name
-    is_definition: bool  # True where it is given
-    node: TagNode  # the element that it is in
-    attribute: str = ""  # the name of the attribute whose whole value it is; empty elsewhere
-    #: Of a parameter, the path of its macro's file and the start of its macro's tag.
+    is_definition: bool  # False for a reference
+    node: TagNode  # the element that contains it
+    attribute: str = ""  # name of the attribute whose whole value it is; empty otherwise
+    #: For a parameter, path of the macro's file and offset of its start tag.
     macro: tuple[str, int] | None = None
 
     @property
@@ -56,18 +56,18 @@ class NameUse(Record):
         return "$" in self.text
 
 
-def _begin(name: NameUse) -> int:
-    """Where a cursor is on a name: in the call of a macro, from the prefix on."""
+def _cursor_start(name: NameUse) -> int:
+    """Offset from which a cursor is on a name; in a macro call, that of the prefix."""
     source, start, _ = name.span
     at = start - len(_PREFIX)
     return at if name.kind == "macro" and source.data.startswith(_PREFIX, max(at, 0)) else start
 
 
 class NameIndex:
-    """The names in some texts.
+    """Index of the names in texts.
 
     Args:
-        document: what they expand to; None if they do not.
+        document: the expanded document; None if the expansion fails.
     """
 
     def __init__(self, pages: Iterable[Page], document: Document | None) -> None:
@@ -76,7 +76,7 @@ class NameIndex:
 
     @cached_property
     def macros(self) -> dict[str, TagNode]:
-        """The macros by name; the last of a name."""
+        """Macros by name; the last definition counts."""
         return {
             node.get("name").removeprefix("xacro:"): node
             for page in self.pages.values()
@@ -95,64 +95,64 @@ class NameIndex:
 
     @cached_property
     def _values(self) -> dict[tuple[str, int, str], dict[str, None]]:
-        """The values of attributes after expansion, by file, place of the tag and name."""
-        found: dict[tuple[str, int, str], dict[str, None]] = {}
+        """Values of attributes after expansion, by file, offset of the tag, and name."""
+        values: dict[tuple[str, int, str], dict[str, None]] = {}
         for element in self._document.root.walk() if self._document else ():
             at = element.tag_at
             for attribute in element.attributes.values():
                 key = (at.source.path, at.start, attribute.name)
-                found.setdefault(key, {})[attribute.value] = None
-        return found
+                values.setdefault(key, {})[attribute.value] = None
+        return values
 
     def at(self, source: Source, offset: int) -> NameUse | None:
-        """The name at a place: the shortest if one is in another."""
-        found = [
+        """The innermost name at an offset."""
+        names = [
             name
             for name in self.all
-            if name.span.source is source and _begin(name) <= offset <= name.span.end
+            if name.span.source is source and _cursor_start(name) <= offset <= name.span.end
         ]
-        return min(found, key=lambda name: name.span.end - name.span.start, default=None)
+        return min(names, key=lambda name: name.span.end - name.span.start, default=None)
 
-    def same(self, name: NameUse) -> list[NameUse]:
-        """Every place of what a name means, that place included."""
-        if name.kind in _SAME_KINDS:
+    def occurrences(self, name: NameUse) -> list[NameUse]:
+        """All occurrences of the thing that a name refers to, including this one."""
+        if name.kind in _COMPATIBLE_KINDS:
             values = self.values(name)
-            kinds = _SAME_KINDS[name.kind]
+            kinds = _COMPATIBLE_KINDS[name.kind]
             same = [
-                one
-                for one in self.all
-                if one.kind in kinds and not values.isdisjoint(self.values(one))
+                use
+                for use in self.all
+                if use.kind in kinds and not values.isdisjoint(self.values(use))
             ]
-            return same if name.kind != "frame" else self._of_one_kind(same)
+            return same if name.kind != "frame" else self._frames_resolved(same)
         return [
-            one
-            for one in self.all
-            if (one.kind, one.text, one.macro) == (name.kind, name.text, name.macro)
+            use
+            for use in self.all
+            if (use.kind, use.text, use.macro) == (name.kind, name.text, name.macro)
         ]
 
-    def _of_one_kind(self, names: list[NameUse]) -> list[NameUse]:
-        """Links where a link has the name, else joints: what Gazebo takes a reference for."""
-        given = {name.kind for name in names if name.is_definition}
-        wrong = "joint" if "link" in given or "joint" not in given else "link"
-        return [name for name in names if name.kind != wrong]
+    def _frames_resolved(self, names: list[NameUse]) -> list[NameUse]:
+        """The names of links if a link is defined, else of joints, as Gazebo resolves them."""
+        defined = {name.kind for name in names if name.is_definition}
+        excluded = "joint" if "link" in defined or "joint" not in defined else "link"
+        return [name for name in names if name.kind != excluded]
 
     def values(self, name: NameUse) -> set[str]:
-        """The values of a name: one as written, or those that an expression has."""
+        """The values of a name: the text, or the values of its expression."""
         if not name.is_computed:
             return {unescape(name.text)}
         return set(self.expanded(name.node, name.attribute)) or {name.text}
 
     def expanded(self, node: TagNode, attribute: str) -> list[str]:
-        """The values that an attribute has after expansion, each once, in the order of calls."""
+        """The distinct values of an attribute after expansion, in the order of calls."""
         return list(self._values.get((node.source.path, node.start, attribute), ()))
 
-    def given(self, *kinds: str) -> list[str]:
-        """The names of some kinds that are given, after expansion; sorted."""
-        found: set[str] = set()
+    def defined(self, *kinds: str) -> list[str]:
+        """Defined names of some kinds after expansion, sorted."""
+        names: set[str] = set()
         for name in self.all:
             if name.is_definition and name.kind in kinds:
-                found |= self.values(name)
-        return sorted(one for one in found if one and "$" not in one)
+                names |= self.values(name)
+        return sorted(text for text in names if text and "$" not in text)
 
     # ------------------------------------------------------------ one element
 
@@ -164,11 +164,11 @@ class NameIndex:
         elif node.name in ("xacro:property", "xacro:arg"):
             yield from self._definition(node, own if own == "arg" else "property", "name")
         elif node.name == "xacro:insert_block":
-            yield from self._inserted(node)
+            yield from self._inserted_block(node)
         elif node.name.startswith("xacro:") and own not in _OWN_TAGS:
             yield from self._call(node)
         else:
-            yield from self._of_robot(node)
+            yield from self._in_robot_element(node)
         for written in node.attributes:
             if written.value_span and not (node.name == "xacro:macro" and written.name == "name"):
                 yield from self._in_text(node, written.value_span)
@@ -189,20 +189,20 @@ class NameIndex:
         if not (written and written.value_span):
             return
         source, start, end = written.value_span
-        for found in _PARAMETER.finditer(source.data[start:end]):
-            word = found[1]
+        for match in _PARAMETER.finditer(source.data[start:end]):
+            word = match[1]
             text = word.lstrip(b"*")
-            at = start + found.start(1) + len(word) - len(text)
+            at = start + match.start(1) + len(word) - len(text)
             span = Span(source, at, at + len(text))
             yield NameUse("parameter", span.text, span, True, macro, "", _id(macro))
 
-    def _inserted(self, node: TagNode) -> Iterator[NameUse]:
+    def _inserted_block(self, node: TagNode) -> Iterator[NameUse]:
         written = node.attribute("name")
         if written and written.value_span:
             yield self._variable(node, written.value_span)
 
     def _call(self, node: TagNode) -> Iterator[NameUse]:
-        """The call of a macro, its end tag, and the parameters that it gives."""
+        """The name of the macro in start tag and end tag, and the parameters of the call."""
         for span in (node.name_span, node.end_name):
             if span:
                 text = span.text.removeprefix("xacro:")
@@ -213,15 +213,15 @@ class NameIndex:
             assert macro is not None
             yield NameUse("parameter", written.name, written.name_span, False, node, "", _id(macro))
 
-    def _of_robot(self, node: TagNode) -> Iterator[NameUse]:
-        user = node.within(*USERS)
+    def _in_robot_element(self, node: TagNode) -> Iterator[NameUse]:
+        user = node.ancestor(*REFERRING_ELEMENTS)
         if node.name in ("link", "joint") and node.attribute("name"):
             yield from self._value(node, node.name, "name", is_definition=user is None)
         elif node.name == "material" and node.attribute("name"):
             defined = any(child.name in ("color", "texture") for child in node.children)
             yield from self._value(node, "material", "name", is_definition=defined)
         for written in node.attributes:
-            kind = NAMING.get((node.name, written.name)) or kind_of_value(node, written)
+            kind = REFERENCES.get((node.name, written.name)) or kind_of_value(node, written)
             if kind:
                 yield from self._value(node, kind, written.name, is_definition=False)
         yield from self._in_plugin(node)
@@ -234,14 +234,14 @@ class NameIndex:
             yield NameUse(kind, written.value, written.value_span, is_definition, node, attribute)
 
     def _in_plugin(self, node: TagNode) -> Iterator[NameUse]:
-        """The links and joints that a plugin of Gazebo looks up."""
-        plugin = node.within("plugin")
+        """The links and joints that a Gazebo plugin refers to."""
+        plugin = node.ancestor("plugin")
         span = node.text_span
         if plugin is None or node.children or not span.text:
             return
         path = path_in(node, plugin)
-        for known in plugins.find(plugin.get("filename").strip()):
-            parameter = known.parameters.get(path)
+        for entry in plugins.find(plugin.get("filename").strip()):
+            parameter = entry.parameters.get(path)
             if parameter and parameter.type in (*plugins.REFERENCES, "frame"):
                 kind = "joint" if parameter.type.startswith("joint") else "link"
                 for word in re.finditer(rb"[^\s,]+", span.source.data[span.start : span.end]):
@@ -250,20 +250,20 @@ class NameIndex:
                 return
 
     def _in_text(self, node: TagNode, span: Span) -> Iterator[NameUse]:
-        """The names in the expressions of a value or a text, and the packages that it names."""
+        """The names in the expressions of a text, and its package names."""
         source, start, end = span
         data = source.data[start:end]
-        for found in _PACKAGE.finditer(data):
-            at = Span(source, start + found.start(1), start + found.end(1))
+        for match in _PACKAGE.finditer(data):
+            at = Span(source, start + match.start(1), start + match.end(1))
             yield NameUse("package", at.text, at, False, node)
         if b"$" not in data:
             return
-        for found in _EXPRESSION.finditer(data):
-            if found[1] is not None:
-                yield from self._in_expression(node, source, start + found.start(1), found[1])
-            elif found[2] in (b"arg", b"find"):
-                at = Span(source, start + found.start(3), start + found.end(3))
-                yield NameUse("arg" if found[2] == b"arg" else "package", at.text, at, False, node)
+        for match in _EXPRESSION.finditer(data):
+            if match[1] is not None:
+                yield from self._in_expression(node, source, start + match.start(1), match[1])
+            elif match[2] in (b"arg", b"find"):
+                at = Span(source, start + match.start(3), start + match.end(3))
+                yield NameUse("arg" if match[2] == b"arg" else "package", at.text, at, False, node)
 
     def _in_expression(
         self, node: TagNode, source: Source, start: int, expression: bytes
@@ -273,8 +273,8 @@ class NameIndex:
             yield self._variable(node, Span(source, start + word.start(), start + word.end()))
 
     def _variable(self, node: TagNode, span: Span) -> NameUse:
-        """A word of an expression: a parameter of the macro around it, else a property."""
-        for macro in (node, *node.around()):
+        """A word of an expression: a parameter of the enclosing macro, or else a property."""
+        for macro in (node, *node.ancestors()):
             if macro.name == "xacro:macro" and span.text in parameters(macro):
                 return NameUse("parameter", span.text, span, False, node, "", _id(macro))
         return NameUse("property", span.text, span, False, node)
@@ -290,9 +290,9 @@ def _id(macro: TagNode) -> tuple[str, int]:
 
 
 def path_in(node: TagNode, plugin: TagNode) -> str:
-    """The path of a tag in its plugin."""
+    """Path of a tag relative to its plugin."""
     parts = [node.name]
-    for outer in node.around():
+    for outer in node.ancestors():
         if outer is plugin:
             break
         parts.append(outer.name)

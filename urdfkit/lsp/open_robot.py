@@ -1,4 +1,4 @@
-"""One robot in the editor, and what can be asked about it for the texts as they are."""
+"""A robot in the editor, with data derived from the current texts."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from urdfkit.xacro import Xacro, expand
 
 
 class OpenRobot:
-    """One description and what can be asked about it, for the texts as they are.
+    """A description with data derived from the current texts.
 
     Args:
-        before: the same robot before the last change, for the names of a text that is broken.
+        before: the robot before the last change, for the names of a text that is broken now.
     """
 
     def __init__(
@@ -35,16 +35,16 @@ class OpenRobot:
         if before is not None and before.document is None:
             before = before.before
         self.before: OpenRobot | None = before if self.document is None else None
-        self._others: dict[str, Source] = {}
+        self._other_sources: dict[str, Source] = {}
 
     @cached_property
     def document(self) -> Document | None:
-        """Expanded; None while it cannot be read."""
+        """The expanded document; None if the expansion fails."""
         return self.context.reading.document
 
     @property
     def model(self) -> RobotModel | None:
-        """The robot; while it cannot be read, what it was before."""
+        """The robot; if it is unreadable, its last readable state."""
         if self.document is not None:
             return self.context.model
         return self.before.model if self.before else None
@@ -57,7 +57,7 @@ class OpenRobot:
 
     @cached_property
     def names(self) -> NameIndex:
-        """The names in its texts, in those that it had before it broke, and in its SRDF."""
+        """The names in its texts, in its last readable texts, and in its SRDF."""
         pages = [Page(source) for source in self.sources.values()]
         before = self.before.sources if self.before else {}
         pages += [Page(self.source(path)) for path in before if path not in self.sources]
@@ -67,12 +67,12 @@ class OpenRobot:
         return NameIndex(pages, self.document)
 
     def source(self, path: str) -> Source:
-        """One of its texts; of a file that it does not read at the moment, too."""
+        """The text of a file, even if the robot does not include it at the moment."""
         real = os.path.realpath(path)
-        found = self.sources.get(real) or self._others.get(real)
-        if found is None:
-            found = self._others[real] = self.resolver.read(path)
-        return found
+        source = self.sources.get(real) or self._other_sources.get(real)
+        if source is None:
+            source = self._other_sources[real] = self.resolver.read(path)
+        return source
 
     def page(self, path: str) -> Page:
         source = self.source(path)
@@ -81,28 +81,28 @@ class OpenRobot:
             pages[source.path] = Page(source)
         return pages[source.path]
 
-    def given(self, *kinds: str) -> list[str]:
-        """The names of some kinds that it gives; while it is broken, those of before as well."""
-        found = set(self.names.given(*kinds))
+    def defined(self, *kinds: str) -> list[str]:
+        """Defined names of some kinds, including those of the last readable state."""
+        names = set(self.names.defined(*kinds))
         if self.before is not None:
-            found.update(self.before.names.given(*kinds))
-        return sorted(found)
+            names.update(self.before.names.defined(*kinds))
+        return sorted(names)
 
     @cached_property
     def _written(self) -> dict[tuple[str, int, str], list[Attribute]]:
-        found: dict[tuple[str, int, str], list[Attribute]] = {}
+        attributes: dict[tuple[str, int, str], list[Attribute]] = {}
         xacro = self.traced
         document = xacro.document if xacro else self.document
         for element in document.root.walk() if document else ():
             at = element.tag_at
             for attribute in element.attributes.values():
                 key = (os.path.realpath(at.source.path), at.start, attribute.name)
-                found.setdefault(key, []).append(attribute)
-        return found
+                attributes.setdefault(key, []).append(attribute)
+        return attributes
 
     @cached_property
     def traced(self) -> Xacro | None:
-        """The xacro expanded once more, with the origin of every value; None of a plain URDF."""
+        """The xacro expanded again, with the origins of all values; None for a plain URDF."""
         if self.document is None or self.context.reading.xacro is None:
             return None
         context = self.context
@@ -111,5 +111,5 @@ class OpenRobot:
         )
 
     def expanded(self, source: Source, start: int, name: str) -> list[Attribute]:
-        """What an attribute of the tag at a place became: an attribute for every call."""
+        """The expanded attributes of a tag at an offset, one for each call."""
         return self._written.get((os.path.realpath(source.path), start, name), [])

@@ -1,4 +1,4 @@
-"""The outline of a file: the kinematic tree of what it makes, and what else it defines."""
+"""Outline of a file: the kinematic tree of its links and joints, and other definitions."""
 
 import os
 from collections.abc import Iterable
@@ -11,7 +11,7 @@ from urdfkit.text.source import Span
 
 #: Depth of the outline; deeper joints are listed at this depth.
 MAX_DEPTH = 60
-#: Names that answer one query.
+#: Limit of the results of a query.
 MAX_SYMBOLS = 500
 _SYMBOLS = ("link", "joint", "material", "macro", "property", "arg")
 
@@ -34,11 +34,11 @@ class OutlineEntry:
     __slots__ = ("children", "detail", "kind", "name", "span")
 
     def __init__(self, name: str, detail: str, kind: str, span: Span) -> None:
-        self.name = name or "?"  # shown
+        self.name = name or "?"
         self.detail = detail  # shown after the name
         self.kind = kind  # ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on
-        self.span = span  # the element, or the macro call in this file that makes it
-        self.children: list[OutlineEntry] = []  # below it
+        self.span = span  # the element, or the macro call in this file that creates it
+        self.children: list[OutlineEntry] = []
 
 
 def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
@@ -50,16 +50,16 @@ def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
 
 
 def symbols(robots: Iterable[OpenRobot], query: str) -> list[tuple[str, str, Span]]:
-    """Kind, name and place of what robots define, of names with the letters of a query in order."""
+    """Kind, name and span of definitions whose names contain the letters of a query in order."""
     defined = (
-        (one.kind, name, one.span)
+        (use.kind, name, use.span)
         for robot in robots
-        for one in robot.names.all
-        if one.is_definition and one.kind in _SYMBOLS
-        for name in sorted(robot.names.values(one))
+        for use in robot.names.all
+        if use.is_definition and use.kind in _SYMBOLS
+        for name in sorted(robot.names.values(use))
         if _matches(query.lower(), name.lower())
     )
-    return sorted(dict.fromkeys(defined), key=lambda one: (len(one[1]), one[1]))[:MAX_SYMBOLS]
+    return sorted(dict.fromkeys(defined), key=lambda use: (len(use[1]), use[1]))[:MAX_SYMBOLS]
 
 
 def _matches(query: str, name: str) -> bool:
@@ -82,19 +82,19 @@ def _definition(node: TagNode) -> OutlineEntry:
 
 
 def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
-    """The links and joints that a file makes, each below its parent."""
+    """The links and joints that a file creates, as a tree."""
     model, tree = robot.context.model, robot.context.tree
     tops: list[OutlineEntry] = []
     seen: set[str] = set()
-    names = [*(link.name for link in tree.roots), *model.links_by_name]  # the rest are loops
+    names = [*(link.name for link in tree.roots), *model.links_by_name]  # the latter for loops
     stack = [(name, tops, 0) for name in reversed(names)]
     while stack:
-        name, holder, depth = stack.pop()
+        name, siblings, depth = stack.pop()
         if name in seen:
             continue
         seen.add(name)
-        holder = _add(holder if depth < MAX_DEPTH else tops, model.links_by_name[name], page)
-        below = [(joint.child, _add(holder, joint, page)) for joint in tree.children[name]]
+        siblings = _add(siblings if depth < MAX_DEPTH else tops, model.links_by_name[name], page)
+        below = [(joint.child, _add(siblings, joint, page)) for joint in tree.children[name]]
         stack += [(child.value, inner, depth + 2) for child, inner in reversed(below) if child]
     for joint in model.joints:
         ends = tree.ends(joint)
@@ -103,21 +103,21 @@ def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
     return tops
 
 
-def _add(holder: list[OutlineEntry], part: Link | Joint, page: Page) -> list[OutlineEntry]:
-    """Add an entry if the file makes the part; the list for its children."""
-    span = _here(part.at, page)
+def _add(siblings: list[OutlineEntry], part: Link | Joint, page: Page) -> list[OutlineEntry]:
+    """Add an entry if the file creates the part; return the list for its children."""
+    span = _span_in_page(part.at, page)
     if span is None:
-        return holder
+        return siblings
     if isinstance(part, Link):
         entry = OutlineEntry(part.name, f"{part.mass:g} kg" if part.mass else "", "link", span)
     else:
         entry = OutlineEntry(part.name, part.kind, "joint", span)
-    holder.append(entry)
+    siblings.append(entry)
     return entry.children
 
 
-def _here(element: Element, page: Page) -> Span | None:
-    """Where a file makes an element: its own place, or the outermost call in this file."""
+def _span_in_page(element: Element, page: Page) -> Span | None:
+    """The span in a file that creates an element: the element, or the outermost call."""
     path = os.path.realpath(page.source.path)
     for step in element.via:
         if step.kind != "include" and os.path.realpath(step.span.source.path) == path:

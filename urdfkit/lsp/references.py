@@ -1,7 +1,6 @@
-"""Links and joints that other files of a robot's package name: YAML of controllers, launch files.
+"""References to links and joints in other files of a package: controller YAML, launch files.
 
-Only places count of which it is plain what they name, and files of which it is plain whose they
-are: where another robot of the package has the same name, nothing is known.
+Only unambiguous references count, and only in packages without another robot of the same names.
 """
 
 from __future__ import annotations
@@ -19,21 +18,21 @@ from urdfkit.text.located_yaml import Key, Value, load
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-#: Keys of YAML and names of parameters whose values are joints or links.
+#: YAML keys and parameter names whose values are joints or links.
 _JOINTS, _LINKS = re.compile(r"joint|wheel"), re.compile(r"frame|link")
-#: Keys whose keys are joints: of controllers, of MoveIt, of ros2_control's mock hardware.
+#: Keys whose children are keyed by joint: of controllers, MoveIt, and ros2_control's mock hardware.
 _BY_JOINT = re.compile(r"joint_limits|gains|constraints|initial_positions|default_positions")
-#: The program whose arguments are frames.
+#: The executable whose arguments are frames.
 _PUBLISHER = "static_transform_publisher"
 
 _YAML, _ROBOTS = (".yaml", ".yml"), (".urdf", ".xacro")
 _LAUNCH, _PYTHON = (".launch", ".launch.xml"), ".launch.py"
-#: Files of a package that are looked at, and directories in one another.
+#: Limits of the files of a package that are read, and of the depth of directories.
 MAX_FILES, MAX_DEPTH = 300, 4
 
 
 class NameReference(Record):
-    """One place that names a link or joint."""
+    """A reference to a link or joint."""
 
     kind: str  # ``link`` or ``joint``
     span: Span  # the name
@@ -42,17 +41,17 @@ class NameReference(Record):
 def package_references(
     names: Collection[str], robot: str, own: Collection[str], resolver: Resolver
 ) -> list[NameReference]:
-    """Where the package of a robot names a link or a joint outside of the robot's own files.
+    """References to a link or joint in the robot's package outside of the robot's files.
 
     Args:
         names: of the link or joint, after expansion.
-        own: real paths of the files it is made of.
+        own: real paths of the robot's files.
     """
     package = resolver.packages.enclosing(robot)
     if package is None:
         return []
     words = [name.encode() for name in names]
-    found: list[NameReference] = []
+    references: list[NameReference] = []
     for path in _files(package[1], resolver):
         if os.path.realpath(path) in own:
             continue
@@ -64,24 +63,28 @@ def package_references(
             continue
         if path.endswith(_ROBOTS):
             return []
-        found += [one for one in _in_file(source) if one.span.text in names]
-    return found
+        references += [reference for reference in _in_file(source) if reference.span.text in names]
+    return references
 
 
 def reference_at(source: Source, offset: int) -> NameReference | None:
-    """The place in a file of YAML or a launch file; None elsewhere, and in other files."""
+    """The reference at an offset in a YAML or launch file; None elsewhere."""
     if not source.path.endswith((*_YAML, *_LAUNCH, _PYTHON)):
         return None
-    found = (one for one in _in_file(source) if one.span.start <= offset <= one.span.end)
-    return next(found, None)
+    candidates = (
+        reference
+        for reference in _in_file(source)
+        if reference.span.start <= offset <= reference.span.end
+    )
+    return next(candidates, None)
 
 
 def _files(directory: str, resolver: Resolver) -> Iterator[str]:
-    """The files of a package that may name something, up to a number."""
+    """The files of a package that may contain references, up to `MAX_FILES`."""
     count, queue = 0, [(directory, 0)]
-    for place, depth in queue:  # grows while it is walked
-        for name, is_directory in sorted((resolver.directories.entries(place) or {}).items()):
-            path = os.path.join(place, name)
+    for parent, depth in queue:  # appended to in the loop
+        for name, is_directory in sorted((resolver.directories.entries(parent) or {}).items()):
+            path = os.path.join(parent, name)
             if is_directory and depth < MAX_DEPTH and not name.startswith("."):
                 queue.append((path, depth + 1))
             elif name.endswith((*_YAML, *_LAUNCH, *_ROBOTS, _PYTHON)) and count < MAX_FILES:
@@ -96,7 +99,7 @@ def _in_file(source: Source) -> Iterator[NameReference]:
 
 
 def _kind(key: str) -> str:
-    """What the value of a key or parameter names; empty if that is not known."""
+    """Kind of the value of a key or parameter; empty if unknown."""
     if _JOINTS.search(key):
         return "joint"
     return "link" if _LINKS.search(key) else ""
@@ -110,12 +113,12 @@ def _in_yaml(source: Source) -> Iterator[NameReference]:
         if isinstance(node, dict):
             for inner, value in node.items():
                 if isinstance(inner, Key) and _BY_JOINT.search(key):
-                    yield NameReference("joint", _bare(inner.span))
+                    yield NameReference("joint", _unquoted(inner.span))
                 stack.append((value, inner))
         elif isinstance(node, list):
             stack += [(value, key) for value in node]
         elif isinstance(node, Value) and (kind := _kind(key)):
-            yield NameReference(kind, _bare(node.span))
+            yield NameReference(kind, _unquoted(node.span))
 
 
 def _in_launch(source: Source) -> Iterator[NameReference]:
@@ -142,22 +145,22 @@ def _in_python(source: Source) -> Iterator[NameReference]:
                 if kind := _kind(python_source.string(key) or ""):
                     yield from _strings(source, kind, value)
         elif isinstance(node, ast.Call):
-            given = {keyword.arg: keyword.value for keyword in node.keywords}
-            if python_source.string(given.get("executable")) == _PUBLISHER:
-                yield from _strings(source, "link", given.get("arguments"))
+            arguments = {keyword.arg: keyword.value for keyword in node.keywords}
+            if python_source.string(arguments.get("executable")) == _PUBLISHER:
+                yield from _strings(source, "link", arguments.get("arguments"))
 
 
 def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[NameReference]:
-    """A string, or those of a list."""
-    for one in value.elts if isinstance(value, ast.List | ast.Tuple) else [value]:
-        if one is not None and python_source.string(one) and one.end_lineno is not None:
-            start = source.offset(one.lineno, 1) + one.col_offset
-            end = source.offset(one.end_lineno, 1) + (one.end_col_offset or 0)
-            yield NameReference(kind, _bare(Span(source, start, end)))
+    """The references in a string or a list of strings."""
+    for item in value.elts if isinstance(value, ast.List | ast.Tuple) else [value]:
+        if item is not None and python_source.string(item) and item.end_lineno is not None:
+            start = source.offset(item.lineno, 1) + item.col_offset
+            end = source.offset(item.end_lineno, 1) + (item.end_col_offset or 0)
+            yield NameReference(kind, _unquoted(Span(source, start, end)))
 
 
-def _bare(span: Span) -> Span:
-    """A scalar or a string without its quotes."""
+def _unquoted(span: Span) -> Span:
+    """The span of a scalar or string without quotes."""
     source, start, end = span
     quote = source.data[start : start + 1]
     is_quoted = end - start > 1 and quote in (b"'", b'"') and source.data[end - 1 : end] == quote

@@ -1,9 +1,9 @@
-"""The protocol: requests of clients go to the workspace, its answers to the clients.
+"""The protocol: requests of the client are answered by the workspace.
 
-All work on robots is done by a second thread, so that a slow robot never keeps the server from
-reading. A text that is changed is checked when no other change has come for a moment, and a check
-of a text that has changed since ends before its next rule. The rules that open meshes run when it
-is saved. An error in answering is logged and answered by nothing: the server lives on.
+All work on robots is done in a second thread, so that a slow robot does not block the server. A
+changed text is checked after a short pause in typing; the check of an outdated text ends before
+its next rule. The rules that open meshes run on saving. Errors of handlers are logged and answered
+with an empty result: the server does not end.
 """
 
 from __future__ import annotations
@@ -33,19 +33,19 @@ from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
 
-Answer = TypeVar("Answer")
+Result = TypeVar("Result")
 
 #: Seconds without a change after which a text is checked.
-QUIET = 0.03
-#: The files that a check may read.
-PARTS = (
+DEBOUNCE = 0.03
+#: Files that a check may read.
+WATCHED_FILES = (
     "**/{package.xml,urdfkit.toml,pyproject.toml,"
     "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,launch.py,stl,dae,obj,ply,glb,gltf}}"
 )
-#: Of the thread that expands robots: xacro recurses in the depth of macros.
+#: Stack size in bytes of the worker thread: xacro recurses into nested macros.
 _STACK = 64 * 1024 * 1024
-#: New objects after which garbage is collected during a check: several large robots. It is
-#: collected after each check, when nobody waits for findings.
+#: New objects after which garbage is collected during a check: several large robots. Garbage is
+#: also collected after each check.
 _GARBAGE = 1_000_000
 
 _SEVERITIES = {
@@ -66,37 +66,37 @@ class Server(LanguageServer):
         self.worker.submit(_prepare)
         self.robots = Workspace()
         self.uris: dict[str, str] = {}
-        self.places = PositionEncoding()
-        self._waiting: dict[str, asyncio.Task[None]] = {}
-        self._first: dict[str, asyncio.Event] = {}  # set when the quick rules have run
+        self.encoding = PositionEncoding()
+        self._pending_checks: dict[str, asyncio.Task[None]] = {}
+        self._quick_checks: dict[str, asyncio.Event] = {}  # set when the fast rules have run
         self._shown_failure = ""
 
-    async def ask(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
-        """Let the worker answer; ``otherwise`` if it fails."""
+    async def in_worker(self, handler: Callable[[], Result], fallback: Result) -> Result:
+        """Run a function in the worker thread; ``fallback`` if it fails."""
         try:
-            return await asyncio.get_running_loop().run_in_executor(self.worker, question)
+            return await asyncio.get_running_loop().run_in_executor(self.worker, handler)
         except UrdfkitError as error:
             _log.info("%s", error)
         except Exception:  # a bug must not end the server
             _log.exception("no answer")
-        return otherwise
+        return fallback
 
-    def answer(
+    def register(
         self,
         request: str,
-        question: Callable[[Server, Any], object],
-        otherwise: object,
+        handler: Callable[[Server, Any], object],
+        fallback: object,
         options: object = None,
     ) -> None:
-        """Let the worker answer a kind of requests.
+        """Answer a type of requests by a handler in the worker thread.
 
         Args:
-            question: computes the answer of the parameters of a request.
-            options: of the method, which the client is sent.
+            handler: returns the result for the parameters of a request.
+            options: of the request type, sent to the client.
         """
 
         async def handle(params: Any) -> object:
-            return await self.ask(lambda: question(self, params), otherwise)
+            return await self.in_worker(lambda: handler(self, params), fallback)
 
         self.feature(request, options)(handle)
 
@@ -105,10 +105,14 @@ class Server(LanguageServer):
         return os.path.realpath(path) if path != uri and "\0" not in path else uri
 
     @property
-    def takes_snippets(self) -> bool:
-        """True if what is completed may hold a place for the cursor."""
-        asked = self.client_capabilities.text_document
-        items = asked.completion.completion_item if asked and asked.completion else None
+    def supports_snippets(self) -> bool:
+        """True if completions may contain a placeholder for the cursor."""
+        capabilities = self.client_capabilities.text_document
+        items = (
+            capabilities.completion.completion_item
+            if capabilities and capabilities.completion
+            else None
+        )
         return bool(items and items.snippet_support)
 
     def watch(self) -> None:
@@ -117,15 +121,17 @@ class Server(LanguageServer):
         watching = workspace.did_change_watched_files if workspace else None
         if not (watching and watching.dynamic_registration):
             return
-        options = lsp.DidChangeWatchedFilesRegistrationOptions([lsp.FileSystemWatcher(PARTS)])
+        options = lsp.DidChangeWatchedFilesRegistrationOptions(
+            [lsp.FileSystemWatcher(WATCHED_FILES)]
+        )
         method = lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES
         registration = lsp.Registration("parts", method, options)
         self.client_register_capability(lsp.RegistrationParams([registration]))
 
     # -------------------------------------------------------------- documents
 
-    def take(self, uri: str) -> str:
-        """Take over the text of a document as the client has it; its path."""
+    def update_text(self, uri: str) -> str:
+        """Update the text of a document from the client; return its path."""
         path = self.path(uri)
         self.uris[path] = uri
         text = to_bytes(path, self.workspace.get_text_document(uri).source)
@@ -133,64 +139,64 @@ class Server(LanguageServer):
         return path
 
     def check_soon(self, uri: str, *, thorough: bool = False) -> None:
-        """Check a text once it has been quiet."""
-        self.forget(uri)
-        self._first[uri] = asyncio.Event()
-        self._waiting[uri] = asyncio.ensure_future(self._check(uri, thorough=thorough))
+        """Check a text after a pause without changes."""
+        self.cancel_check(uri)
+        self._quick_checks[uri] = asyncio.Event()
+        self._pending_checks[uri] = asyncio.ensure_future(self._check(uri, thorough=thorough))
 
-    def forget(self, uri: str) -> None:
-        """A text is closed: a check that it waits for is of no use any more."""
-        if waiting := self._waiting.pop(uri, None):
+    def cancel_check(self, uri: str) -> None:
+        """Cancel the pending check of a text."""
+        if waiting := self._pending_checks.pop(uri, None):
             waiting.cancel()
-        if first := self._first.pop(uri, None):
-            first.set()
+        if done := self._quick_checks.pop(uri, None):
+            done.set()
 
     async def checked(self, uri: str) -> list[Diagnostic]:
-        """What the check of the text as it is now finds in it, as soon as there is one."""
-        while (first := self._first.get(uri)) and not first.is_set():
-            await first.wait()  # a newer check may have taken its place
+        """The findings of the current text, as soon as it is checked."""
+        while (done := self._quick_checks.get(uri)) and not done.is_set():
+            await done.wait()  # a newer check may have replaced it
         path = self.path(uri)
         nothing: list[Diagnostic] = []
-        return await self.ask(lambda: self.robots.diagnostics(path), nothing)
+        return await self.in_worker(lambda: self.robots.diagnostics(path), nothing)
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
-        first = self._first[uri]
-        await asyncio.sleep(QUIET)
+        done = self._quick_checks[uri]
+        await asyncio.sleep(DEBOUNCE)
         await self._publish_findings(uri, thorough=False)
-        first.set()
-        if thorough:  # what takes longer comes behind what does not
+        done.set()
+        if thorough:  # the slow rules run last
             await self._publish_findings(uri, thorough=True)
-        self._ask_to_pull()
-        if self._waiting.get(uri) is asyncio.current_task():
-            self.worker.submit(gc.collect)  # the robot that was checked, full of circles
+        self._request_refresh()
+        if self._pending_checks.get(uri) is asyncio.current_task():
+            self.worker.submit(gc.collect)  # frees the checked robot, which has reference cycles
 
     # ---------------------------------------------- clients that pull findings
 
     @property
-    def _is_pulled(self) -> bool:
-        """True of a client that asks for the findings of a file that it has open."""
-        asked = self.client_capabilities.text_document
-        return bool(asked and asked.diagnostic)
+    def _pulls_diagnostics(self) -> bool:
+        """True if the client pulls the findings of open files."""
+        capabilities = self.client_capabilities.text_document
+        return bool(capabilities and capabilities.diagnostic)
 
-    def leave_to_pull(self, uri: str) -> None:
-        """A file is opened: what was published of it is asked for from now on."""
-        if self._is_pulled:
+    def clear_published(self, uri: str) -> None:
+        """Clear the published findings of an opened file, which the client pulls from now on."""
+        if self._pulls_diagnostics:
             self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
 
-    def _ask_to_pull(self) -> None:
-        """Tell a client that pulls that there may be other findings."""
+    def _request_refresh(self) -> None:
+        """Request that a pulling client refreshes its findings."""
         workspace = self.client_capabilities.workspace
-        asked = workspace.diagnostics if workspace else None
-        if self._is_pulled and asked and asked.refresh_support:
+        capabilities = workspace.diagnostics if workspace else None
+        if self._pulls_diagnostics and capabilities and capabilities.refresh_support:
             self.workspace_diagnostic_refresh(None)
 
     async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
         path, task = self.path(uri), asyncio.current_task()
 
         def is_cancelled() -> bool:
-            return self._waiting.get(uri) is not task
+            return self._pending_checks.get(uri) is not task
 
-        checked = await self.ask(
+        checked = await self.in_worker(
             lambda: self.robots.check(path, thorough=thorough, is_cancelled=is_cancelled), None
         )
         if checked is None:
@@ -200,38 +206,38 @@ class Server(LanguageServer):
             if checked.failure:
                 params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.failure)
                 self.window_show_message(params)
-        for file, found in checked.diagnostics.items():
-            self.publish(file, found)
+        for file, diagnostics in checked.diagnostics.items():
+            self.publish(file, diagnostics)
 
-    def publish(self, file: str, found: list[Diagnostic]) -> None:
+    def publish(self, file: str, findings: list[Diagnostic]) -> None:
         uri = self.uris.get(file)
         if uri is None:
             if "://" in file or file.startswith("untitled:"):
                 return
             uri = to_uri(file)
-        if self._is_pulled and uri in self.workspace.text_documents:
+        if self._pulls_diagnostics and uri in self.workspace.text_documents:
             return
-        diagnostics = [self.diagnostic(one) for one in found]
+        diagnostics = [self.diagnostic(finding) for finding in findings]
         self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, diagnostics))
 
-    def diagnostic(self, found: Diagnostic) -> lsp.Diagnostic:
-        """A finding as the protocol has it; the calls of a macro are related places."""
-        texts = (found.message, found.help) if found.help else (found.message,)
+    def diagnostic(self, finding: Diagnostic) -> lsp.Diagnostic:
+        """A finding for the protocol; macro calls are related locations."""
+        texts = (finding.message, finding.help) if finding.help else (finding.message,)
         message = "\n".join(map(printable, texts))
-        related = [(note.span, note.message) for note in found.related]
-        for call in found.calls[:8]:
+        related = [(note.span, note.message) for note in finding.related]
+        for call in finding.calls[:8]:
             for step in call.via[::-1]:
                 verb = "included here" if step.kind == "include" else f"called: {call.message}"
                 related.append((step.span, verb))
         return lsp.Diagnostic(
-            self.places.range(found.span),
+            self.encoding.range(finding.span),
             message,
-            _SEVERITIES[found.severity],
-            found.code,
+            _SEVERITIES[finding.severity],
+            finding.code,
             source="urdfkit",
             related_information=[
                 lsp.DiagnosticRelatedInformation(
-                    self.places.location(span, self.uris), printable(text)
+                    self.encoding.location(span, self.uris), printable(text)
                 )
                 for span, text in dict.fromkeys(related)
             ],
@@ -240,55 +246,55 @@ class Server(LanguageServer):
     # ---------------------------------------------------------------- answers
 
     def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Page, int]:
-        """The robot, the text and the byte that a position means; called by the worker.
+        """The robot, the text and the offset of a position; runs in the worker thread.
 
         Raises:
-            UrdfkitError: the file cannot be read.
+            UrdfkitError: the file is unreadable.
         """
         robot, page = self.page(uri)
-        return robot, page, self.places.offset(page.source, position)
+        return robot, page, self.encoding.offset(page.source, position)
 
     def page(self, uri: str) -> tuple[OpenRobot, Page]:
-        """The robot and the elements of a file; called by the worker."""
+        """The robot and the elements of a file; runs in the worker thread."""
         path = self.path(uri)
         robot = self.robots.robot(path)
         return robot, robot.page(path)
 
     def locations(self, spans: list[Span]) -> list[lsp.Location]:
-        return [self.places.location(span, self.uris) for span in dict.fromkeys(spans)]
+        return [self.encoding.location(span, self.uris) for span in dict.fromkeys(spans)]
 
     def replaced(self, path: str, text: bytes) -> list[lsp.TextEdit]:
-        """Edits of the lines in which a file differs from a text; called by the worker."""
+        """Edits of the lines in which a file differs from a text; runs in the worker thread."""
         source = self.robots.robot(path).source(path)
         old, new = source.data.splitlines(keepends=True), text.splitlines(keepends=True)
         starts = [0, *accumulate(map(len, old))]
         edits = []
         for kind, first, last, begin, end in SequenceMatcher(None, old, new).get_opcodes():
             if kind != "equal":
-                place = self.places.range(Span(source, starts[first], starts[last]))
+                place = self.encoding.range(Span(source, starts[first], starts[last]))
                 edits.append(lsp.TextEdit(place, b"".join(new[begin:end]).decode()))
         return edits
 
     def edit(self, edits: tuple[Edit, ...] | list[Edit]) -> lsp.WorkspaceEdit:
-        """Edits of texts, for the client to make."""
+        """Text edits for the client."""
         changes: dict[str, list[lsp.TextEdit]] = {}
         for span, text in edits:
-            location = self.places.location(span, self.uris)
+            location = self.encoding.location(span, self.uris)
             changes.setdefault(location.uri, []).append(lsp.TextEdit(location.range, text))
         return lsp.WorkspaceEdit(changes)
 
 
 def _prepare() -> None:
-    """Import the rules, and leave them out of the search for garbage."""
+    """Import the rules, and exclude them from garbage collection."""
     slow_rules()
     gc.collect()
     gc.freeze()
 
 
 def serve(server: Server) -> None:
-    """Serve one client over standard input and output, until it goes.
+    """Serve a client over standard input and output until it disconnects.
 
-    Whatever a library prints goes to standard error: one stray word would break the protocol.
+    Output of libraries is redirected to standard error: it would break the protocol.
     """
     logging.basicConfig(stream=sys.stderr, level=logging.WARNING)
     gc.set_threshold(_GARBAGE)

@@ -1,4 +1,4 @@
-"""Places as editors have them: lines from 0, and characters counted in units of an encoding."""
+"""Positions of the protocol: lines from 0, and characters in units of an encoding."""
 
 import os
 from urllib.parse import quote, unquote, urlsplit
@@ -11,10 +11,10 @@ _BYTES = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: (
 
 
 class PositionEncoding:
-    """Converts between positions of the client and offsets in a text.
+    """Converts between positions of the client and byte offsets in a text.
 
     Args:
-        encoding: whose units the client counts.
+        encoding: in whose units the client counts characters.
     """
 
     def __init__(self, encoding: str = PositionEncodingKind.Utf16) -> None:
@@ -26,7 +26,7 @@ class PositionEncoding:
         return Position(line - 1, len(before.encode(self._codec, "replace")) // self._size)
 
     def offset(self, source: Source, position: Position) -> int:
-        """The byte at a position; the nearest there is."""
+        """The byte offset of a position, or the nearest one."""
         if position.line >= source.position(len(source.data))[0]:
             return len(source.data)
         text = source.line(position.line + 1).encode(self._codec, "replace")
@@ -37,18 +37,18 @@ class PositionEncoding:
         return Range(self.position(span.source, span.start), self.position(span.source, span.end))
 
     def location(self, span: Span, uris: dict[str, str] | None = None) -> Location:
-        """A place in a file, under the URI by which the client knows it."""
+        """The location of a span, with the client's URI of the file."""
         path = os.path.realpath(span.source.path)
         return Location((uris or {}).get(path) or to_uri(path), self.range(span))
 
 
 def to_bytes(path: str, text: str) -> bytes:
-    """The bytes that a text would have on disk, in the encoding that it declares."""
+    """The bytes of a text in the encoding that it declares."""
     data = text.encode("utf-8", "replace")
     encoding = Source(path, data).encoding
     try:
         return data if encoding.startswith("utf-8") else text.encode(encoding, "replace")
-    except (LookupError, UnicodeError):  # there is no such encoding
+    except (LookupError, UnicodeError):  # unknown encoding
         return data
 
 
@@ -58,7 +58,7 @@ def to_uri(path: str) -> str:
 
 
 def to_path(uri: str) -> str:
-    """The path of a URI; for one that is no file's, such as of a text without a name, the URI."""
+    """The path of a URI; the URI itself if it is not a file, such as an untitled text."""
     parts = urlsplit(uri)
     if parts.scheme != "file":
         return uri

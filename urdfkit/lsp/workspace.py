@@ -1,6 +1,6 @@
-"""The texts that an editor holds, the robots that they are part of, and what is wrong with those.
+"""The open texts of an editor, their robots, and the findings.
 
-Nothing here speaks the protocol; one thread uses it.
+The module is independent of the protocol, and used by one thread.
 """
 
 from __future__ import annotations
@@ -31,23 +31,23 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
 
-#: Robots that are checked when a file of macros changes; the others wait for their own turn.
+#: Robots that are checked when a file of macros changes; the others are checked on their changes.
 MAX_ROBOTS = 8
-#: Files that belong to robots of their package, and are none themselves.
-_NO_ROBOTS = (".yaml", ".yml")
-#: What takes too long for every key that is pressed.
+#: Suffixes of files that belong to robots but are not robots.
+_NOT_ROBOTS = (".yaml", ".yml")
+#: Needs of the rules that are too slow for each keystroke.
 _SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
 
-class CheckedFile(Record):
-    """What is wrong with the robots of a file."""
+class CheckResult(Record):
+    """The findings of the robots of a file."""
 
-    diagnostics: dict[str, list[Diagnostic]]  # by real path, of every file in which there are some
-    failure: str = ""  # why something could not be checked; empty if all was
+    diagnostics: dict[str, list[Diagnostic]]  # by real path of the file
+    failure: str = ""  # why something was not checked; empty if all was
 
 
 class Workspace:
-    """The texts that are open in an editor, and the files on disk."""
+    """The open texts of an editor, and the files on disk."""
 
     def __init__(self) -> None:
         self.texts: dict[str, bytes] = {}
@@ -57,7 +57,7 @@ class Workspace:
         self._resolvers: dict[str, Resolver] = {}
         self._robots: dict[str, OpenRobot] = {}
         self._before: dict[str, OpenRobot] = {}
-        self._found: dict[str, dict[str, list[Diagnostic]]] = {}
+        self._diagnostics: dict[str, dict[str, list[Diagnostic]]] = {}
 
     def set_text(self, path: str, text: bytes) -> None:
         if self.texts.get(path) != text:
@@ -65,17 +65,17 @@ class Workspace:
             self._forget_robots()
 
     def close(self, path: str) -> dict[str, list[Diagnostic]]:
-        """A file is closed: what is on disk counts again.
+        """Close a file: its contents on disk count again.
 
         Returns:
-            The findings left in files of robots that no open file is part of any more.
+            The remaining findings in files of robots that belong to no open file.
         """
         parts = {entry.file for entry in self.entries(path)}
         self.texts.pop(path, None)
         closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
-        files = {file for root in closed for file in self._found.pop(root, ())}
+        files = {file for root in closed for file in self._diagnostics.pop(root, ())}
         self.reload()
-        return {file: list(self._of_file(file)) for file in files}
+        return {file: list(self._diagnostics_in(file)) for file in files}
 
     def reload(self) -> None:
         self._entries.clear()
@@ -89,21 +89,21 @@ class Workspace:
         self._robots.clear()
 
     def config(self, path: str) -> tuple[Config, str]:
-        """The configuration for a file, and what is wrong with it; never a trusting one."""
+        """The configuration of a file, and its problems; trust settings are ignored."""
         directory = os.path.dirname(path)
         if directory not in self._configs:
-            failure, found = "", Config()
+            failure, config = "", Config()
             try:
                 file = nearest(path)
-                found = load(file, trusted=False) if file else found
-                failure = "; ".join(found.warnings)
+                config = load(file, trusted=False) if file else config
+                failure = "; ".join(config.warnings)
             except UrdfkitError as error:
                 failure = str(error)
-            self._configs[directory] = found, failure
+            self._configs[directory] = config, failure
         return self._configs[directory]
 
     def entries(self, path: str) -> tuple[RobotEntry, ...]:
-        """The first robots that a file is part of; itself if there are none and it may be one."""
+        """The first robots that a file belongs to; the file itself if it may be a robot."""
         if path not in self._entries:
             self._entries[path] = self._find_entries(path)
         return self._entries[path]
@@ -114,15 +114,15 @@ class Workspace:
             return alone
         config, _ = self.config(path)
         try:
-            found = affected([path], config, self._resolver(config)).robots
+            robots_of_file = affected([path], config, self._resolver(config)).robots
         except UrdfkitError:
             return alone
-        own = tuple(robot for robot in found if os.path.realpath(robot.file) == path)
-        robots = own or found or (() if path.endswith(_NO_ROBOTS) else alone)
-        return tuple(self._started(robot, config) for robot in robots[:MAX_ROBOTS])
+        own = tuple(robot for robot in robots_of_file if os.path.realpath(robot.file) == path)
+        robots = own or robots_of_file or (() if path.endswith(_NOT_ROBOTS) else alone)
+        return tuple(self._with_launch_arguments(robot, config) for robot in robots[:MAX_ROBOTS])
 
-    def _started(self, robot: RobotEntry, config: Config) -> RobotEntry:
-        """A robot; one that lacks arguments, with the first values that are found for them."""
+    def _with_launch_arguments(self, robot: RobotEntry, config: Config) -> RobotEntry:
+        """A robot; missing arguments are taken from the first launch file that starts it."""
         if robot.arguments or not robot.file.endswith(".xacro"):
             return robot
         resolver = self._resolver(config)
@@ -142,10 +142,10 @@ class Workspace:
         return robot._replace(arguments=job.arguments)
 
     def robot(self, path: str) -> OpenRobot:
-        """The first robot that a file is part of.
+        """The first robot that a file belongs to.
 
         Raises:
-            UrdfkitError: its file cannot be read.
+            UrdfkitError: there is none, or its file is unreadable.
         """
         if not self.entries(path):
             raise UrdfkitError(f"{path} is not part of a robot")
@@ -157,18 +157,18 @@ class Workspace:
         return self._robots[entry.file]
 
     def open_robots(self) -> Iterator[OpenRobot]:
-        """The first robot of each open file, each once."""
-        found: dict[str, OpenRobot] = {}
+        """The first robot of each open file, without repetitions."""
+        robots: dict[str, OpenRobot] = {}
         for path in self.texts:
             try:
                 robot = self.robot(path)
-            except UrdfkitError:  # the file of none, or one that cannot be read
+            except UrdfkitError:  # no robot, or an unreadable one
                 continue
-            found[robot.path] = robot
-        yield from found.values()
+            robots[robot.path] = robot
+        yield from robots.values()
 
     def _resolver(self, config: Config) -> Resolver:
-        """Directories are listed once, until files on disk change: there may be thousands."""
+        """The resolver; it caches directories, perhaps thousands, until files on disk change."""
         if config.path not in self._resolvers:
             self._resolvers[config.path] = Resolver(config.packages)
         expansion_limits.allow(config.limits)
@@ -176,35 +176,37 @@ class Workspace:
 
     def check(
         self, path: str, *, thorough: bool = False, is_cancelled: Callable[[], bool] | None = None
-    ) -> CheckedFile:
+    ) -> CheckResult:
         """Check the robots of a file.
 
         Args:
             path: of the file.
-            thorough: run the rules that open meshes or compute dynamics, too, and check a robot
-                with each set of arguments that launch files start it with, not the first alone.
-            is_cancelled: asked before each rule.
+            thorough: also run the rules that open meshes or compute dynamics, and check a robot
+                with all sets of arguments of launch files, not only with the first.
+            is_cancelled: called before each rule.
 
         Raises:
-            Cancelled: it is true now; the findings stay those of the last whole check.
+            Cancelled: ``is_cancelled`` is true; the findings of the last complete check remain.
         """
         config, failure = self.config(path)
-        before = set(self._files())
+        files_before = set(self._files())
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         for root in roots:
             try:
-                found = self._check_root(root, config, thorough, is_cancelled)
+                diagnostics = self._check_root(root, config, thorough, is_cancelled)
             except Cancelled:
                 raise
             except UrdfkitError as error:
-                failure, found = failure or str(error), []
+                failure, diagnostics = failure or str(error), []
             by_file: dict[str, list[Diagnostic]] = {}
-            for diagnostic in found:
+            for diagnostic in diagnostics:
                 file = os.path.realpath(diagnostic.span.source.path)
                 by_file.setdefault(file, []).append(diagnostic)
-            self._found[root] = by_file
-        files = before | set(self._files()) | {path}
-        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, failure)
+            self._diagnostics[root] = by_file
+        files = files_before | set(self._files()) | {path}
+        return CheckResult(
+            {file: list(self._diagnostics_in(file)) for file in sorted(files)}, failure
+        )
 
     def _check_root(
         self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None
@@ -220,49 +222,55 @@ class Workspace:
         return check_with(options, [root], self._resolver(config)).diagnostics
 
     def fixed(self, path: str) -> dict[str, bytes]:
-        """The texts that change when all safe fixes of a file's robots are applied, by path.
+        """The texts changed by all safe fixes of a file's robots, by path.
 
         Raises:
-            UrdfkitError: a robot cannot be read.
+            UrdfkitError: a robot is unreadable.
         """
         config, _ = self.config(path)
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         fixes = fix(*roots, options=Options(config=config, texts=self.texts))
-        return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
+        return {
+            os.path.realpath(file.path): Source(file.path, file.after).data for file in fixes.files
+        }
 
     def formatted_text(self, path: str) -> bytes:
-        """The text of a file in the layout of ``urdfkit format``.
+        """The text of a file as formatted by ``urdfkit format``.
 
         Raises:
-            UrdfkitError: it is no XML, or no robot.
+            UrdfkitError: the file is not XML, or not a robot.
         """
         config, _ = self.config(path)
         return formatted(self.robot(path).source(path), config.width or WIDTH)
 
     def _files(self) -> Iterator[str]:
-        return (file for by_file in self._found.values() for file in by_file)
+        return (file for by_file in self._diagnostics.values() for file in by_file)
 
-    def _of_file(self, file: str) -> Iterator[Diagnostic]:
-        """The findings in a file; one that several robots share has the message of the first."""
+    def _diagnostics_in(self, file: str) -> Iterator[Diagnostic]:
+        """The findings in a file; a finding of several robots has the message of the first."""
         reported: set[tuple[str, int, int]] = set()
-        for by_file in self._found.values():
-            fresh = [one for one in by_file.get(file, ()) if _key(one) not in reported]
-            reported.update(map(_key, fresh))
-            yield from fresh
+        for by_file in self._diagnostics.values():
+            new = [
+                diagnostic
+                for diagnostic in by_file.get(file, ())
+                if _key(diagnostic) not in reported
+            ]
+            reported.update(map(_key, new))
+            yield from new
 
     def diagnostics(self, path: str) -> list[Diagnostic]:
-        """What the last check found in a file, as far as its text is still the same."""
+        """The findings of the last check in a file, if its text is unchanged."""
         text = self.texts.get(path)
         return [
             diagnostic
-            for diagnostic in self._of_file(path)
+            for diagnostic in self._diagnostics_in(path)
             if text is None or diagnostic.span.source.data == Source(path, text).data
         ]
 
 
 @cache
 def slow_rules() -> list[str]:
-    """The codes of the rules that are not run for every key; this imports all rules."""
+    """Codes of the rules that are too slow for each keystroke; imports all rules."""
     return [rule.code for rule in rule_index.all_rules() if rule.needs & _SLOW]
 
 

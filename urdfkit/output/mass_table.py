@@ -37,7 +37,7 @@ class MassRow(Record):
         """Principal moments and axes of the shapes with the declared mass, uniformly dense."""
         if self.shape_mass is None or not self.shape_mass.properties.mass > 0:
             return None
-        return principal_axes(self.shape_mass.weighing(self.properties.mass).tensor)
+        return principal_axes(self.shape_mass.with_mass(self.properties.mass).tensor)
 
 
 class MassTable(Record):

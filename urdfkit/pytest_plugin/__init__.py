@@ -1,4 +1,4 @@
-"""pytest fixtures for projects that hold robot models.
+"""pytest fixtures for projects with robot models.
 
 ::
 
@@ -7,8 +7,8 @@
         assert_dof(robot_model, 6)
         assert_no_findings(urdf_report)
 
-The setting ``urdf_files`` in pytest's configuration makes every file it names a test of its own.
-urdfkit itself is imported only when a fixture is used.
+With the setting ``urdf_files`` in pytest's configuration, each of these files is a test. urdfkit
+itself is imported only when a fixture is used.
 """
 
 from __future__ import annotations
@@ -34,18 +34,18 @@ _FILES = pytest.StashKey[set[Path]]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The settings ``urdf_files`` and ``urdf_fail_on``."""
+    """Add the settings ``urdf_files`` and ``urdf_fail_on``."""
     parser.addini("urdf_files", "URDF and xacro files to test (globs relative to rootdir)", "args")
     parser.addini("urdf_fail_on", "lowest severity that fails such a test", default="warning")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marker known."""
+    """Register the marker, and resolve the settings."""
     config.addinivalue_line(
         "markers",
-        "urdf(path, args={}, variant='', variants={}): the model that robot_model and urdf_report "
-        "are of, in one variant of urdfkit.toml; "
-        "a list as the value of an argument runs the test once for each of its items, and "
+        "urdf(path, args={}, variant='', variants={}): the model of the fixtures robot_model and "
+        "urdf_report, in one variant of urdfkit.toml; "
+        "if the value of an argument is a list, the test runs once for each item; "
         "variants are named sets of arguments",
     )
     fail_on = config.getini("urdf_fail_on")
@@ -58,18 +58,18 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def _matching(config: pytest.Config, pattern: str) -> list[Path]:
-    """The files that a pattern of the setting ``urdf_files`` means."""
+    """The files that match a pattern of the setting ``urdf_files``."""
     try:
-        found = list(config.rootpath.glob(pattern))
+        paths = list(config.rootpath.glob(pattern))
     except (NotImplementedError, ValueError) as error:
         raise pytest.UsageError(f"urdf_files: '{pattern}': {error}") from error
-    if not found:
+    if not paths:
         raise pytest.UsageError(f"urdf_files: no file in {config.rootpath} matches '{pattern}'")
-    return found
+    return paths
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Run a marked test once for every set of arguments."""
+    """Parametrize a marked test with its sets of arguments."""
     marker = metafunc.definition.get_closest_marker(_MARKER)
     if marker is None or "marked_urdf" not in metafunc.fixturenames:
         return
@@ -80,34 +80,34 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def _argument_sets(marker: pytest.Mark) -> list[tuple[str, dict[str, str]]]:
-    """The sets of arguments that a marker means, each with a name."""
-    wrong = marker.kwargs.keys() - {"args", "variant", "variants"}
-    if wrong or len(marker.args) != 1:
-        what = f", not {', '.join(sorted(wrong))}" if wrong else ""
+    """The sets of arguments of a marker, each with a name."""
+    unknown = marker.kwargs.keys() - {"args", "variant", "variants"}
+    if unknown or len(marker.args) != 1:
+        what = f", not {', '.join(sorted(unknown))}" if unknown else ""
         pytest.fail(
             f"@pytest.mark.urdf takes a path, args, variant and variants{what}", pytrace=False
         )
     sets = []
     for name, variant in (marker.kwargs.get("variants") or {"": {}}).items():
-        every = {**(marker.kwargs.get("args") or {}), **variant}
-        lists = [value if isinstance(value, (list, tuple)) else [value] for value in every.values()]
+        choices = {**(marker.kwargs.get("args") or {}), **variant}
+        lists = [item if isinstance(item, (list, tuple)) else [item] for item in choices.values()]
         for values in product(*lists):
-            chosen = dict(zip(every, map(_as_text, values), strict=True))
-            varied = [chosen[key] for key, choice in zip(every, lists, strict=True) if choice[1:]]
+            chosen = dict(zip(choices, map(_as_text, values), strict=True))
+            varied = [chosen[key] for key, items in zip(choices, lists, strict=True) if items[1:]]
             sets.append(("-".join([name, *varied] if name else varied), chosen))
     return sets
 
 
 def _as_text(value: object) -> str:
-    """A value as the command line of xacro would give it."""
+    """A value as text for the command line of xacro."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 @pytest.fixture
 def urdf(request: pytest.FixtureRequest) -> Callable[..., Description]:
-    """A factory: ``urdf("urdf/arm.urdf.xacro", side="left")`` is that model, expanded.
+    """A factory: ``urdf("urdf/arm.urdf.xacro", side="left")`` returns the expanded model.
 
-    Paths are relative to the test's file, else to pytest's root directory.
+    Paths are relative to the file of the test, or else to pytest's root directory.
     """
 
     def make(path: str | Path, /, **arguments: object) -> Description:
@@ -122,17 +122,17 @@ def _description(
 ) -> Description:
     from urdfkit.testing import Description
 
-    places = [request.path.parent / path, request.config.rootpath / path]
-    found = next((place for place in places if place.is_file()), None)
-    if found is None:
-        reported = " nor ".join(dict.fromkeys(map(str, places)))
-        pytest.fail(f"no such model {reported}", pytrace=False)
-    return Description(str(found), arguments, variant=variant)
+    candidates = [request.path.parent / path, request.config.rootpath / path]
+    model_path = next((candidate for candidate in candidates if candidate.is_file()), None)
+    if model_path is None:
+        listed = " nor ".join(dict.fromkeys(map(str, candidates)))
+        pytest.fail(f"no such model {listed}", pytrace=False)
+    return Description(str(model_path), arguments, variant=variant)
 
 
 @pytest.fixture
 def marked_urdf(request: pytest.FixtureRequest) -> Description:
-    """The model of the test's ``urdf`` marker, with one set of its arguments."""
+    """The model of the test's ``urdf`` marker, with one set of arguments."""
     marker = request.node.get_closest_marker(_MARKER)
     if marker is None:
         pytest.fail('mark the test with its model: @pytest.mark.urdf("path")', pytrace=False)
@@ -143,15 +143,15 @@ def marked_urdf(request: pytest.FixtureRequest) -> Description:
 
 @pytest.fixture
 def robot_model(marked_urdf: Description) -> RobotModel:
-    """The robot of the ``urdf`` marker: links, joints and what they hold."""
+    """The robot of the ``urdf`` marker, with its links and joints."""
     return marked_urdf.model
 
 
 @pytest.fixture
 def robot_dynamics(marked_urdf: Description) -> Dynamics:
-    """The same robot in Pinocchio: gravity torques, mass matrix, Jacobians.
+    """The robot of the ``urdf`` marker in Pinocchio: gravity torques, mass matrix, Jacobians.
 
-    The test is skipped where Pinocchio is not installed.
+    The test is skipped if Pinocchio is not installed.
     """
     from urdfkit.core.installation import install_command
 
@@ -161,9 +161,9 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
 
 @pytest.fixture
 def robot_meshes(marked_urdf: Description) -> tuple[MeshUse, ...]:
-    """The meshes in its visuals and collisions: where each is used, and its measures.
+    """The measured meshes of the visuals and collisions.
 
-    The test is skipped where the libraries that measure them are not installed.
+    The test is skipped if the libraries that measure meshes are not installed.
     """
     from urdfkit.core.libraries import why_unmeasured
 
@@ -174,7 +174,7 @@ def robot_meshes(marked_urdf: Description) -> tuple[MeshUse, ...]:
 
 @pytest.fixture
 def urdf_report(marked_urdf: Description) -> Report:
-    """What ``urdfkit check`` says about the model of the ``urdf`` marker."""
+    """The report of ``urdfkit check`` for the model of the ``urdf`` marker."""
     return marked_urdf.report
 
 
@@ -196,7 +196,7 @@ def check_urdf(urdf: Callable[..., Description]) -> Callable[..., Report]:
 def simulate(urdf: Callable[..., Description]) -> Callable[..., Simulation]:
     """``simulate("urdf/arm.urdf.xacro", side="left")`` fails the test if the robot misbehaves.
 
-    What ``urdfkit simulate`` finds; the test is skipped where MuJoCo is not installed.
+    The checks are those of ``urdfkit simulate``; the test is skipped if MuJoCo is not installed.
     """
     from urdfkit.core.installation import install_command
 
@@ -205,17 +205,17 @@ def simulate(urdf: Callable[..., Description]) -> Callable[..., Simulation]:
 
     def run(path: str | Path, /, **arguments: object) -> Simulation:
         __tracebackhide__ = True
-        found = simulated(urdf(path, **arguments).context)
-        if not found.passes:
-            failures = "\n".join(str(one) for one in found.verdicts if not one.passes)
+        simulation = simulated(urdf(path, **arguments).context)
+        if not simulation.passes:
+            failures = "\n".join(str(each) for each in simulation.verdicts if not each.passes)
             pytest.fail(failures, pytrace=False)
-        return found
+        return simulation
 
     return run
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> UrdfFile | None:
-    """Make the files of the setting ``urdf_files`` tests."""
+    """Collect the files of the setting ``urdf_files``."""
     if file_path in parent.config.stash[_FILES]:
         return UrdfFile.from_parent(parent, path=file_path)
     return None
@@ -233,7 +233,7 @@ class UrdfFile(pytest.File):
 
 
 class UrdfItem(pytest.Item):
-    """A check of one model; it fails with the report."""
+    """The check of a variant of a model; it fails with the report."""
 
     def __init__(self, variant: str, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -1,4 +1,7 @@
-"""A robot: its model, tree, frames, inertias, shapes and meshes; what computations on it take."""
+"""Robot models: kinematic tree, frames, inertias, shapes and meshes.
+
+The protocols are the input of computations on a robot.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,7 @@ class Robot(Protocol):
 
 
 class DescribedRobot(Robot, Protocol):
-    """A robot with the text that describes it."""
+    """A robot with its source file."""
 
     source: Source
     resolver: Resolver

@@ -1,4 +1,4 @@
-"""The box around a robot at a configuration, around its visuals and collisions."""
+"""The bounding box of a robot's visuals and collisions at a configuration."""
 
 from __future__ import annotations
 
@@ -12,28 +12,27 @@ from urdfkit.robot.shapes import BoundingBox, solid
 
 
 def without_meshes() -> str:
-    """Why a mesh is not measured where numpy or the readers of meshes are not installed."""
+    """The reason why meshes are not measured if numpy or the mesh readers are not installed."""
     from urdfkit.core.installation import install_command
 
     return f"meshes are not read without: {install_command('meshes')}"
 
 
 class RobotExtent(Record):
-    """What some shapes take up."""
+    """The bounding box of the shapes of a robot."""
 
-    box: BoundingBox | None  # around them, along the axes of their root; None without any
-    measured: int  # how many links have a shape in it
-    left_out: dict[str, str]  # why shapes are not in the box, by link
+    box: BoundingBox | None  # along the axes of the root; None without shapes
+    measured: int  # number of links with a shape in the box
+    left_out: dict[str, str]  # why shapes of a link are not in the box, by link
 
 
 def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
-    """The box around all visuals and collisions of one tree; of primitives it is exact.
+    """The bounding box of all visuals and collisions of one tree; exact for primitives.
 
-    How the trees of several roots stand to one another, nobody says: the first one with shapes
-    counts.
+    The relative poses of several trees are unknown: the first tree with shapes counts.
 
     Args:
-        placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
+        placed: the frame of each link, from `urdfkit.robot.kinematics.frames`.
     """
     boxes: list[BoundingBox] = []
     measured: set[str] = set()
@@ -41,7 +40,7 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     root = ""
     for name, link in robot.model.links_by_name.items():
         if name not in placed or not (link.visuals or link.collisions):
-            continue  # a link of a loop that no root leads to has no place
+            continue  # a link in a closed loop without a root has no frame
         root = root or robot.tree.root_of[name]
         if robot.tree.root_of[name] != root:
             left_out[name] = f"not connected to root link {root}"
@@ -49,21 +48,21 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
         for body in (*link.visuals, *link.collisions):
             if body.shape is None:
                 continue
-            found = box_of(robot, body, placed[name])
-            if isinstance(found, str):
-                left_out.setdefault(name, found)
+            box = box_of(robot, body, placed[name])
+            if isinstance(box, str):
+                left_out.setdefault(name, box)
             else:
-                boxes.append(found)
+                boxes.append(box)
                 measured.add(name)
     whole = BoundingBox.around(boxes) if boxes else None
     return RobotExtent(whole, len(measured), left_out)
 
 
 def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
-    """The box around a visual or collision of a link, or why there is none.
+    """The bounding box of a visual or collision, or the reason why there is none.
 
     Args:
-        link: the frame of the link, in which the box is wanted.
+        link: the frame of the link, in the frame of the box.
     """
     shape = body.shape
     if shape is None:

@@ -1,4 +1,4 @@
-"""A robot as one rigid body: its mass, centre and tensor at a configuration."""
+"""The robot at a configuration as one rigid body: mass, centre and tensor."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from urdfkit.robot.inertia import MassProperties, combined
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 
-#: Names in a reason; the rest are counted.
+#: Names that a reason lists; further names are counted.
 _MOST = 3
 
 
@@ -19,26 +19,26 @@ class CompositeBody(Record):
     """A robot as one rigid body at a configuration."""
 
     mass: float  # of all links, in kg
-    #: Mass, centre and tensor in the frame of ``root``; None where nothing says how the links with
-    #: mass stand to one another.
+    #: Mass, centre and tensor in the frame of ``root``; None if the links with mass have no
+    #: common root.
     properties: MassProperties | None
-    root: str  # the root link above them; empty without one
-    reason: str  # why there are no properties; empty if there are
+    root: str  # their root link; empty if ``properties`` is None
+    reason: str  # why ``properties`` is None; empty otherwise
 
 
 def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
-    """Mass properties of all links together.
+    """Mass properties of all links.
 
     Args:
-        placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
+        placed: the frame of each link, from `urdfkit.robot.kinematics.frames`.
     """
     mass = tree.model.mass
     links = tree.model.links_by_name
     heavy = [name for name, link in links.items() if link.mass]
-    lost = [name for name in heavy if name not in tree.root_of]
-    if lost:
+    unreachable = [name for name in heavy if name not in tree.root_of]
+    if unreachable:
         return CompositeBody(
-            mass, None, "", f"no root leads to {few(lost, _MOST)}, in a closed loop"
+            mass, None, "", f"no root leads to {few(unreachable, _MOST)}, in a closed loop"
         )
     roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
     if len(roots) > 1:

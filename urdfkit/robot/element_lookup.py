@@ -1,13 +1,13 @@
-"""Which links and joints a finding concerns, by the address of its element."""
+"""Lookup of the link and joint that a finding concerns, by the path of its element."""
 
 from urdfkit.robot.model import RobotModel
 
 
 class ElementLookup:
-    """Which links an element of the robot's document concerns.
+    """Links and joints by the paths of the elements in the robot's document.
 
     Args:
-        model: None if there is none to be had.
+        model: None if the document has no model.
     """
 
     def __init__(self, model: RobotModel | None) -> None:
@@ -27,18 +27,18 @@ class ElementLookup:
                 self._links.setdefault(block.path, str(name))
 
     def link(self, element: str) -> str | None:
-        """The link that an element belongs to, by the element's path."""
+        """Name of the link that an element belongs to, by the element's path."""
         return _nearest(self._links, element)
 
     def joint(self, element: str) -> str | None:
         return _nearest(self._joints, element)
 
 
-def _nearest(known: dict[str, str], element: str) -> str | None:
-    """What is known of a path, or of the nearest one above it; names may hold slashes."""
+def _nearest(names: dict[str, str], element: str) -> str | None:
+    """The name for a path or its nearest ancestor; link names may contain slashes."""
     path = element.partition("@")[0]
     while path:
-        if path in known:
-            return known[path]
+        if path in names:
+            return names[path]
         path = path.rpartition("/")[0]
     return None

@@ -1,7 +1,7 @@
-"""Inertia tensors: principal moments, primitives of uniform density, and what bodies make together.
+"""Inertia tensors: principal moments, uniform primitives, and composite bodies.
 
-Tensors in kg·m² about the centre of mass unless said otherwise, masses in kg, lengths in m.
-Nothing here needs numpy, which alone costs more than checking a robot.
+Tensors in kg·m² about the centre of mass unless stated otherwise, masses in kg, lengths in m. The
+module does without numpy, whose import alone takes longer than checking a robot.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ from urdfkit.core.spatial import (
 )
 from urdfkit.robot.model import Tensor
 
-#: Sweeps of Jacobi's rotations: they converge quadratically, and five reach rounding.
+#: Sweeps of Jacobi rotations: convergence is quadratic, and five reach machine precision.
 _SWEEPS = 8
 
 ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class MassProperties(Record):
-    """A rigid body as dynamics sees it."""
+    """Mass properties of a rigid body."""
 
     mass: float  # in kg
     center: Vector  # of mass, in m
     tensor: Tensor  # about the centre of mass, along the axes of the same frame, in kg·m²
 
     def moved(self, frame: Transform) -> MassProperties:
-        """The same, given in a frame, in the parent of that frame."""
+        """The mass properties transformed from a frame to its parent frame."""
         tensor = rotated(self.tensor, frame.rotation)
         return MassProperties(self.mass, frame.apply(self.center), tensor)
 
@@ -45,11 +45,10 @@ class MassProperties(Record):
 def principal_moments(tensor: Tensor) -> Vector:
     """The three eigenvalues of a symmetric tensor, smallest first, in its unit.
 
-    The error is a few units in the last place of the largest one, whatever the magnitude and
-    however close two of them are. Source: D. Eberly, "A Robust Eigensolver for 3x3 Symmetric
-    Matrices" (2014), non-iterative: the trigonometric roots of the characteristic cubic are good
-    for the eigenvalue that lies apart; the other two come from the plane at right angles to its
-    eigenvector.
+    The error is a few units in the last place of the largest moment, even if two moments are nearly
+    equal. Source: D. Eberly, "A Robust Eigensolver for 3x3 Symmetric Matrices" (2014),
+    non-iterative: the trigonometric roots of the characteristic cubic are accurate for the most
+    distant eigenvalue; the other two are computed in the plane orthogonal to its eigenvector.
     """
     scale = max(map(abs, tensor))
     if scale == 0.0:
@@ -58,15 +57,15 @@ def principal_moments(tensor: Tensor) -> Vector:
     mean = (xx + yy + zz) / 3
     dx, dy, dz = xx - mean, yy - mean, zz - mean
     off = xy * xy + xz * xz + yz * yz
-    if off < 1e-30:  # these move no eigenvalue by more than rounding does
+    if off < 1e-30:  # smaller than the rounding error of the eigenvalues
         low, middle, high = sorted((tensor.ixx, tensor.iyy, tensor.izz))
         return (low, middle, high)
     spread = sqrt((dx * dx + dy * dy + dz * dz + 2 * off) / 6)
     minor = dx * (dy * dz - yz * yz) - xy * (xy * dz - yz * xz) + xz * (xy * yz - dy * xz)
     half = max(-1.0, min(1.0, minor / (2 * spread**3)))
-    # The largest root lies apart from the two others if half > 0, the smallest if half < 0.
-    apart = mean + 2 * spread * cos(acos(half) / 3 + (0.0 if half >= 0 else 2 * pi / 3))
-    u, v, w = _eigenbasis(xx - apart, xy, xz, yy - apart, yz, zz - apart)
+    # The distant root is the largest if half > 0, the smallest if half < 0.
+    distant = mean + 2 * spread * cos(acos(half) / 3 + (0.0 if half >= 0 else 2 * pi / 3))
+    u, v, w = _eigenbasis(xx - distant, xy, xz, yy - distant, yz, zz - distant)
     rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     au, av = rotate(rows, u), rotate(rows, v)
     uu, uv, vv = dot(u, au), dot(v, au), dot(v, av)
@@ -78,9 +77,9 @@ def principal_moments(tensor: Tensor) -> Vector:
 def principal_axes(tensor: Tensor) -> tuple[Vector, Rotation]:
     """The principal moments, smallest first, and a rotation whose columns are their axes.
 
-    Of each axis the largest part is positive, but for the last one, where a right-handed set needs
-    it. Equal moments have no axes of their own: any set of them is one, the basis vectors first.
-    Source: C. G. J. Jacobi's rotations (1846), each of which clears one product of inertia.
+    The largest component of each axis is positive, except for the last axis, which completes a
+    right-handed set. For equal moments any axes are correct; the basis vectors are preferred.
+    Source: C. G. J. Jacobi's rotations (1846), each of which eliminates one product of inertia.
     """
     scale = max(map(abs, tensor)) or 1.0
     xx, xy, xz, yy, yz, zz = (value / scale for value in tensor)
@@ -91,16 +90,16 @@ def principal_axes(tensor: Tensor) -> tuple[Vector, Rotation]:
             _clear(rows, axes, i, j)
     moments = principal_moments(tensor)
     order = sorted(range(3), key=lambda index: rows[index][index])
-    x, y = (_upright([axes[row][index] for row in range(3)]) for index in order[:2])
+    x, y = (_positive([axes[row][index] for row in range(3)]) for index in order[:2])
     z = cross(x, y)
     return moments, ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
 
 
 def uniform_solid(tensor: Tensor, mass: float) -> tuple[Vector, Rotation]:
-    """The edges of a box of uniform density, and a rotation whose columns are their axes.
+    """The edges of the equivalent box of uniform density, and a rotation with its axes as columns.
 
-    A second moment of mass along an axis is half of all three moments less its own; an edge is the
-    root of 12 times it over the mass, which is above 0; 0 where a tensor belongs to no real body.
+    The second moment of mass along an axis is half the sum of the moments minus its own moment; an
+    edge is the root of 12 times the second moment by the mass (> 0), or 0 for impossible tensors.
     """
     moments, axes = principal_axes(tensor)
     half = sum(moments) / 2
@@ -109,7 +108,7 @@ def uniform_solid(tensor: Tensor, mass: float) -> tuple[Vector, Rotation]:
 
 
 def _clear(rows: list[list[float]], axes: list[list[float]], i: int, j: int) -> None:
-    """Turn in the plane of two axes until their product of inertia is zero."""
+    """Rotate in the plane of two axes so that their product of inertia becomes zero."""
     if abs(rows[i][j]) < 1e-18:
         return
     half = (rows[j][j] - rows[i][i]) / (2 * rows[i][j])
@@ -126,7 +125,7 @@ def _clear(rows: list[list[float]], axes: list[list[float]], i: int, j: int) -> 
         row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
 
 
-def _upright(axis: list[float]) -> Vector:
+def _positive(axis: list[float]) -> Vector:
     sign = 1.0 if max(axis, key=abs) >= 0 else -1.0
     return (sign * axis[0] + 0.0, sign * axis[1] + 0.0, sign * axis[2] + 0.0)
 
@@ -134,7 +133,7 @@ def _upright(axis: list[float]) -> Vector:
 def _eigenbasis(
     a: float, b: float, c: float, d: float, e: float, f: float
 ) -> tuple[Vector, Vector, Vector]:
-    """Two unit vectors at right angles to the kernel of a singular symmetric matrix, and it."""
+    """Two unit vectors orthogonal to the kernel of a singular symmetric matrix, and the kernel."""
     rows = ((a, b, c), (b, d, e), (c, e, f))
     normals = [cross(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))]
     return basis(unit(max(normals, key=lambda normal: dot(normal, normal))))
@@ -157,10 +156,10 @@ def sphere(mass: float, radius: float) -> Tensor:
 
 
 def capsule(mass: float, radius: float, length: float) -> Tensor:
-    """A solid cylinder along z of ``length`` with a half ball at each end.
+    """A solid cylinder along z of ``length`` with a hemisphere at each end.
 
-    The half balls have their centre of mass 3/8 of the radius beyond the cylinder's end; the
-    parallel-axis rule there gives the term with ``radius * length``.
+    The centre of mass of a hemisphere is 3/8 of the radius beyond the end of the cylinder; the
+    parallel axis theorem gives the term with ``radius * length``.
     """
     ends = mass * 4 * radius / (3 * length + 4 * radius)
     middle = cylinder(mass - ends, radius, length)
@@ -170,9 +169,9 @@ def capsule(mass: float, radius: float, length: float) -> Tensor:
 
 
 def shifted(tensor: Tensor, mass: float, offset: Vector) -> Tensor:
-    """The tensor about a point ``offset`` away from the centre of mass (Huygens, Steiner).
+    """The tensor about a point ``offset`` away from the centre of mass (parallel axis theorem).
 
-    With a negative mass, it leads back from that point to the centre of mass.
+    A negative mass inverts the shift, from that point to the centre of mass.
     """
     x, y, z = offset
     return Tensor(
@@ -186,7 +185,7 @@ def shifted(tensor: Tensor, mass: float, offset: Vector) -> Tensor:
 
 
 def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
-    """A tensor given along the axes of a child frame, along those of the parent."""
+    """A tensor transformed from the axes of a child frame to those of the parent."""
     if rotation is IDENTITY:
         return tensor
     x, y, z = rotation
@@ -205,15 +204,15 @@ def added(left: Tensor, right: Tensor) -> Tensor:
 
 
 def agree(tensor: Tensor, other: Tensor, factor: float) -> bool:
-    """True if the moments about x, y and z, all positive, differ by no more than a factor."""
+    """True if the moments about x, y and z are positive and differ by a factor at most."""
     rows = zip((tensor.ixx, tensor.iyy, tensor.izz), (other.ixx, other.iyy, other.izz), strict=True)
     return all(b > 0 and b / factor <= a <= b * factor for a, b in rows)
 
 
 def combined(bodies: Iterable[MassProperties]) -> MassProperties:
-    """Several bodies in one frame as one rigid body; zero at the origin if they have no mass.
+    """Composite of bodies in one frame; zero at the origin if they have no mass.
 
-    Bodies without mass count with their tensor where the others balance.
+    The tensor of bodies without mass counts about the common centre of mass.
     """
     bodies = list(bodies)
     mass = sum(body.mass for body in bodies)

@@ -1,7 +1,7 @@
-"""What the joints carry: an upper bound of the gravity load of each, without computing a pose.
+"""Upper bounds of the gravity loads of joints, without computing a pose.
 
-The weight below a joint at the longest lever that its links can make: an upper bound that costs
-one walk over the tree. Where it is under the effort of a joint, no pose overloads that joint.
+The bound is the weight below a joint at the longest possible lever, and costs one walk over the
+tree. If it is below the effort of the joint, no pose overloads the joint.
 """
 
 from collections.abc import Mapping
@@ -15,55 +15,55 @@ from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
-#: Standard gravity as simulators have it, in m/s^2.
+#: Standard gravity as in simulators, in m/s².
 GRAVITY = 9.81
 
-#: Seconds of a step in which the effort of a joint must not take it to so many times its velocity,
-#: or of this one in rad/s or m/s: what it moves has no mass to speak of. A sound UR5e has 136.
+#: The effort of a joint is excessive if in a step of `STEP` seconds it exceeds `FASTEST` times the
+#: velocity limit, or `ROTOR` in rad/s or m/s if that is larger. A sound UR5e has 136 times.
 STEP, FASTEST, ROTOR = 0.002, 1e4, 10.0
 
-#: A body this much lighter than what it carries may make the mass matrix ill-conditioned.
+#: A body with less than this part of the mass it carries may make the mass matrix ill-conditioned.
 LIGHT = 1e-4
 
 
 def effort(joint: Joint) -> float | None:
-    """What a joint can exert, in N·m or N; None where it is not said, or 0, which says nothing."""
+    """The effort limit in N·m or N; None if it is missing, 0 (meaningless) or negative."""
     limit = joint.limit
     if limit is None or limit.effort is None or limit.effort.value <= 0:
         return None
     return limit.effort.value
 
 
-def is_thrown(joint: Joint, moved: MassProperties) -> bool:
-    """True if the effort of a joint that turns is far too large for a body.
+def is_effort_excessive(joint: Joint, body: MassProperties) -> bool:
+    """True if the effort of a rotary joint is far too large for the inertia of a body.
 
     Args:
-        moved: the body in the frame of the joint.
+        body: mass properties in the frame of the joint.
     """
     limit, force = joint.limit, effort(joint)
     if limit is None or force is None or joint.kind not in TURNING:
         return False
-    about_joint = shifted(moved.tensor, moved.mass, moved.center)
+    about_joint = shifted(body.tensor, body.mass, body.center)
     moment = rotated(about_joint, basis(direction(joint))).izz
     velocity = limit.velocity.value if limit.velocity else 0.0
     return force * STEP > FASTEST * max(velocity, ROTOR) * moment
 
 
-def overloadable(tree: KinematicTree) -> list[Joint]:
-    """The joints with an effort that gravity may exceed in some pose.
+def overloadable_joints(tree: KinematicTree) -> list[Joint]:
+    """The joints whose effort gravity may exceed in some pose.
 
-    What cannot move (JNT003) is held by its stops, and needs no effort.
+    Joints that cannot move (JNT003) are held by their limits and need no effort.
 
     Args:
-        tree: of the model; joints of one that is not sound are none.
+        tree: the result is empty unless it is sound.
     """
     if not tree.is_sound:
         return []
-    most = largest(tree)
+    loads = maximum_loads(tree)
     joints = tree.model.joints_by_name
     return [
         joints[name]
-        for name, load in most.items()
+        for name, load in loads.items()
         if (limit := effort(joints[name])) is not None and load > limit and _moves(joints[name])
     ]
 
@@ -73,13 +73,13 @@ def _moves(joint: Joint) -> bool:
     return lower < upper
 
 
-def largest(tree: KinematicTree) -> dict[str, float]:
-    """The upper bound of what each joint must hold, in N·m or N, by its name.
+def maximum_loads(tree: KinematicTree) -> dict[str, float]:
+    """The upper bound of the load of each joint by its name, in N·m or N.
 
-    Joints that follow another one load that one, as if a linkage joined them.
+    Mimic joints load their leader, as if a linkage connected them.
     """
     mass: dict[str, float] = {}
-    lever: dict[str, float] = {}  # the sum of mass times distance from the origin of a link
+    lever: dict[str, float] = {}  # sum of mass times distance from the origin of the link
     for name in reversed(tree.below(tree.roots[0].name)):
         link = tree.model.links_by_name[name]
         mass[name] = abs(link.mass)
@@ -99,23 +99,23 @@ def largest(tree: KinematicTree) -> dict[str, float]:
 
 
 def _with_followers(tree: KinematicTree, own: Mapping[str, float]) -> dict[str, float]:
-    found = dict.fromkeys(own, 0.0)
+    loads = dict.fromkeys(own, 0.0)
     for name, (leader, factor, _) in laws(tree.model.joints_by_name).items():
-        if name in own and leader in found:
-            found[leader] += abs(factor) * own[name]
-    return found
+        if name in own and leader in loads:
+            loads[leader] += abs(factor) * own[name]
+    return loads
 
 
 def _travel(joint: Joint) -> float:
-    """How far a slide takes its child from its origin at most."""
+    """Largest distance of the child of a prismatic joint from the joint's origin, in m."""
     return max(map(abs, span(joint))) if joint.kind in SLIDING else 0.0
 
 
-def light(tree: KinematicTree) -> list[Joint]:
-    """The joints whose own body has a negligible mass against what it carries by other joints.
+def light_joints(tree: KinematicTree) -> list[Joint]:
+    """The joints whose body has a negligible mass compared with the bodies it carries.
 
     Args:
-        tree: of the model; of one that is not sound there are none.
+        tree: the result is empty unless it is sound.
     """
     if not tree.is_sound:
         return []
@@ -136,11 +136,11 @@ def light(tree: KinematicTree) -> list[Joint]:
     ]
 
 
-def idle(tree: KinematicTree) -> list[Joint]:
-    """The joints that move nothing: below them there is no mass, no visual and no collision.
+def joints_without_load(tree: KinematicTree) -> list[Joint]:
+    """The joints that move no mass, no visual and no collision.
 
     Args:
-        tree: of the model; of one that is not sound there are none.
+        tree: the result is empty unless it is sound.
     """
     if not tree.is_sound:
         return []

@@ -1,4 +1,4 @@
-"""Limits, ranges and units of joints, as URDF parsers take them."""
+"""Limits, ranges and units of joints, as URDF parsers read them."""
 
 from collections.abc import Iterable, Sequence
 from math import pi
@@ -9,24 +9,24 @@ from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span
 
-#: Joints that one number describes: an angle or a distance.
+#: Joints with one coordinate, an angle or a distance.
 MOVING = ("revolute", "continuous", "prismatic")
 
-#: Joints with an end to either side.
+#: Joints with a lower and an upper limit.
 BOUNDED = ("revolute", "prismatic")
 
 #: The soft limits of a ``<safety_controller>``, the lower one first.
 SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
 
-#: In m: a slide is looked at within so much of its zero, whatever its limits say.
+#: In m: limits of prismatic joints are clipped to this distance from zero.
 FAR = 1000.0
 
-#: Places that a finding about many joints lists besides the first.
+#: Related locations of a finding about many joints.
 _MAX_RELATED = 20
 
 
 def can_move(joint: Joint) -> bool:
-    """True for a joint with one degree of freedom, unless its limits take that from it."""
+    """True for a joint with one degree of freedom whose limits are not equal."""
     ends = bounds(joint)
     return joint.kind in MOVING and (ends is None or ends[0] != ends[1])
 
@@ -34,8 +34,8 @@ def can_move(joint: Joint) -> bool:
 def bounds(joint: Joint) -> tuple[float, float] | None:
     """The lower and the upper limit of a revolute or prismatic joint, in rad or m.
 
-    A limit that is not written is 0, as urdfdom has it. None for joints of another type or
-    without ``<limit>``, and where a limit cannot be read.
+    A missing limit is 0, as in urdfdom. None for joints of another type, without ``<limit>``, or
+    with an unreadable limit.
     """
     limit = joint.limit
     if limit is None or joint.kind not in BOUNDED:
@@ -47,11 +47,11 @@ def bounds(joint: Joint) -> tuple[float, float] | None:
 
 
 def span(joint: Joint) -> tuple[float, float]:
-    """From where to where a joint moves, in rad or m: where limits mean nothing, all there is.
+    """The range of a joint, in rad or m; the full range if its limits are invalid.
 
-    An angle without limits, or with the lower one above the upper one, turns once around; so does
-    one with more room than a turn, as near to zero as its limits let it. A slide stays within
-    `FAR` of its zero, and at it without limits. A joint that not one number moves stays at 0.
+    An angle without limits, or with the lower limit above the upper one, covers one turn; a range
+    of more than one turn is cut to the turn nearest to zero. A prismatic joint stays within `FAR`
+    of zero, and at zero without limits. A joint of another type stays at 0.
     """
     if joint.kind not in MOVING:
         return 0.0, 0.0
@@ -68,7 +68,7 @@ def span(joint: Joint) -> tuple[float, float]:
 
 
 def start_of(joint: Joint) -> float:
-    """Where a joint begins, as MoveIt has it, in rad or m: at 0, or amid limits without it."""
+    """The initial position as in MoveIt, in rad or m: 0, or the middle of limits that exclude 0."""
     lower, upper = span(joint)
     return 0.0 if lower <= 0 <= upper else lower + (upper - lower) / 2
 
@@ -76,8 +76,7 @@ def start_of(joint: Joint) -> float:
 def soft_bounds(joint: Joint) -> tuple[float, float] | None:
     """The soft limits of a joint's ``<safety_controller>``, in rad or m.
 
-    One that is not written is 0, as urdfdom has it. None without the element, and where one
-    cannot be read.
+    A missing soft limit is 0, as in urdfdom. None without the element, or if one is unreadable.
     """
     safety = joint.at.child("safety_controller")
     if safety is None:
@@ -101,7 +100,7 @@ def effort_unit(joint: Joint) -> str:
 
 
 def driven(model: RobotModel) -> frozenset[str]:
-    """The joints that a transmission or ros2_control drives; empty if the model has neither."""
+    """Names of the joints that a transmission or ros2_control drives; empty without either."""
     names = {
         joint.get("name") or ""
         for transmission in model.transmissions
@@ -117,9 +116,9 @@ def driven(model: RobotModel) -> frozenset[str]:
 
 
 def limits_of(joints: Iterable[Joint], key: str) -> list[tuple[Joint, Placed[float]]]:
-    """The joints that have a limit of ``effort`` or ``velocity``, each with that limit."""
-    found = [(joint, getattr(joint.limit, key)) for joint in joints if joint.limit]
-    return [(joint, limit) for joint, limit in found if limit]
+    """The joints with a limit of ``effort`` or ``velocity``, each with this limit."""
+    limits = [(joint, getattr(joint.limit, key)) for joint in joints if joint.limit]
+    return [(joint, limit) for joint, limit in limits if limit]
 
 
 def several(joints: Sequence[Joint]) -> str:
@@ -129,7 +128,7 @@ def several(joints: Sequence[Joint]) -> str:
 
 
 def related(places: Iterable[tuple[Joint, Span]]) -> tuple[Related, ...]:
-    """The places of joints with the same defect, without those that a macro repeats."""
+    """Related locations of joints with the same defect, without repetitions by a macro."""
     spans: dict[Span, Joint] = {}
     for joint, span in places:
         spans.setdefault(span, joint)

@@ -1,6 +1,6 @@
-"""Where the links are at a configuration, without numpy: a robot has a thousand of them.
+"""Forward kinematics without numpy, whose import takes longer than a thousand links.
 
-Positions are in rad or m, by the name of the joint.
+Configurations are joint positions in rad or m, by the name of the joint.
 """
 
 from __future__ import annotations
@@ -13,33 +13,33 @@ from urdfkit.core.spatial import Transform, Vector, rotation_about, times, unit
 from urdfkit.robot.model import Joint, Mimic, UnknownLink
 from urdfkit.robot.tree import KinematicTree
 
-#: The joints that one number moves.
+#: Types of joints with one coordinate.
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 
 
 class MimicLaw(Record):
-    """What a joint follows: ``position = factor * position of the leader + shift``."""
+    """Mimic relation of a joint: ``position = factor * position of the leader + shift``."""
 
-    #: A joint that follows none; the joint itself where it follows none; empty for one that is
-    #: locked, since it follows a joint that is not there, a ring, or by numbers that no linkage
-    #: has.
+    #: The independent joint at the end of the mimic chain; the joint itself if it mimics none;
+    #: empty for a locked joint: its chain leads to a missing joint or a cycle, or its factor or
+    #: shift is implausible.
     leader: str
-    #: factor and shift: of all multipliers and offsets on the way to the leader.
+    #: factor and shift: of the whole chain to the leader.
     factor: float
     shift: float
 
 
-#: In rad or m, and as a factor: no linkage moves a joint by so much.
+#: Larger shifts, in rad or m, and factors are implausible.
 _LARGEST = 1e9
 
-#: Of a locked joint: one that is not set by one number, or follows itself.
+#: Relation of a locked joint.
 LOCKED = MimicLaw("", 0.0, 0.0)
-#: Of a leader that is not there.
+#: Relation of a missing leader.
 _ABSENT = MimicLaw("", 0.0, 0.0)
 
 
 def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
-    """What each joint follows in the end, through any number of joints between.
+    """The mimic relation of each joint to an independent joint, through any number of joints.
 
     Args:
         joints: of a model, by name.
@@ -52,7 +52,7 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
             if mimic is None or mimic.joint is None:
                 found[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = LOCKED  # unless the chain ends, and does not come back here
+            found[name] = LOCKED  # replaced below unless the chain is a cycle
             chain.append((name, mimic))
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
@@ -63,35 +63,35 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
 
 
 def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
-    """What a joint follows, from what its leader follows."""
+    """The relation of a mimic joint, from the relation of its leader."""
     factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
     is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
     return MimicLaw(law.leader, factor, shift) if is_linkage and law is not LOCKED else LOCKED
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:
-    """The position of every joint that one number moves.
+    """The positions of all joints with one coordinate.
 
     Args:
-        given: positions of joints; the others are at 0. A joint that mimics another one follows
-            it, whatever is given for it; in a ring of such joints all stay at 0.
+        given: positions of joints; the others are at 0. Values for mimic joints are ignored: they
+            follow their leaders, and stay at 0 in a cycle.
     """
     joints = tree.model.joints_by_name
-    followed = laws(joints)
+    relations = laws(joints)
     found: dict[str, float] = {}
     for name, joint in joints.items():
         if joint.kind in TURNING or joint.kind in SLIDING:
-            leader, factor, shift = followed[name]
+            leader, factor, shift = relations[name]
             position = factor * given.get(leader, 0.0) + shift
             found[name] = position if isfinite(position) else 0.0
     return found
 
 
 def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transform]:
-    """Where each link is, in the frame of its root link.
+    """The frame of each link, in the frame of its root link.
 
-    Floating and planar joints stay at their origin; a link in a closed loop that no root leads
-    to is nowhere.
+    Floating and planar joints stay at their origin; links in a closed loop without a root are
+    omitted.
 
     Args:
         tree: of the model.
@@ -107,28 +107,30 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transfo
     return found
 
 
-def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Transform:
-    """Where a link is in the frame of another one.
+def transform(
+    tree: KinematicTree, given: Mapping[str, float], link: str, reference: str
+) -> Transform:
+    """The frame of a link in the frame of a reference link.
 
     Args:
         tree: of the model.
         given: positions of joints, as for `positions`.
         link: name of the link.
-        seen: name of the link that it is seen from.
+        reference: name of the reference link.
 
     Raises:
-        UnknownLink: there is no such link, or no joints between the two.
+        UnknownLink: a link does not exist, or no joints connect the two.
     """
-    for name in (link, seen):
+    for name in (link, reference):
         tree.model.require_link(name)
-    found = frames(tree, given)
-    if link not in found or tree.root_of[link] != tree.root_of.get(seen):
-        raise UnknownLink(f"links '{seen}' and '{link}' are not connected by joints")
-    return found[seen].inverse @ found[link]
+    placed = frames(tree, given)
+    if link not in placed or tree.root_of[link] != tree.root_of.get(reference):
+        raise UnknownLink(f"links '{reference}' and '{link}' are not connected by joints")
+    return placed[reference].inverse @ placed[link]
 
 
 def motion(joint: Joint, position: float) -> Transform:
-    """The frame of the child of a joint, in that of the joint at zero."""
+    """The frame of the child of a joint, in the joint frame."""
     if position == 0:
         return Transform()
     axis = direction(joint)
@@ -140,14 +142,14 @@ def motion(joint: Joint, position: float) -> Transform:
 
 
 def direction(joint: Joint) -> Vector:
-    """The unit vector of the axis; x where none is written or it has no direction."""
+    """The unit vector of the axis; x if it is missing or zero."""
     return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
 
 
 def best_angle(a: float, b: float, ends: tuple[float, float]) -> float:
-    """The angle between two ends at which ``a cos q + b sin q`` is largest, the nearest to 0."""
-    top = atan2(b, a)
-    inside = [q for q in (top - 2 * pi, top, top + 2 * pi) if ends[0] <= q <= ends[1]]
-    if inside:
-        return min(inside, key=abs)
+    """The angle between two limits that maximises ``a cos q + b sin q``; the one nearest to 0."""
+    best = atan2(b, a)
+    candidates = [q for q in (best - 2 * pi, best, best + 2 * pi) if ends[0] <= q <= ends[1]]
+    if candidates:
+        return min(candidates, key=abs)
     return max(ends, key=lambda q: a * cos(q) + b * sin(q))

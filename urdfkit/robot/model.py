@@ -1,8 +1,7 @@
-"""The robot in a document: links, joints and what they hold, each value with its place.
+"""The robot model of a document: links, joints and their values with source locations.
 
-Reading is tolerant: a value that cannot be read is None here and a finding elsewhere (the
-grammar rules read the same elements), so one bad number never hides the rest.
-Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
+Parsing is tolerant: a value that cannot be parsed is None here, and the grammar rules report it,
+so that one bad number does not hide the rest. Units are those of URDF: m, rad, kg, N and N·m.
 """
 
 from __future__ import annotations
@@ -31,10 +30,10 @@ T = TypeVar("T", covariant=True)
 
 
 class UnknownLink(UrdfkitError):
-    """A link that is not there, or not where it is looked for."""
+    """A link does not exist, or is not connected to the requested link."""
 
 
-#: Of each type of joint; a planar one moves in a plane and turns in it.
+#: By joint type; a planar joint has two translations and a rotation.
 DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
 
 
@@ -86,11 +85,11 @@ class Inertial(Record):
 
 
 class Shape(Record):
-    """What stands in a ``<geometry>``."""
+    """A shape in a ``<geometry>``."""
 
     at: Element  # the shape's element
     kind: str  # its tag: ``box``, ``cylinder``, ``sphere``, ``capsule``, ``mesh`` or another
-    size: Vector | None  # of a box, in m; None elsewhere or where unreadable
+    size: Vector | None  # of a box, in m; None for other shapes or if unreadable
     radius: float | None  # of a cylinder, capsule or sphere, in m
     length: float | None  # of a cylinder or capsule, in m
     filename: Placed[str] | None  # of a mesh, as written
@@ -98,7 +97,7 @@ class Shape(Record):
 
     @property
     def half_extents(self) -> Vector | None:
-        """Half the bounding box of a primitive about its origin; None for the rest."""
+        """Half the bounding box of a primitive about its origin; None for other shapes."""
         radius, length = self.radius, self.length
         if self.kind == "box" and self.size:
             return (self.size[0] / 2, self.size[1] / 2, self.size[2] / 2)
@@ -110,7 +109,7 @@ class Shape(Record):
 
 
 class Material(Record):
-    """``<material>``, at the top or in a visual."""
+    """``<material>`` of the robot or of a visual."""
 
     at: Element
     name: Placed[str] | None
@@ -119,7 +118,7 @@ class Material(Record):
 
 
 class Body(Record):
-    """A ``<visual>`` or a ``<collision>``; ``shape`` is the first one in its geometry."""
+    """A ``<visual>`` or ``<collision>``; ``shape`` is the first shape in its geometry."""
 
     at: Element
     origin: Transform
@@ -128,7 +127,7 @@ class Body(Record):
 
 
 class Link(Record):
-    """``<link>``; a link without a name is called ``""``."""
+    """``<link>``; the name is ``""`` if it is missing."""
 
     at: Element
     name: str
@@ -138,12 +137,12 @@ class Link(Record):
 
     @property
     def mass(self) -> float:
-        """The mass in kg; 0 where none is written or it cannot be read."""
+        """The mass in kg; 0 if it is missing or unreadable."""
         return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
 
     @property
     def is_frame(self) -> bool:
-        """True if it has neither mass nor shape."""
+        """True if it has no inertial and no shape."""
         return not (self.inertial or self.visuals or self.collisions)
 
 
@@ -167,7 +166,7 @@ class Mimic(Record):
 
 
 class Joint(Record):
-    """``<joint>``; ``axis`` is None where none is written (URDF then takes x)."""
+    """``<joint>``; ``axis`` is None if it is not written (the default in URDF is x)."""
 
     at: Element
     name: str
@@ -181,40 +180,40 @@ class Joint(Record):
 
     @property
     def kind(self) -> str:
-        """The type as written; empty where there is none."""
+        """The type as written; empty if it is missing."""
         return self.type.value if self.type else ""
 
     @property
     def parent_name(self) -> str:
-        """The name of the parent link; empty where there is none."""
+        """Name of the parent link; empty if it is missing."""
         return self.parent.value if self.parent else ""
 
     @property
     def child_name(self) -> str:
-        """The name of the child link; empty where there is none."""
+        """Name of the child link; empty if it is missing."""
         return self.child.value if self.child else ""
 
     @property
     def leader(self) -> str:
-        """The name of the joint that it mimics; empty where there is none."""
+        """Name of the joint that it mimics; empty without ``<mimic>``."""
         return self.mimic.joint.value if self.mimic and self.mimic.joint else ""
 
     @property
     def degrees_of_freedom(self) -> int:
-        """How many numbers say where it is; none for a joint that follows another one."""
+        """Number of independent coordinates; 0 for a mimic joint."""
         return 0 if self.mimic else DEGREES_OF_FREEDOM.get(self.kind, 0)
 
 
 class RobotModel:
-    """A robot as its URDF describes it.
+    """A robot as described by its URDF.
 
     Attributes:
-        document: that it was read from.
+        document: the source document.
         root: the ``<robot>`` element.
-        name: of the robot; empty where there is none.
+        name: of the robot; empty if it is missing.
         links, joints, materials: in the order of the document, duplicates included.
-        gazebo, transmissions, ros2_controls: their elements.
-        packages: directories of ROS packages that it was read with, by name.
+        gazebo, transmissions, ros2_controls: the elements with these tags.
+        packages: directories of the ROS packages that were known when it was read, by name.
     """
 
     def __init__(self, document: Document, packages: Mapping[str, str] | None = None) -> None:
@@ -243,7 +242,7 @@ class RobotModel:
         """The first link of a name.
 
         Raises:
-            UnknownLink: there is none; with the nearest name.
+            UnknownLink: no link has this name; the message suggests the nearest name.
         """
         if name not in self.links_by_name:
             from urdfkit.core.suggest import did_you_mean
@@ -252,7 +251,7 @@ class RobotModel:
         return self.links_by_name[name]
 
     def place(self, name: str = "") -> Span:
-        """Where the first link or else joint of a name stands; the robot, if there is none."""
+        """Span of the first link or joint with a name; of the robot if there is none."""
         part = self.links_by_name.get(name) or self.joints_by_name.get(name)
         return (part.at if part else self.root).span
 
@@ -262,30 +261,30 @@ class RobotModel:
 
     @property
     def mass(self) -> float:
-        """Of all links together, in kg."""
+        """Total mass of all links, in kg."""
         return sum(link.mass for link in self.links)
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Degrees of freedom of all joints together."""
+        """Total degrees of freedom of all joints."""
         return sum(joint.degrees_of_freedom for joint in self.joints)
 
     @property
     def shapes(self) -> list[Shape]:
-        """Every shape of every visual and collision."""
+        """All shapes of all visuals and collisions."""
         bodies = (body for link in self.links for body in (*link.visuals, *link.collisions))
         return [body.shape for body in bodies if body.shape]
 
 
-Thing = TypeVar("Thing", Link, Joint)
+Named = TypeVar("Named", Link, Joint)
 
 
-def _first_by_name(things: tuple[Thing, ...]) -> dict[str, Thing]:
-    found: dict[str, Thing] = {}
-    for thing in things:
-        if thing.name:
-            found.setdefault(thing.name, thing)
-    return found
+def _first_by_name(parts: tuple[Named, ...]) -> dict[str, Named]:
+    first: dict[str, Named] = {}
+    for part in parts:
+        if part.name:
+            first.setdefault(part.name, part)
+    return first
 
 
 def _placed_number(element: Element | None, name: str) -> Placed[float] | None:
@@ -307,7 +306,7 @@ def _origin(element: Element) -> Transform:
 
 
 def _rotation(origin: Element) -> Rotation:
-    """The rotation by ``rpy``, or by ``quat_xyzw`` in a robot whose version of URDF has it."""
+    """The rotation of ``rpy``, or of ``quat_xyzw`` if the URDF version supports it."""
     rpy = vector(origin.get("rpy"))
     if rpy:
         return from_rpy(*rpy)
@@ -318,7 +317,7 @@ def _rotation(origin: Element) -> Rotation:
 
 
 def reads_quaternions(element: Element) -> bool:
-    """True if urdfdom reads ``quat_xyzw`` in the robot of an element: from URDF 1.1 on."""
+    """True if urdfdom reads ``quat_xyzw`` in this robot: from URDF 1.1 on."""
     from urdfkit.text.grammar import version_of
 
     while element.parent is not None:
@@ -339,8 +338,8 @@ def _link(element: Element) -> Link:
 
 def _inertial(element: Element) -> Inertial:
     tensor = element.child("inertia")
-    read = (number(tensor.get(key)) for key in Tensor._fields) if tensor else ()
-    moments = [moment for moment in read if moment is not None]
+    values = (number(tensor.get(key)) for key in Tensor._fields) if tensor else ()
+    moments = [moment for moment in values if moment is not None]
     placed = Placed(Tensor(*moments), tensor) if tensor and len(moments) == 6 else None
     mass = _placed_number(element.child("mass"), "value")
     return Inertial(element, mass, placed, _origin(element))

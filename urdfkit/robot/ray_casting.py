@@ -1,7 +1,7 @@
-"""Rays against the shapes of a robot: what a sensor on it sees of the robot itself.
+"""Ray casting against the shapes of a robot: what a sensor on it measures of the robot itself.
 
-Lengths in m, directions of length 1. Primitives are met in closed form; for meshes see
-`urdfkit.mesh.ray_casting`.
+Lengths in m, directions are unit vectors. Primitives are intersected in closed form; for meshes
+see `urdfkit.mesh.ray_casting`.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
-#: Below this a direction is along a face, or along an axis.
+#: Direction components below this are 0: the ray is parallel to a face or an axis.
 _SMALL = 1e-9
 _UP: Vector = (0.0, 0.0, 1.0)
 _DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Scan(Record):
-    """The beams of a planar lidar, in its own frame: x forwards, z across the plane."""
+    """The beams of a planar lidar, in its frame: x forwards, z normal to the scan plane."""
 
     #: first and last: directions of the outermost beams in rad, counter-clockwise from x.
     first: float
     last: float
-    samples: int  # how many beams there are, more than one
+    samples: int  # number of beams, at least 2
     #: low and high: range in m.
     low: float
     high: float
@@ -42,10 +42,10 @@ class Scan(Record):
 
 
 def shape_of(body: Body, at: Transform) -> Primitive | None:
-    """A primitive in the frame of a sensor; None for a mesh, and without sizes.
+    """A primitive in the frame of a sensor; None for a mesh or a shape without sizes.
 
     Args:
-        at: the frame of its link in that of the sensor.
+        at: the frame of its link in the frame of the sensor.
     """
     return primitive(body._replace(origin=at @ body.origin))
 
@@ -53,7 +53,10 @@ def shape_of(body: Body, at: Transform) -> Primitive | None:
 def intervals(
     shape: Primitive, directions: Iterable[Vector]
 ) -> Iterator[tuple[float, float] | None]:
-    """Where rays from the origin enter and leave a shape; below 0 behind it, None beside it."""
+    """Distances at which rays from the origin enter and leave a shape; negative behind the origin.
+
+    None for rays that miss the shape.
+    """
     frame = shape.origin.inverse
     start = frame.position
     for direction in directions:
@@ -61,14 +64,14 @@ def intervals(
 
 
 def _interval(shape: Primitive, start: Vector, along: Vector) -> tuple[float, float] | None:
-    """Where a ray in the frame of a shape enters and leaves it."""
+    """Distances at which a ray in the frame of a shape enters and leaves it."""
     if shape.kind == "box":
         halves = (shape.size[0] / 2, shape.size[1] / 2, shape.size[2] / 2)
         return _common(_slab(s, d, h) for s, d, h in zip(start, along, halves, strict=True))
     if shape.kind == "sphere":
         return _round(start, along, shape.radius)
     (x, y, z), (dx, dy, dz) = start, along
-    ends = shape.radius if shape.kind == "capsule" else 0.0  # taken for flat
+    ends = shape.radius if shape.kind == "capsule" else 0.0  # approximated by flat ends
     side = _round((x, y, 0.0), (dx, dy, 0.0), shape.radius)
     return _common((side, _slab(z, dz, shape.length / 2 + ends)))
 
@@ -76,20 +79,20 @@ def _interval(shape: Primitive, start: Vector, along: Vector) -> tuple[float, fl
 def _slab(start: float, along: float, half: float) -> tuple[float, float] | None:
     if abs(along) < _SMALL:
         return (-inf, inf) if abs(start) <= half else None
-    one, two = (-half - start) / along, (half - start) / along
-    return min(one, two), max(one, two)
+    t1, t2 = (-half - start) / along, (half - start) / along
+    return min(t1, t2), max(t1, t2)
 
 
 def _round(start: Vector, along: Vector, radius: float) -> tuple[float, float] | None:
-    """A ball; without z a cylinder."""
+    """The interval in a ball; in an infinite cylinder if all z are 0."""
     square, middle = dot(along, along), dot(start, along)
-    off = dot(start, start) - radius * radius
+    excess = dot(start, start) - radius * radius
     if square < _SMALL:
-        return (-inf, inf) if off <= 0 else None
-    root = middle * middle - square * off
-    if root < 0:
+        return (-inf, inf) if excess <= 0 else None
+    discriminant = middle * middle - square * excess
+    if discriminant < 0:
         return None
-    return (-middle - sqrt(root)) / square, (-middle + sqrt(root)) / square
+    return (-middle - sqrt(discriminant)) / square, (-middle + sqrt(discriminant)) / square
 
 
 def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] | None:
@@ -102,23 +105,23 @@ def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] 
 
 
 def crosses_plane(shape: Primitive) -> bool:
-    """True if a shape reaches into the plane of a scan, in whose frame it is."""
+    """True if a shape intersects the scan plane of the sensor in whose frame it is."""
     return shape.reach(_UP) >= 0 and shape.reach(_DOWN) >= 0
 
 
 def beams_on(
     shape: Primitive, scan: Scan, directions: Sequence[Vector], *, sees_inside: bool
 ) -> Iterator[int]:
-    """The numbers of the beams that end at a primitive.
+    """Indices of the beams that end at a primitive.
 
     Args:
-        shape: in the frame of the sensor, which crosses the plane of the scan.
-        sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
-            Classic; rendered shapes are seen from outside only.
+        shape: in the frame of the sensor; it intersects the scan plane.
+        sees_inside: True if a beam that starts inside the shape ends at the far surface, as in
+            Gazebo Classic; rendering sensors see the outer surface only.
     """
-    for number, found in enumerate(intervals(shape, directions)):
-        if found is None:
+    for number, interval in enumerate(intervals(shape, directions)):
+        if interval is None:
             continue
-        begins = found[1] if sees_inside and found[0] < scan.low else found[0]
-        if scan.low <= begins <= scan.high:
+        distance = interval[1] if sees_inside and interval[0] < scan.low else interval[0]
+        if scan.low <= distance <= scan.high:
             yield number

@@ -1,6 +1,6 @@
-"""How far a robot reaches: the farthest that the end of a chain gets from its first joint.
+"""Reach of a robot: the largest distance of the end of a chain from its first joint.
 
-For an arm this is the radius of its workspace as data sheets have it. Lengths in m.
+For an arm this is the radius of its workspace as in data sheets. Lengths in m.
 """
 
 from __future__ import annotations
@@ -15,84 +15,86 @@ from urdfkit.robot.kinematics import SLIDING, TURNING, best_angle, direction, mo
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
-#: Chains of more joints are no arms, and chains beyond so many are fingers of one hand.
+#: Limits of joints in a chain and of chains; hands have chains for each finger.
 MAX_JOINTS, MAX_CHAINS = 200, 50
 
-#: Poses from which the search starts besides the zero pose, and its rounds at most.
+#: Start poses of the search besides the zero pose, and its largest number of rounds.
 STARTS, ROUNDS = 12, 200
 
 
 class Reach(Record):
     """The chain with the longest reach."""
 
-    distance: float  # from the first moving joint of the chain to the origin of its last link, in m
-    joint: str  # that first joint
-    link: str  # that last link
-    pose: dict[str, float]  # the positions of the joints of the chain there, in rad or m
+    distance: float  # from the first moving joint to the origin of the last link, in m
+    joint: str  # the first moving joint
+    link: str  # the last link
+    pose: dict[str, float]  # positions of the chain's joints at this distance, in rad or m
 
 
 def reach(tree: KinematicTree) -> Reach | None:
-    """The longest reach of all chains; None where nothing moves.
+    """The longest reach of all chains; None without moving joints.
 
-    Joints that follow others by ``<mimic>`` count as if they were free within their limits.
+    Mimic joints count as independent within their limits.
     """
     chains = [
-        chain for chain in _chains(tree) if len(chain) <= MAX_JOINTS and isfinite(_span(chain))
+        chain for chain in _chains(tree) if len(chain) <= MAX_JOINTS and isfinite(_length(chain))
     ]
-    chains.sort(key=_span, reverse=True)
+    chains.sort(key=_length, reverse=True)
     best: Reach | None = None
     for chain in chains[:MAX_CHAINS]:
-        if best is None or _span(chain) > best.distance:
-            found = _reach(chain)
-            if best is None or found.distance > best.distance:
-                best = found
+        if best is None or _length(chain) > best.distance:
+            candidate = _reach(chain)
+            if best is None or candidate.distance > best.distance:
+                best = candidate
     return best
 
 
 def _chains(tree: KinematicTree) -> list[list[Joint]]:
-    """The chains from each moving joint that has none above it to the ends of the tree."""
-    found: list[list[Joint]] = []
+    """The chains from the first moving joints to the leaves of the tree."""
+    chains: list[list[Joint]] = []
     for end, joints in tree.children.items():
         if joints:
             continue
-        way: list[Joint] = []
+        chain: list[Joint] = []
         above = tree.parents[end]
-        while above and len(way) <= MAX_JOINTS:
-            way.append(above[0])
+        while above and len(chain) <= MAX_JOINTS:
+            chain.append(above[0])
             above = tree.parents[above[0].parent_name]
-        while way and not _moves(way[-1]):
-            way.pop()
-        if way:
-            found.append(way[::-1])
-    return found
+        while chain and not _moves(chain[-1]):
+            chain.pop()
+        if chain:
+            chains.append(chain[::-1])
+    return chains
 
 
 def _moves(joint: Joint) -> bool:
     return joint.kind in TURNING or joint.kind in SLIDING
 
 
-def _span(chain: list[Joint]) -> float:
-    """What the chain cannot exceed: all its parts in one line."""
+def _length(chain: list[Joint]) -> float:
+    """Upper bound of the reach: the length of the straightened chain."""
     travel = sum(max(map(abs, span(joint))) for joint in chain if joint.kind in SLIDING)
     return travel + sum(hypot(*joint.origin.position) for joint in chain[1:])
 
 
 def _reach(chain: list[Joint]) -> Reach:
-    """Climb from several poses, one joint at a time to its best position: each is a closed form."""
+    """Coordinate ascent from several poses; each joint has its optimum in closed form."""
     ranges = [span(joint) for joint in chain]
     random = Random(0)
     starts = [[min(max(0.0, low), high) for low, high in ranges]]
     starts += [[random.uniform(*ends) for ends in ranges] for _ in range(STARTS)]
-    tops = [_climb(chain, ranges, start) for start in starts]
-    distance, pose = max(tops, key=lambda top: top[0])
-    named = {joint.name: place for joint, place in zip(chain, pose, strict=True) if _moves(joint)}
+    optima = [_climb(chain, ranges, start) for start in starts]
+    distance, pose = max(optima, key=lambda optimum: optimum[0])
+    named = {
+        joint.name: position for joint, position in zip(chain, pose, strict=True) if _moves(joint)
+    }
     return Reach(distance, chain[0].name, chain[-1].child_name, named)
 
 
 def _climb(
     chain: list[Joint], ranges: list[tuple[float, float]], pose: list[float]
 ) -> tuple[float, list[float]]:
-    """Rounds over the joints until the distance grows no more."""
+    """Rounds over the joints until the distance does not grow."""
     pose, best = list(pose), -1.0
     for _ in range(ROUNDS):
         bases = _bases(chain, pose)
@@ -112,7 +114,7 @@ def _climb(
 
 
 def _bases(chain: list[Joint], pose: list[float]) -> list[Vector]:
-    """The point of the first joint, in the frame of each joint at its zero."""
+    """The position of the first joint, in the frame of each joint at zero."""
     bases: list[Vector] = [ORIGIN]
     for joint, position, following in zip(chain, pose, chain[1:], strict=False):
         inner = motion(joint, position).inverse.apply(bases[-1])
@@ -121,10 +123,10 @@ def _bases(chain: list[Joint], pose: list[float]) -> list[Vector]:
 
 
 def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, now: float) -> float:
-    """The position at which a joint takes the tip farthest from the base.
+    """The position of a joint that maximises the distance of the tip from the base.
 
-    The squared distance is ``a - 2 (b cos q + c sin q)`` of an angle q (Rodrigues' formula), and
-    of a slide a parabola that opens upwards.
+    The squared distance is ``a - 2 (b cos q + c sin q)`` for an angle q (Rodrigues' formula), and a
+    parabola that opens upwards for a prismatic joint.
     """
     axis = direction(joint)
     if joint.kind in SLIDING:
@@ -133,5 +135,5 @@ def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, no
     b = dot(base, tip) - dot(axis, base) * dot(axis, tip)
     c = dot(base, cross(axis, tip))
     if b * b + c * c <= 1e-24 * dot(base, base) * dot(tip, tip):
-        return now  # the turn changes nothing
+        return now  # the rotation does not change the distance
     return best_angle(-b, -c, ends)

@@ -1,6 +1,6 @@
 """Rigid bodies: links connected by fixed joints.
 
-Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is the whole.
+Gazebo, MuJoCo, Drake and Pinocchio merge them into one body.
 """
 
 from __future__ import annotations
@@ -11,45 +11,45 @@ from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
 
-#: Tags in ``<gazebo>`` that keep a fixed joint as a joint.
+#: Tags in ``<gazebo>`` that preserve a fixed joint.
 KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
-#: A mass in kg that sdformat before 9.10.1 and 12.7.2 takes for none, and any smaller one.
+#: Masses in kg up to this are 0 for sdformat before 9.10.1 and 12.7.2.
 NO_MASS = 1e-6
 
 
 class RigidBody(Record):
-    """Links without a moving joint between them."""
+    """Links connected by fixed joints."""
 
-    joint: Joint | None  # that moves the body; None for one with a root link
-    #: The topmost first, each with its frame in that of the topmost.
+    joint: Joint | None  # the parent joint of the body; None if a root link is in it
+    #: The topmost link first, each with its frame in the frame of the topmost.
     links: tuple[tuple[Link, Transform], ...]
 
     @property
     def top(self) -> Link:
-        """The link that a merger keeps."""
+        """The link into which the others are merged."""
         return self.links[0][0]
 
     @property
     def is_ground(self) -> bool:
-        """True for what is fixed to the world: its mass and inertia have no effect."""
+        """True if the body is fixed to the world: its mass and inertia have no effect."""
         return self.joint is None and self.top.name == "world"
 
     @property
     def mass(self) -> float:
-        """Total mass in kg; a link without a mass counts as 0."""
+        """Total mass in kg; 0 for links without a mass."""
         return sum(link.mass for link, _ in self.links)
 
     @property
     def properties(self) -> MassProperties:
-        """Mass properties of all links together, in the frame of the topmost."""
+        """Mass properties of all links, in the frame of the topmost link."""
         return combined(properties_of(link, frame) for link, frame in self.links)
 
 
 def properties_of(link: Link, frame: Transform) -> MassProperties:
-    """Mass, centre and tensor of a link in another frame; what is not written is zero.
+    """Mass, centre and tensor of a link in another frame; missing values are zero.
 
     Args:
-        frame: of the link, in the frame in which they are wanted.
+        frame: of the link, in the frame of the result.
     """
     if link.inertial is None:
         return MassProperties(0.0, frame.position, ZERO)
@@ -61,23 +61,23 @@ def properties_of(link: Link, frame: Transform) -> MassProperties:
 def rigid_bodies(
     tree: KinematicTree, preserved: frozenset[str] = frozenset()
 ) -> tuple[RigidBody, ...]:
-    """The rigid bodies of a model, each before its children.
+    """The rigid bodies of a model, parents before children.
 
-    A link in a closed loop that no root leads to is in no body.
+    Links in a closed loop without a root are omitted.
 
     Args:
-        preserved: names of fixed joints that are kept as joints.
+        preserved: names of fixed joints that are not merged.
     """
     bodies: list[RigidBody] = []
     seen: set[str] = set()
     links = tree.model.links_by_name
     tops: list[tuple[Joint | None, str]] = [(None, root.name) for root in tree.roots]
-    for joint, name in tops:  # grows while it is walked
+    for joint, name in tops:  # appended to in the loop
         if name in seen:
             continue
         seen.add(name)
         group = [(links[name], Transform())]
-        for link, frame in group:  # grows, too
+        for link, frame in group:  # appended to in the loop
             for below in tree.children[link.name]:
                 child = below.child_name
                 if below.kind != "fixed" or below.name in preserved:

@@ -1,4 +1,4 @@
-"""Small robots as text, for the examples of rules."""
+"""XML of small robots for the examples of rules."""
 
 from collections.abc import Iterable
 
@@ -8,12 +8,12 @@ def robot_xml(*parts: str) -> str:
 
 
 def xacro_xml(*parts: str) -> str:
-    """A xacro: a ``<robot>`` that declares the prefix, with some elements in it."""
+    """A xacro file: a ``<robot>`` that declares the prefix, and its elements."""
     return element_xml('robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"', *parts) + "\n"
 
 
 def element_xml(tag: str, *inside: str) -> str:
-    """An element: its tag and attributes, and the elements in it."""
+    """An element from its tag with attributes, and its child elements."""
     if not inside:
         return f"<{tag}/>"
     indented = "\n".join(inside).replace("\n", "\n  ")
@@ -21,20 +21,20 @@ def element_xml(tag: str, *inside: str) -> str:
 
 
 def link_xml(name: str, *inside: str) -> str:
-    """A ``<link>`` with some elements in it."""
+    """A ``<link>`` and its elements."""
     return element_xml(f'link name="{name}"', *inside)
 
 
 def joint_xml(
     kind: str, *inside: str, name: str = "shoulder", parent: str = "base", child: str = "arm"
 ) -> str:
-    """A ``<joint>`` of a type, with other elements after its parent and child."""
+    """A ``<joint>``, with other elements after its parent and child."""
     ends = f'<parent link="{parent}"/>', f'<child link="{child}"/>'
     return element_xml(f'joint name="{name}" type="{kind}"', *ends, *inside)
 
 
 def arm_xml(kind: str, *inside: str) -> str:
-    """Two links without shape or mass, and a joint of a type between them."""
+    """Two links without shape or mass, connected by a joint."""
     return robot_xml(link_xml("base"), link_xml("arm"), joint_xml(kind, *inside))
 
 

@@ -1,6 +1,6 @@
-"""Primitive shapes of a link as solids in its frame: extent, volume, mass properties.
+"""Shapes of a link as solids in its frame: extent, volume, mass properties.
 
-Lengths in m. A mesh counts as far as somebody has measured it: as a `MeshSolid`.
+Lengths in m. Meshes are solids once they are measured: see `MeshSolid`.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor
 from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute
 
-#: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.
+#: Half edges outside this range, in m, are implausible for robots, and their cubes overflow.
 SMALLEST, LARGEST = 1e-7, 1e5
 
-#: The attributes of each primitive that hold lengths.
+#: The attributes of each primitive that are lengths.
 SIZES = {
     "box": ("size",),
     "cylinder": ("radius", "length"),
@@ -29,7 +29,7 @@ SIZES = {
 }
 
 #: Two shapes of a link are in different units if one is longer by this factor (GEO004); which of
-#: them is right is unknown.
+#: them is correct is unknown.
 OTHER_UNIT = 5.0
 
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -43,17 +43,17 @@ class BoundingBox(Record):
 
     @classmethod
     def of(cls, points: Iterable[Vector]) -> BoundingBox:
-        """The box of some points, at least one."""
+        """The bounding box of one or more points."""
         columns = tuple(zip(*points, strict=True))
         return cls(vector(map(min, columns)), vector(map(max, columns)))
 
     @classmethod
     def around(cls, boxes: Iterable[BoundingBox]) -> BoundingBox:
-        """The box of some boxes, at least one."""
+        """The bounding box of one or more boxes."""
         return cls.of(corner for box in boxes for corner in box)
 
     def moved(self, frame: Transform) -> BoundingBox:
-        """The box around this one, given in a frame, in the parent of that frame."""
+        """The bounding box of this box, transformed from a frame to its parent frame."""
         half = [edge / 2 for edge in self.edges]
         reach = [sum(abs(r) * h for r, h in zip(row, half, strict=True)) for row in frame.rotation]
         center = frame.apply(self.center)
@@ -78,7 +78,7 @@ class BoundingBox(Record):
         return x * y * z
 
     def gap(self, other: BoundingBox) -> float:
-        """How far apart two boxes are along an axis at most, in m; below 0 if they overlap."""
+        """Largest distance of two boxes along an axis, in m; negative if they overlap."""
         return max(max(a - d, c - b) for a, b, c, d in zip(*self, *other, strict=True))
 
     def common_volume(self, other: BoundingBox) -> float:
@@ -92,10 +92,10 @@ class BoundingBox(Record):
 class Primitive(Record):
     """A box, cylinder, sphere or capsule with positive sizes."""
 
-    kind: str  # one of these
-    size: Vector  # edges of the box along x, y, z; zeros for the others
-    radius: float  # 0 for the box
-    length: float  # along z, of the cylinder or between the centres of the capsule's ends; else 0
+    kind: str  # ``box``, ``cylinder``, ``sphere`` or ``capsule``
+    size: Vector  # edges of a box along x, y, z; zeros for the other kinds
+    radius: float  # 0 for a box
+    length: float  # of a cylinder along z, or between the centres of a capsule's ends; else 0
     origin: Transform  # in the frame of the link
 
     @property
@@ -108,14 +108,14 @@ class Primitive(Record):
 
     @property
     def longest(self) -> float:
-        """The longest extent along its own axes, in m."""
+        """The largest extent along its axes, in m."""
         if self.kind == "box":
             return max(self.size)
         ends = 2 * self.radius if self.kind == "capsule" else 0.0
         return max(2 * self.radius, self.length + ends)
 
     def properties(self, mass: float) -> MassProperties:
-        """Of the solid with uniform density, in the frame of the link."""
+        """Mass properties of the solid with uniform density, in the frame of the link."""
         tensor = inertia.rotated(self._tensor(mass), self.origin.rotation)
         return MassProperties(mass, self.origin.position, tensor)
 
@@ -140,10 +140,7 @@ class Primitive(Record):
         return hypot(x, y, z + self.length / 2) + self.radius
 
     def reach(self, direction: Vector) -> float:
-        """How far the solid reaches from the origin of the link along a unit vector.
-
-        This is the support function of the solid, which is convex.
-        """
+        """Support function of the solid: its extent from the origin along a unit vector."""
         center = dot(self.origin.position, direction)
         u, v, w = map(abs, rotate(transposed(self.origin.rotation), direction))
         if self.kind == "box":
@@ -153,7 +150,7 @@ class Primitive(Record):
         return center + w * self.length / 2 + self.radius * across
 
     def __str__(self) -> str:
-        """Such as ``cylinder of radius 0.06 m and length 0.05 m``."""
+        """For example ``cylinder of radius 0.06 m and length 0.05 m``."""
         if self.kind == "box":
             return "box of {:g} x {:g} x {:g} m".format(*self.size)
         length = f" and length {self.length:g} m" if self.length else ""
@@ -164,10 +161,10 @@ class MeshSolid(Record):
     """A mesh as a solid in the frame of a link."""
 
     name: str  # of the file
-    shape_mass: MassProperties  # what it encloses at a density of 1 kg/m³, or its convex hull
+    shape_mass: MassProperties  # of the mesh, or of its convex hull, at a density of 1 kg/m³
     hull: float  # volume of the convex hull in m^3
-    is_closed: bool  # True if it encloses a solid; it is taken for its hull otherwise
-    #: Extreme vertices; the mesh reaches hardly farther in any direction than they.
+    is_closed: bool  # False if the convex hull replaces the mesh
+    #: Extreme vertices; the extent of the mesh is hardly larger in any direction.
     points: tuple[Vector, ...]
 
     @property
@@ -187,51 +184,51 @@ class MeshSolid(Record):
         return max(edges)
 
     def properties(self, mass: float) -> MassProperties:
-        """Of the solid with uniform density, in the frame of the link."""
+        """Mass properties of the solid with uniform density, in the frame of the link."""
         tensor = inertia.scaled(self.shape_mass.tensor, mass / self.volume)
         return self.shape_mass._replace(mass=mass, tensor=tensor)
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the mesh."""
-        return max(dist(point, one) for one in self.points)
+        return max(dist(point, vertex) for vertex in self.points)
 
     def reach(self, direction: Vector) -> float:
-        """How far the mesh reaches from the origin of the link along a unit vector."""
+        """Extent of the mesh from the origin of the link along a unit vector."""
         return max(dot(direction, point) for point in self.points)
 
     def __str__(self) -> str:
-        """Such as ``mesh 'arm.stl' of 0.0012 m^3``."""
+        """For example ``mesh 'arm.stl' of 0.0012 m^3``."""
         what = "mesh" if self.is_closed else "convex hull of the mesh"
         return f"{what} '{self.name}' of {self.volume:.3g} m^3"
 
 
 class LinkSolid:
-    """The shapes of a link that its mass is spread over."""
+    """The union of the shapes of a link, over which its mass is distributed."""
 
     def __init__(self, parts: tuple[Primitive | MeshSolid, ...]) -> None:
         self.parts = parts
 
     @cached_property
     def volume(self) -> float:
-        """In m^3; where parts overlap, twice."""
+        """Volume in m^3; overlaps count twice."""
         return sum(part.volume for part in self.parts)
 
     def properties(self, mass: float) -> MassProperties:
-        """Of the solid with uniform density; where parts overlap, it is twice as dense."""
+        """Mass properties of the solid with uniform density; overlaps are twice as dense."""
         density = mass / self.volume
         return inertia.combined(part.properties(density * part.volume) for part in self.parts)
 
     @property
-    def least_volume(self) -> float:
-        """Volume in m^3 that is surely enclosed: nothing of a mesh that is not closed."""
+    def minimum_volume(self) -> float:
+        """Volume in m^3 without the meshes that are not closed."""
         return sum(
             0.0 if isinstance(part, MeshSolid) and not part.is_closed else part.volume
             for part in self.parts
         )
 
     @property
-    def most_volume(self) -> float:
-        """Volume in m^3 if every mesh is filled to its convex hull."""
+    def maximum_volume(self) -> float:
+        """Volume in m^3 with the convex hulls of all meshes."""
         return sum(part.hull if isinstance(part, MeshSolid) else part.volume for part in self.parts)
 
     def farthest(self, point: Vector) -> float:
@@ -239,7 +236,7 @@ class LinkSolid:
         return max(part.farthest(point) for part in self.parts)
 
     def reach(self, direction: Vector) -> float:
-        """How far it reaches from the origin of the link along a unit vector."""
+        """Extent of the solid from the origin of the link along a unit vector."""
         return max(part.reach(direction) for part in self.parts)
 
     @cached_property
@@ -258,10 +255,9 @@ class LinkSolid:
 def solid(
     bodies: Iterable[Body], mesh_solid: Callable[[Body], MeshSolid | None] | None = None
 ) -> LinkSolid | None:
-    """The solid that some visuals or collisions make.
+    """The solid of visuals or collisions.
 
-    None if there are none, or one has a size that is not positive or beyond all robots, or one is
-    no primitive.
+    None without shapes, or if one is neither a primitive of plausible size nor a measured mesh.
     """
     parts: list[Primitive | MeshSolid] = []
     for body in bodies:
@@ -273,7 +269,7 @@ def solid(
 
 
 def primitive(body: Body) -> Primitive | None:
-    """The primitive of a visual or collision; None if it is none, or of no size of robots."""
+    """The primitive of a visual or collision; None for other shapes and implausible sizes."""
     shape = body.shape
     extents = shape.half_extents if shape else None
     if shape is None or extents is None:
@@ -283,13 +279,13 @@ def primitive(body: Body) -> Primitive | None:
     size = shape.size if shape.kind == "box" and shape.size else (0.0, 0.0, 0.0)
     radius = 0.0 if shape.kind == "box" else shape.radius or 0.0
     length = shape.length or 0.0 if shape.kind in ("cylinder", "capsule") else 0.0
-    if length < 0 or radius < 0:  # a capsule's extents may hide it
+    if length < 0 or radius < 0:  # the half extents of a capsule may still be positive
         return None
     return Primitive(shape.kind, size, radius, length, body.origin)
 
 
 def shaped(model: RobotModel) -> Iterator[tuple[Link, Body, Shape]]:
-    """Every shape with the visual or collision and the link that it belongs to."""
+    """All shapes, each with its link and its visual or collision."""
     for link in model.links:
         for body in (*link.visuals, *link.collisions):
             if body.shape:
@@ -297,7 +293,7 @@ def shaped(model: RobotModel) -> Iterator[tuple[Link, Body, Shape]]:
 
 
 def sizes(shape: Shape) -> Iterator[tuple[Attribute, tuple[float, ...]]]:
-    """The attributes of a primitive that hold lengths, as far as they can be read, in m."""
+    """The attributes of a primitive that are lengths, with their readable values in m."""
     for key in SIZES.get(shape.kind, ()):
         attribute = shape.at.attributes.get(key)
         values = numbers(attribute.value) if attribute else None

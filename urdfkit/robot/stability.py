@@ -1,6 +1,6 @@
-"""Whether a robot that stands on the ground tips over: its centre of mass above what it stands on.
+"""Tip-over stability: the centre of mass of a robot above its support polygon.
 
-The ground is a plane across z of the root, through the lowest point of the robot. Lengths in m.
+The ground is a plane normal to z of the root, through the lowest point of the robot. Lengths in m.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from urdfkit.robot.tree import KinematicTree
 
 Point = tuple[float, float]
 
-#: What is this near to the lowest point stands on the ground: wheels and casters of real models
-#: differ by millimetres, by which it tilts a little. A part of its size, and at least so many m.
+#: Points this near to the lowest point touch the ground: wheels and casters of real models differ
+#: by millimetres. A part of the size of the robot, and at least `LEAST` m.
 TOLERANCE, LEAST = 0.02, 0.003
 
-#: Corners that stand for a circle.
+#: Points of the unit circle.
 _CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
-#: What can be said of a robot on the ground, by the word for programs.
+#: Descriptions of the verdicts, by their machine-readable names.
 VERDICTS = {
     "fixed": "fixed to the world: cannot tip over",
     "stands": "stands",
@@ -41,28 +41,28 @@ VERDICTS = {
 
 
 class Stability(Record):
-    """How a robot stands."""
+    """Stability of a robot on the ground."""
 
-    links: tuple[str, ...]  # that touch the ground, in the order of the model
-    #: Corners of the convex hull of all contacts seen from above, counter-clockwise.
+    links: tuple[str, ...]  # in contact with the ground, in the order of the model
+    #: The support polygon: convex hull of all contacts seen from above, counter-clockwise.
     polygon: tuple[Point, ...]
-    center: Vector  # of mass, in the frame of the root
-    ground: float  # height of the ground in that frame
+    center: Vector  # centre of mass in the frame of the root
+    ground: float  # height of the ground in the frame of the root
     #: Distance of the centre of mass from the nearest edge, seen from above; negative outside.
     margin: float
-    #: How far the ground may slope before it tips over that edge which gives way first, in rad;
-    #: negative where it falls on level ground.
+    #: Slope of the ground in rad at which it tips over the weakest edge; negative if it tips over
+    #: on level ground.
     angle: float
-    direction: Point  # horizontal unit vector, outwards across that edge
+    direction: Point  # horizontal unit vector, outwards across the weakest edge
 
     @property
     def tips(self) -> bool:
-        """True if it falls on level ground."""
+        """True if it tips over on level ground."""
         return self.margin < 0
 
     @property
-    def way(self) -> str:
-        """Where it tips: ``forwards (+x)``, ``to its left (+y)`` and so on."""
+    def tip_direction(self) -> str:
+        """The direction of tipping over, such as ``forwards (+x)`` or ``to its left (+y)``."""
         x, y = self.direction
         if abs(x) >= abs(y):
             return "forwards (+x)" if x > 0 else "backwards (-x)"
@@ -70,17 +70,17 @@ class Stability(Record):
 
 
 class Standing(Record):
-    """Whether a robot stands on the ground: what ``urdfkit statics`` and the report print."""
+    """The verdict on a robot on the ground, for ``urdfkit statics`` and the report."""
 
     verdict: str  # one of ``VERDICTS``
-    links: tuple[str, ...] = ()  # that touch the ground, in the order of the model
-    stability: Stability | None = None  # how safely; None unless it stands or tips over
-    #: Links that reach the ground with a visual, and have no collision.
+    links: tuple[str, ...] = ()  # in contact with the ground, in the order of the model
+    stability: Stability | None = None  # None unless it stands or tips over
+    #: Links whose visual touches the ground and that have no collision.
     visual_only: tuple[str, ...] = ()
-    visuals: bool = False  # True if these count as contacts
+    visuals: bool = False  # True if ``visual_only`` links count as contacts
 
     def facts(self) -> dict[str, object]:
-        """The result for JSON; lengths in m, angles in rad, None where the verdict has none."""
+        """The result for JSON; lengths in m, angles in rad, None for values without a result."""
         numbers = dict.fromkeys(Stability._fields) if self.stability is None else {}
         return {
             "verdict": self.verdict,
@@ -101,7 +101,7 @@ def standing(
     payload: Mapping[str, float] | None = None,
     visuals: bool = False,
 ) -> Standing:
-    """The verdict on a robot at a pose; without the mesh libraries, by its primitives alone.
+    """The verdict on a robot at a pose; only primitives count if the mesh libraries are missing.
 
     Args:
         pose: positions of joints in rad or m; the others are at 0.
@@ -116,13 +116,13 @@ def standing(
     placed = frames(tree, pose or {})
     meshes = True
     try:
-        seen = _touching(robot, placed, contacts, visuals=True, meshes=True)
+        with_visuals = _touching(robot, placed, contacts, visuals=True, meshes=True)
     except ImportError:
         meshes = False
-        seen = _touching(robot, placed, contacts, visuals=True, meshes=False)
+        with_visuals = _touching(robot, placed, contacts, visuals=True, meshes=False)
     touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
     by_name = tree.model.links_by_name
-    visual_only = tuple(name for name in seen if not by_name[name].collisions)
+    visual_only = tuple(name for name in with_visuals if not by_name[name].collisions)
     loads = _loads(robot, placed, payload or {})
     found = _stability(loads, touching)
     if found is not None:
@@ -145,21 +145,21 @@ def stand(
     meshes: bool = True,
     visuals: bool = False,
 ) -> Stability | None:
-    """How a robot stands at a pose.
+    """The stability of a robot at a pose.
 
     Args:
         robot: the robot.
         pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
-        meshes: take meshes into account, which needs numpy and the readers of meshes.
+        meshes: include meshes, which requires numpy and the mesh readers.
         visuals: a link without collision stands on its visual.
 
     Returns:
-        None without a mass, and where the contacts make no area: a robot that balances.
+        None without a mass, or if the contacts span no area: a balancing robot.
 
     Raises:
-        ImportError: meshes are to be read, and the libraries are not installed.
+        ImportError: ``meshes`` is set and the libraries are not installed.
     """
     placed = frames(robot.tree, pose or {})
     touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
@@ -167,10 +167,10 @@ def stand(
 
 
 def lowest_links(robot: Robot) -> tuple[str, ...]:
-    """The links whose collisions reach the lowest point of a robot with all joints at 0.
+    """The links whose collisions touch the ground, with all joints at 0.
 
     Raises:
-        ImportError: meshes are to be read, and the libraries are not installed.
+        ImportError: the robot has meshes and the libraries are not installed.
     """
     return tuple(_touching(robot, frames(robot.tree, {}), None, visuals=False, meshes=True))
 
@@ -178,7 +178,7 @@ def lowest_links(robot: Robot) -> tuple[str, ...]:
 def _loads(
     robot: Robot, placed: Mapping[str, Transform], payload: Mapping[str, float]
 ) -> list[tuple[float, Vector]]:
-    """The masses of links and payload, and where they are."""
+    """The masses of links and payload, with their positions."""
     loads = [(mass, placed[name].position) for name, mass in payload.items()]
     for name, frame in placed.items():
         link = robot.model.links_by_name[name]
@@ -190,22 +190,22 @@ def _loads(
 def _stability(
     loads: list[tuple[float, Vector]], touching: Mapping[str, list[Vector]]
 ) -> Stability | None:
-    """How loads stand on points of links."""
+    """The stability of masses on the contact points of links."""
     mass = sum(load for load, _ in loads)
-    polygon = hull((x, y) for found in touching.values() for x, y, _ in found)
+    polygon = hull((x, y) for points in touching.values() for x, y, _ in points)
     if mass <= 0 or len(polygon) < 3:
         return None
-    ground = min(z for found in touching.values() for _, _, z in found)
+    ground = min(z for points in touching.values() for _, _, z in points)
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
     margin, angle, direction = _edges(polygon, (x, y), z - ground)
     return Stability(tuple(touching), polygon, (x, y, z), ground, margin, angle, direction)
 
 
 def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
-    """True for what stands by itself: not on its base alone, which is bolted down, nor on legs.
+    """True for a robot on wheels or casters; False if only its base or its legs touch the ground.
 
     Args:
-        links: that touch the ground.
+        links: in contact with the ground.
     """
     root = rigid_bodies(tree)[0]
     fixed = {link.name for link, _ in root.links}
@@ -217,25 +217,25 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
 
 
 def _is_leg(tree: KinematicTree, link: str) -> bool:
-    """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
+    """True for the end of a leg; a wheel may have a joint for steering and one for suspension."""
     return sum(joint.kind in BOUNDED for joint in tree.path(link)) > 2
 
 
-def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:
-    """The margin, the smallest angle at which it tips, and the way there."""
-    found: list[tuple[float, Point]] = []
+def _edges(polygon: tuple[Point, ...], center: Point, height: float) -> tuple[float, float, Point]:
+    """The margin, the smallest angle at which it tips center, and the direction."""
+    edges: list[tuple[float, Point]] = []
     for (ax, ay), (bx, by) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
         size = hypot(bx - ax, by - ay)
         outwards = ((by - ay) / size, (ax - bx) / size)
-        inside = (ax - over[0]) * outwards[0] + (ay - over[1]) * outwards[1]
-        found.append((inside, outwards))
-    margin, direction = min(found)
-    # All edges are under the same height, so that the nearest one gives way first.
+        inside = (ax - center[0]) * outwards[0] + (ay - center[1]) * outwards[1]
+        edges.append((inside, outwards))
+    margin, direction = min(edges)
+    # All edges are equally far below the centre of mass, so that the nearest one is the weakest.
     return margin, atan2(margin, max(height, 0.0)), direction
 
 
 def hull(points: Iterable[Point]) -> tuple[Point, ...]:
-    """The corners of the convex hull, counter-clockwise; fewer than three make no area.
+    """The corners of the convex hull, counter-clockwise; fewer than three span no area.
 
     Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979).
     """
@@ -243,7 +243,7 @@ def hull(points: Iterable[Point]) -> tuple[Point, ...]:
     if len(every) < 3:
         return tuple(every)
     size = max(every[-1][0] - every[0][0], max(y for _, y in every) - min(y for _, y in every))
-    least = 1e-9 * size * size  # a corner that turns by rounding only is none
+    least = 1e-9 * size * size  # smaller turns are rounding errors
     lower, upper = _chain(every, least), _chain(every[::-1], least)
     return (*lower[:-1], *upper[:-1])
 
@@ -269,7 +269,7 @@ def _touching(
     visuals: bool,
     meshes: bool,
 ) -> dict[str, list[Vector]]:
-    """The points of each link that touch the ground, in the frame of the root."""
+    """The contact points of each link with the ground, in the frame of the root."""
     reaching: dict[str, list[Vector]] = {}
     for name, link in robot.model.links_by_name.items():
         if name in placed and (contacts is None or name in contacts):
@@ -277,17 +277,17 @@ def _touching(
             reaching[name] = [
                 point for body in bodies for point in _lowest(robot, body, placed[name], meshes)
             ]
-    points = [point for found in reaching.values() for point in found]
+    points = [point for group in reaching.values() for point in group]
     if not points:
         return {}
     size = max(max(values) - min(values) for values in zip(*points, strict=True))
-    near = min(z for _, _, z in points) + max(LEAST, TOLERANCE * size)
-    touching = {name: [p for p in found if p[2] <= near] for name, found in reaching.items()}
-    return {name: found for name, found in touching.items() if found}
+    limit = min(z for _, _, z in points) + max(LEAST, TOLERANCE * size)
+    touching = {name: [p for p in group if p[2] <= limit] for name, group in reaching.items()}
+    return {name: group for name, group in touching.items() if group}
 
 
 def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vector]:
-    """What of a shape may touch the ground, given the frame of its link."""
+    """The points of a shape that may touch the ground, from the frame of its link."""
     if body.shape is None:
         return []
     at = link @ body.origin
@@ -303,7 +303,7 @@ def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vec
     if part.kind != "cylinder":
         balls = (at.apply((0.0, 0.0, z)) for z in ends)
         return [(x, y, z - part.radius) for x, y, z in balls]
-    _, _, (gx, gy, _) = at.rotation  # how x and y of the cylinder rise
+    _, _, (gx, gy, _) = at.rotation  # slope of the x and y axes of the cylinder
     steep = hypot(gx, gy) or 1.0
     rim = ((part.radius * x, part.radius * y) for x, y in (*_CIRCLE, (-gx / steep, -gy / steep)))
     return [at.apply((x, y, z)) for x, y in rim for z in ends]

@@ -1,7 +1,7 @@
-"""The left and right of a robot: links and joints that are made to be mirror images.
+"""Left/right counterparts: links and joints that are intended to be mirror images.
 
-Authors write one side and copy it. What then differs between the two is a mistake more often than
-an intention, and the counterpart shows the intended value.
+Authors write one side and copy it. A difference between the two is a mistake more often than an
+intention, and the counterpart shows the intended value.
 """
 
 import re
@@ -13,41 +13,41 @@ from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
-#: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
+#: The words of a name; ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
 _WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
 
-#: Words for the left, and for the right in their place. Besides the plain ones, the corners of a
-#: vehicle or a quadruped, the side first or last: front, rear, back, hind, middle.
+#: Words for the left side and their counterparts. Besides the plain words, the corners of a vehicle
+#: or a quadruped, with the side first or last: front, rear, back, hind, middle.
 _RIGHT_OF = {"left": "right", "l": "r"} | {
     left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
 }
 
 _NUMBER = r"\d+"
 
-#: Longer names are not compared: taking them apart costs their length squared.
+#: Longer names are not compared: the cost is quadratic in their length.
 _LONGEST = 200
 
 
 def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
-    """Names that differ in their side only, each as (left, right), in the order of the lefts.
+    """Names that differ only in their side, each as (left, right), in the order of the lefts.
 
-    A name is in one pair at most. Where it has several sides, such as the left finger of the
+    A name is in one pair at most. If a name contains several sides, such as the left finger of the
     left hand, the last one that has a counterpart counts: the right finger of the left hand.
     """
-    known = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
-    taken: set[str] = set()
+    candidates = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
+    paired: set[str] = set()
     found: list[tuple[str, str]] = []
-    for name in known:
-        for right in _right_counterparts(name):
-            if right in known and name not in taken and right not in taken:
-                taken.update((name, right))
+    for name in candidates:
+        for right in _right_names(name):
+            if right in candidates and name not in paired and right not in paired:
+                paired.update((name, right))
                 found.append((name, right))
     return found
 
 
 @lru_cache(maxsize=4096)
-def _right_counterparts(name: str) -> tuple[str, ...]:
-    """A name with one of its words for left turned into right, the last word first."""
+def _right_names(name: str) -> tuple[str, ...]:
+    """The name with one of its words for left replaced by right, the last word first."""
     names: list[str] = []
     for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
@@ -65,30 +65,30 @@ def _right_counterparts(name: str) -> tuple[str, ...]:
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
-    """Names that differ in one number only and lie as mirror images: ``wheel_1``, ``wheel_2``.
+    """Names that differ in one number and have mirrored positions: ``wheel_1``, ``wheel_2``.
 
-    Two places are mirror images if their y (the lateral axis in ROS) differs in its sign only,
-    and x and z are equal; if no two of a row of names are, then the same for x. A name is in
+    Two positions are mirrored if their y (the lateral axis in ROS) differs only in its sign, and x
+    and z are equal; if no positions of a series of names are, the same holds for x. A name is in
     one pair at most.
 
     Args:
-        places: where each of them is, in m, in a frame with the plane of symmetry as one of its
-            coordinate planes: the parent link for joints, the root link for links. Compared to
-            the micrometre.
+        places: positions in m, in a frame with the plane of symmetry as one of its coordinate
+            planes: the parent link for joints, the root link for links. Compared to the
+            micrometre.
     """
-    rows: dict[tuple[str, str], list[str]] = {}
+    by_affixes: dict[tuple[str, str], list[str]] = {}
     for name in places:
         if len(name) > _LONGEST:
             continue
         for match in re.finditer(_NUMBER, name):
-            rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
+            by_affixes.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
     taken: set[str] = set()
     found: list[tuple[str, str]] = []
-    for (before, after), row in rows.items():
-        numbers = [int(name[len(before) : len(name) - len(after)]) for name in row]
+    for (before, after), series in by_affixes.items():
+        numbers = [int(name[len(before) : len(name) - len(after)]) for name in series]
         if max(numbers) - min(numbers) >= 2 * len(set(numbers)):
-            continue  # names of products: the grippers RG2 and RG6
-        free = {name: places[name] for name in row if name not in taken}
+            continue  # product names: the grippers RG2 and RG6
+        free = {name: places[name] for name in series if name not in taken}
         mirrored = _mirrored(free, 1) or _mirrored(free, 0)
         found += mirrored
         taken.update(name for pair in mirrored for name in pair)
@@ -96,17 +96,17 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
 
 
 def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
-    """The moving joints that are made to be mirror images, the left one first.
+    """The moving joints that are intended to be mirror images, the left one first.
 
-    By their names, or, numbered, by mirrored places on one link; the links of two are on
-    different branches.
+    They are paired by their names, or by numbers and mirrored positions on one link. Their links
+    are on different branches.
     """
     above = {
         child: (joints[0], joints[0].parent_name)
         for child, joints in tree.parents.items()
         if joints
     }
-    children: dict[str, str] = {}  # of moving joints
+    children: dict[str, str] = {}  # child links of moving joints
     siblings: dict[str, dict[str, Vector]] = {}
     for child, (joint, parent) in above.items():
         if joint.kind in MOVING and joint.name:
@@ -118,26 +118,28 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
         free = {name: place for name, place in places.items() if name not in taken}
         found += numbered_pairs(free) if len(free) > 1 else []
     links = [(children[a], children[b]) for a, b in found]
-    both = apart(links, {child: parent for child, (_, parent) in above.items()})
-    return [(above[a][0], above[b][0]) for a, b in both]
+    separate = on_separate_branches(links, {child: parent for child, (_, parent) in above.items()})
+    return [(above[a][0], above[b][0]) for a, b in separate]
 
 
-def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:
-    """The pairs of links of which neither is below the other.
+def on_separate_branches(
+    pairs: Iterable[tuple[str, str]], parents: Mapping[str, str]
+) -> list[tuple[str, str]]:
+    """The pairs of links of which neither is an ancestor of the other.
 
-    Links of one chain are no counterparts, whatever their names: the axes ``l`` and ``r`` of some
+    Links of one chain are not counterparts, whatever their names: the axes ``l`` and ``r`` of some
     industrial arms.
 
     Args:
         parents: the parent of each link that has one.
     """
     spans = _spans(parents)
-    kept: list[tuple[str, str]] = []
-    for pair in found:
+    separate: list[tuple[str, str]] = []
+    for pair in pairs:
         first, second = (spans.get(name) for name in pair)
         if first and second and not (_contains(first, second) or _contains(second, first)):
-            kept.append(pair)
-    return kept
+            separate.append(pair)
+    return separate
 
 
 def _contains(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
@@ -145,10 +147,10 @@ def _contains(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
 
 
 def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
-    """For each link of a tree the numbers of the links below it, as from and to.
+    """For each link of a tree, the range of the numbers of its descendants.
 
-    Links are numbered in the order of a walk, so a link is below another one if its span lies
-    in the other's. Links in a cycle have none.
+    Links are numbered in depth-first order, so that a link is a descendant if its range is within
+    the range of the other. Links in a cycle are omitted.
     """
     children: dict[str, list[str]] = {}
     for child, parent in parents.items():
@@ -168,7 +170,7 @@ def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
 
 
 def _mirrored(places: Mapping[str, Vector], axis: int) -> list[tuple[str, str]]:
-    """Pairs of places that differ in the sign of one coordinate only."""
+    """Pairs of positions that differ only in the sign of one coordinate."""
     waiting: dict[tuple[float, ...], str] = {}
     found: list[tuple[str, str]] = []
     for name, place in places.items():

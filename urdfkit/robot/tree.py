@@ -1,7 +1,7 @@
-"""The kinematic tree of a model, for every graph that links and joints can form.
+"""The kinematic tree of a model, for any graph of links and joints.
 
-Cycles, two parents, islands, unknown links and 100 000 links in a row are all normal input:
-nothing here recurses, and every walk visits a link once.
+Cycles, two parents, islands, unknown links and chains of 100 000 links are normal input: nothing
+is recursive, and every walk visits a link once.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -13,7 +13,7 @@ from urdfkit.core.static_typing import TypeVar
 from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.text.source import shown
 
-#: Loops that are listed; a hostile graph has as many as joints, each as long as the robot.
+#: Listed loops; a malicious graph has as many loops as joints, each as long as the robot.
 MAX_LOOPS = 20
 
 _DONE = -1
@@ -24,14 +24,14 @@ Edge = TypeVar("Edge")
 class KinematicTree:
     """The parent and child joints of each link.
 
-    Only joints between two known, different links take part.
+    Joints with a missing link, or from a link to itself, are ignored.
     """
 
     def __init__(self, model: RobotModel) -> None:
         self.model = model
-        #: The joints that have a link as parent, by its name.
+        #: Joints by the name of their parent link.
         self.children: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
-        #: The joints that have a link as child, by its name; more than one is a defect.
+        #: Joints by the name of their child link; more than one joint of a link is a defect.
         self.parents: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
         for joint in model.joints:
             ends = self.ends(joint)
@@ -40,14 +40,14 @@ class KinematicTree:
                 self.parents[ends[1]].append(joint)
 
     def ends(self, joint: Joint) -> tuple[str, str] | None:
-        """Parent and child of a joint if the model has both links."""
+        """Parent and child of a joint; None unless the model has both links."""
         parent, child = joint.parent_name, joint.child_name
         known = self.model.links_by_name
         return (parent, child) if parent in known and child in known else None
 
     @cached_property
     def is_sound(self) -> bool:
-        """True if every link and joint has a name of its own and they form one tree."""
+        """True if all links and joints have unique names and form one tree."""
         model, links = self.model, len(self.parents)
         return (
             len(model.links) == links == len(model.joints) + 1
@@ -58,40 +58,40 @@ class KinematicTree:
 
     @property
     def unsound(self) -> str:
-        """What is said where a computation needs one tree."""
+        """Error message of computations that require one tree."""
         place = self.model.place()
-        what = "links and joints do not form one tree"
+        defect = "links and joints do not form one tree"
         if not self.model.links:
-            what = "it has no link; perhaps other files include it for its macros"
-        return f"{place}: {what}; see 'urdfkit check {shown(place.source.path)}'"
+            defect = "it has no link; perhaps other files include it for its macros"
+        return f"{place}: {defect}; see 'urdfkit check {shown(place.source.path)}'"
 
     @cached_property
     def roots(self) -> tuple[Link, ...]:
-        """The links without a parent joint, in the order of the document."""
+        """The links without a parent joint, in document order."""
         links = self.model.links_by_name
         return tuple(links[name] for name, joints in self.parents.items() if not joints)
 
     @property
     def has_base(self) -> bool:
-        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
+        """False if all roots are children of joints without a parent, as in a part of a robot."""
         children = {joint.child_name for joint in self.model.joints}
         return any(root.name not in children for root in self.roots)
 
     def below(self, name: str) -> list[str]:
-        """A link and everything below it, depth first: every subtree is one run of the list."""
-        found: dict[str, None] = {}
+        """A link and its descendants, depth first: a subtree is a contiguous part of the list."""
+        descendants: dict[str, None] = {}
         stack = [name]
         while stack:
             link = stack.pop()
-            if link not in found:
-                found[link] = None
+            if link not in descendants:
+                descendants[link] = None
                 below = [joint.child_name for joint in self.children[link]]
                 stack.extend(reversed(below))
-        return list(found)
+        return list(descendants)
 
     @property
     def cycles(self) -> tuple[tuple[Joint, ...], ...]:
-        """The first ``MAX_LOOPS`` closed loops, each as its joints in order; every loop once."""
+        """The first ``MAX_LOOPS`` closed loops, each as its joints in order; no loop twice."""
 
         def below(name: str) -> Iterator[tuple[Joint, str]]:
             return ((joint, joint.child_name) for joint in self.children[name])
@@ -100,10 +100,10 @@ class KinematicTree:
 
     @cached_property
     def spanning(self) -> tuple[Joint, ...]:
-        """The joints that lead from the roots to every other link, parents first.
+        """The joints of a spanning tree from the roots, parents before children.
 
-        Of several joints with one child the first that is met counts; links in a closed loop that
-        no root leads to have none.
+        Of several joints with the same child, the first that the walk meets counts; links in a
+        closed loop without a root have none.
         """
         found: list[Joint] = []
         stack = [root.name for root in reversed(self.roots)]
@@ -122,7 +122,7 @@ class KinematicTree:
         return {joint.child_name: joint for joint in self.spanning}
 
     def path(self, link: str) -> list[Joint]:
-        """The joints from its root to a link."""
+        """The joints from the root to a link."""
         found: list[Joint] = []
         while joint := self._above.get(link):
             found.append(joint)
@@ -130,14 +130,14 @@ class KinematicTree:
         return found[::-1]
 
     def branches(self, first: str, second: str) -> tuple[list[Joint], list[Joint]]:
-        """The joints to two links from the last link above both, or from the root of each."""
+        """The joints to two links from their last common ancestor, or from the root of each."""
         paths = self.path(first), self.path(second)
-        shared = sum(one is other for one, other in zip(*paths, strict=False))
+        shared = sum(a is b for a, b in zip(*paths, strict=False))
         return paths[0][shared:], paths[1][shared:]
 
     @cached_property
     def root_of(self) -> dict[str, str]:
-        """The root that leads to each link; links in a closed loop that none leads to have none."""
+        """The root of each link; links in a closed loop without a root are omitted."""
         found = {root.name: root.name for root in self.roots}
         for joint in self.spanning:
             found[joint.child_name] = found[joint.parent_name]
@@ -145,7 +145,7 @@ class KinematicTree:
 
     @cached_property
     def frames(self) -> dict[str, Transform]:
-        """Where each link is with every joint at its origin, in the frame of its root."""
+        """The frame of each link with all joints at 0, in the frame of its root."""
         frames = {root.name: Transform() for root in self.roots}
         for joint in self.spanning:
             frames[joint.child_name] = frames[joint.parent_name] @ joint.origin
@@ -155,15 +155,15 @@ class KinematicTree:
 def closed_loops(
     nodes: Iterable[str], edges: Callable[[str], Iterator[tuple[Edge, str]]]
 ) -> Iterator[tuple[Edge, ...]]:
-    """The closed loops of a directed graph that one walk along all of its edges meets.
+    """The closed loops of a directed graph that a depth-first walk along all edges meets.
 
     Args:
-        edges: those that leave a node, each with the node where it ends.
+        edges: the outgoing edges of a node, each with its end node.
 
     Yields:
-        the edges of a loop, in order.
+        The edges of a loop, in order.
     """
-    depths: dict[str, int] = {}  # of the nodes on the path that is being walked; `_DONE` after it
+    depths: dict[str, int] = {}  # of the nodes on the current path; `_DONE` for finished nodes
     for start in nodes:
         if start not in depths:
             yield from _loops_from(start, edges, depths)

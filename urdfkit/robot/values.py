@@ -1,4 +1,4 @@
-"""Numbers in the text of an attribute, as the readers of URDF take them."""
+"""Numbers in attribute values, as URDF parsers read them."""
 
 from math import isfinite
 
@@ -6,7 +6,7 @@ from urdfkit.core.spatial import Vector
 
 
 def number(text: str | None) -> float | None:
-    """A finite number as URDF's readers take it, or None."""
+    """A finite number as URDF parsers read it, or None."""
     if text is None or "_" in text:  # Python alone reads 1_000
         return None
     try:
@@ -17,7 +17,7 @@ def number(text: str | None) -> float | None:
 
 
 def numbers(text: str | None) -> tuple[float, ...] | None:
-    """Finite numbers with white space between them, or None."""
+    """Finite numbers separated by white space, or None."""
     if text is None or "_" in text:  # Python alone reads 1_000
         return None
     try:

@@ -1,4 +1,4 @@
-"""Links and joints as plain values, for a viewer that moves them. Lengths in m, angles in rad."""
+"""Links and joints as JSON values for an interactive viewer. Lengths in m, angles in rad."""
 
 from math import isfinite
 from typing import Any
@@ -12,7 +12,7 @@ from urdfkit.robot.tree import KinematicTree
 
 
 def viewer_model(model: RobotModel, tree: KinematicTree) -> dict[str, Any]:
-    """The links, and the joints between them, parents before children; no closed loops."""
+    """The links and the joints of the spanning tree, parents before children."""
     names = list(tree.frames)
     numbers = {name: number for number, name in enumerate(names)}
     return {
@@ -23,25 +23,25 @@ def viewer_model(model: RobotModel, tree: KinematicTree) -> dict[str, Any]:
 
 def _link(link: Link) -> dict[str, Any]:
     inertial = link.inertial
-    found: dict[str, Any] = {"name": link.name}
+    entry: dict[str, Any] = {"name": link.name}
     if inertial and link.mass > 0:
-        found |= {"mass": link.mass, "center": list(inertial.origin.position)}
+        entry |= {"mass": link.mass, "center": list(inertial.origin.position)}
         if inertial.tensor is not None:
             edges, axes = uniform_solid(inertial.tensor.value, link.mass)
             if all(map(isfinite, edges)):
-                place = matrix(inertial.origin @ Transform(axes))
-                found["box"] = {"edges": list(edges), "matrix": place}
-    return found
+                frame = matrix(inertial.origin @ Transform(axes))
+                entry["box"] = {"edges": list(edges), "matrix": frame}
+    return entry
 
 
 def _joints(
     model: RobotModel, tree: KinematicTree, numbers: dict[str, int]
 ) -> list[dict[str, Any]]:
-    """One joint for each link that has a parent, as `urdfkit.robot.kinematics.frames` has it."""
+    """One joint for each link that has a parent, as in `urdfkit.robot.kinematics.frames`."""
     joints = model.joints_by_name
-    every = laws(joints)
+    followed = laws(joints)
     order = {name: number for number, name in enumerate(joints)}
-    found = []
+    entries = []
     for joint in tree.spanning:
         entry = {
             "name": joint.name,
@@ -52,16 +52,16 @@ def _joints(
             "origin": matrix(joint.origin),
             "axis": list(direction(joint)),
         }
-        law = every.get(joint.name)
+        law = followed.get(joint.name)
         if joint.kind in (*TURNING, *SLIDING) and law is not None:
             entry |= {"leader": law.leader, "factor": law.factor, "shift": law.shift}
             entry |= {"limits": bounds(joint)}
-        found.append(entry)
-    return found
+        entries.append(entry)
+    return entries
 
 
 def matrix(frame: Transform) -> list[float]:
-    """Sixteen numbers, column by column."""
+    """The 4x4 matrix in column-major order."""
     (a, b, c), (x, y, z) = frame.rotation, frame.position
     columns = [*zip(a, b, c, strict=True)]
-    return [v for column in columns for v in (*column, 0.0)] + [x, y, z, 1.0]
+    return [value for column in columns for value in (*column, 0.0)] + [x, y, z, 1.0]

@@ -1,5 +1,7 @@
 """scan(): the models of some sources make a directory of results."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 from threading import Thread
 from typing import Any

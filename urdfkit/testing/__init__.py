@@ -1,8 +1,8 @@
-"""Assertions about robots, for the tests of projects that hold models.
+"""Assertions about robots, for tests of projects with robot models.
 
-Every failed assertion says what was measured and what was expected; pytest shows the line of the
-test that made it. ``urdfkit.pytest_plugin`` has fixtures that go with them; with another
-test runner, start from a Description.
+Failed assertions report the measured and the expected value; pytest shows the line of the test.
+``urdfkit.pytest_plugin`` provides matching fixtures; with another test runner, create a
+`Description`.
 """
 
 from __future__ import annotations
@@ -49,16 +49,16 @@ __all__ = [
 
 
 class Description:
-    """One model with its arguments, read once, under the nearest configuration.
+    """A model with its arguments and its configuration; it is read once.
 
     Args:
         path: of the file.
-        arguments: for xacro; they win over those of the configuration.
-        config: the settings that hold for it; those of the nearest file unless given.
-        variant: which of those that the configuration has of the file.
+        arguments: for xacro; they override those of the configuration.
+        config: the configuration; that of the nearest configuration file if None.
+        variant: name of a variant in the configuration.
 
     Raises:
-        ConfigError: the configuration has several variants of the file, or none of this name.
+        ConfigError: the configuration has several variants of the file, or not the given one.
     """
 
     def __init__(
@@ -69,13 +69,13 @@ class Description:
         variant: str = "",
     ) -> None:
         self.path = path  # of the file
-        self.config = _config(path) if config is None else config  # the settings that hold for it
-        #: For xacro, with those of the configuration.
+        self.config = _config(path) if config is None else config  # its configuration
+        #: For xacro, including those of the configuration.
         self.arguments = self.config.entry(path, arguments, variant).arguments
 
     @cached_property
     def report(self) -> Report:
-        """What ``urdfkit check`` says."""
+        """The report of ``urdfkit check``."""
         config = self.config._replace(robots=())
         return check(self.path, arguments=self.arguments, config=config)
 
@@ -84,16 +84,16 @@ class Description:
         """The robot.
 
         Raises:
-            AssertionError: it cannot be read; with what is wrong with it.
+            AssertionError: the file is unreadable; with the findings.
         """
         return self.context.model
 
     @cached_property
     def context(self) -> Context:
-        """The robot, with all that can be computed of it.
+        """The robot with all derived data.
 
         Raises:
-            AssertionError: it cannot be read; with what is wrong with it.
+            AssertionError: the file is unreadable; with the findings.
         """
         resolver = Resolver(dict(self.config.packages))
         source, trust = Source.read(self.path), self.config.trust
@@ -107,8 +107,8 @@ class Description:
         """The robot in Pinocchio.
 
         Raises:
-            AssertionError: it cannot be read; with what is wrong with it.
-            UrdfkitError: its links and joints form no tree, or are beyond what Pinocchio holds.
+            AssertionError: the file is unreadable; with the findings.
+            UrdfkitError: its links and joints do not form a tree, or exceed limits of Pinocchio.
         """
         from urdfkit.physics.dynamics.robot import Dynamics
 
@@ -116,27 +116,27 @@ class Description:
 
     @property
     def meshes(self) -> tuple[MeshUse, ...]:
-        """The meshes in its visuals and collisions, measured; those that are broken are left out.
+        """The measured meshes of its visuals and collisions, without broken files.
 
         Raises:
-            AssertionError: it cannot be read; with what is wrong with it.
+            AssertionError: the file is unreadable; with the findings.
             Unavailable: a library that measures meshes is not installed.
         """
         return tuple(self.context.measured.uses)
 
     def _why_unreadable(self) -> Report:
-        """Whatever rules the project selects."""
+        """The findings of the reading, regardless of the selected rules."""
         config = self.config._replace(robots=(), select=frozenset(), ignore=frozenset())
         return check(self.path, arguments=self.arguments, config=config, select=("XML", "XAC"))
 
 
 def _config(path: str) -> Config:
-    found = nearest(os.path.dirname(os.path.abspath(path)))
-    return Config() if found is None else load(found)
+    config_path = nearest(os.path.dirname(os.path.abspath(path)))
+    return Config() if config_path is None else load(config_path)
 
 
 def variants(path: str) -> list[str]:
-    """The names of a model's variants in its project's configuration; an empty one without any."""
+    """Names of the variants of a model in the configuration; one empty name without variants."""
     return [robot.name for robot in _config(path).entries(path)]
 
 
@@ -147,19 +147,19 @@ def assert_no_findings(
 
     Args:
         report: of ``urdfkit.check`` or a fixture.
-        fail_on: the mildest severity that counts.
-        ignore: codes, beginnings of codes or names of rules that do not count.
+        fail_on: the lowest severity that fails.
+        ignore: codes, prefixes of codes or names of rules to ignore.
 
     Raises:
-        UnknownRule: a word of ``ignore`` means no rule.
+        UnknownRule: an entry of ``ignore`` matches no rule.
     """
     __tracebackhide__ = True
-    ignored = {code for word in ignore for code in matching(word)}
-    kept = report._replace(
+    ignored = {code for entry in ignore for code in matching(entry)}
+    counted = report._replace(
         diagnostics=tuple(d for d in report.diagnostics if d.code not in ignored)
     )
-    if kept.exit_code(fail_on):
-        raise AssertionError(_text(kept))
+    if counted.exit_code(fail_on):
+        raise AssertionError(_text(counted))
 
 
 def _text(report: Report) -> str:
@@ -169,7 +169,7 @@ def _text(report: Report) -> str:
 
 
 def assert_dof(model: RobotModel, expected: int) -> None:
-    """Fail unless the robot has so many degrees of freedom; followers of mimic have none."""
+    """Fail unless the robot has this number of degrees of freedom; mimic joints have none."""
     __tracebackhide__ = True
     if model.degrees_of_freedom != expected:
         moving = ", ".join(joint.name for joint in model.joints if joint.degrees_of_freedom)
@@ -179,7 +179,7 @@ def assert_dof(model: RobotModel, expected: int) -> None:
 
 
 def assert_mass(model: RobotModel, expected: float, *, tolerance: float = 1e-3) -> None:
-    """Fail unless the total mass of the links is this.
+    """Fail unless the total mass of the links is as expected.
 
     Args:
         model: the robot.
@@ -194,11 +194,11 @@ def assert_mass(model: RobotModel, expected: float, *, tolerance: float = 1e-3) 
 def assert_limits_within(
     model: RobotModel, bounds: Mapping[str, tuple[float, float]], *, of: str = "position"
 ) -> None:
-    """Fail unless the limits of some joints are within bounds.
+    """Fail unless the limits of joints are within bounds.
 
     Args:
         model: the robot.
-        bounds: least and greatest value by joint name or pattern, in rad or m (and rad/s, N·m).
+        bounds: minimum and maximum by joint name or pattern, in rad or m (and rad/s, N·m).
         of: ``position``, ``velocity`` or ``effort``.
     """
     __tracebackhide__ = True
@@ -232,68 +232,68 @@ def assert_no_self_collision(
     begin: Mapping[str, float] | None = None,
     allowed: Iterable[tuple[str, str]] = (),
 ) -> None:
-    """Fail if two links collide in the initial pose, or in samples within its limits.
+    """Fail if links collide in the initial pose or in random configurations within the limits.
 
-    Adjacent links and links of one rigid body do not count, nor do pairs that the SRDF of the
-    robot's package disables. ``urdfkit.collisions`` says what is measured.
+    Adjacent links, links of one rigid body, and pairs that the SRDF of the robot's package
+    disables are ignored. See ``urdfkit.collisions`` for the method.
 
     Args:
         description: the model, as the fixture ``urdf`` makes it.
-        samples: configurations; 0 for none but the one where the robot begins.
-        seed: of these.
-        begin: positions of joints, in rad or m; the others begin at 0, or in the middle if 0 is
-            beyond their limits.
+        samples: number of configurations; with 0, only the initial pose is checked.
+        seed: of the random configurations.
+        begin: initial positions of joints, in rad or m; the others are at 0, or in the middle of
+            limits that exclude 0.
         allowed: pairs of links that may collide.
 
     Raises:
-        AssertionError: some do; with depth and pose.
+        AssertionError: links collide; with depth and pose.
         UrdfkitError: coal is not installed.
     """
     __tracebackhide__ = True
     matrix = description.context.collisions.matrix(samples=samples, seed=seed, begin=begin)
     srdf = description.context.srdf
     passed = {frozenset(pair) for pair in allowed}
-    found = []
+    lines = []
     for pair in matrix.colliding:
         links = frozenset((pair.first, pair.second))
         if links not in passed and not (srdf and srdf.disables(links)) and pair.nearest:
-            pose = ", ".join(f"{name} {at:.3g}" for name, at in pair.nearest.pose.items())
+            pose = ", ".join(f"{name} {value:.3g}" for name, value in pair.nearest.pose.items())
             depth = -1000 * pair.nearest.distance
-            found.append(f"'{pair.first}' and '{pair.second}': {depth:.1f} mm deep at {pose}")
-    if found:
-        raise AssertionError("links collide:\n" + "\n".join(found))
+            lines.append(f"'{pair.first}' and '{pair.second}': {depth:.1f} mm deep at {pose}")
+    if lines:
+        raise AssertionError("links collide:\n" + "\n".join(lines))
 
 
 def assert_unchanged_since(
     description: Description, revision: str, tolerances: Tolerances | None = None
 ) -> None:
-    """Fail if a model differs from a git revision of it by more than the tolerances.
+    """Fail if a model differs from its git revision by more than the tolerances.
 
-    The files of that revision are read from git into a temporary directory; the working tree is
-    not touched. Arguments and settings are the present ones.
-    ``urdfkit.output.comparison.differences`` says what is compared.
+    The files of the revision are read from git into a temporary directory; the working tree is not
+    touched. Arguments and configuration are the present ones. See
+    ``urdfkit.output.comparison.differences`` for the compared values.
 
     Args:
         description: the model, as the fixture ``urdf`` makes it.
         revision: a tag, branch or commit.
-        tolerances: those of the class unless given.
+        tolerances: the defaults of the class if None.
 
     Raises:
-        AssertionError: it differs; with every difference.
-        UrdfkitError: there is no such revision, the file is not in it or cannot be read as it
-            was, or git is not there.
+        AssertionError: the model differs; with all differences.
+        UrdfkitError: the revision does not exist, the file is not in it or was unreadable, or git
+            is not installed.
     """
     __tracebackhide__ = True
     with tempfile.TemporaryDirectory() as directory:
-        before = _as_it_was(description, revision, directory)
+        before = _at_revision(description, revision, directory)
         after, allowed = description.model, tolerances or Tolerances()
-        found = differences(before, after, allowed, renames(before, after, allowed))
-    if found:
-        raise AssertionError(f"since {revision}:\n" + "\n".join(map(str, found)))
+        changes = differences(before, after, allowed, renames(before, after, allowed))
+    if changes:
+        raise AssertionError(f"since {revision}:\n" + "\n".join(map(str, changes)))
 
 
-def _as_it_was(description: Description, revision: str, directory: str) -> RobotModel:
-    """The model in a revision, whose files are put into a directory."""
+def _at_revision(description: Description, revision: str, directory: str) -> RobotModel:
+    """The model in a revision; its files are written to a directory."""
     config = description.config
     old = check_out_snapshot(description.path, revision, directory, config.packages)
     config = config._replace(packages=old.packages, robots=())

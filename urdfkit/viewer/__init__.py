@@ -1,1 +1,1 @@
-"""The viewer: a robot in the browser, sent anew whenever a file is saved."""
+"""The viewer: a robot in the browser, updated whenever a file is saved."""

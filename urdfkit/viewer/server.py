@@ -1,8 +1,8 @@
-"""The viewer: the page of a report on a local address, sent anew whenever a file is saved.
+"""The viewer: the report page on a local address, updated whenever a file is saved.
 
-It listens on 127.0.0.1 alone, and every address begins with a token that nobody can guess: other
-programs and other pages of the browser get nothing. The name of the host is checked as well, so
-that no foreign name can be made to lead here (DNS rebinding).
+It listens on 127.0.0.1 only, and all addresses begin with an unguessable token, so that other
+programs and other pages in the browser have no access. The host name is checked as well, against
+DNS rebinding.
 """
 
 from __future__ import annotations
@@ -35,15 +35,15 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 HOST = "127.0.0.1"
-#: Seconds between two looks at the files. They are looked at, not watched: that works on every
-#: file system, and with editors that write a new file in place of the old one.
+#: Seconds between checks of the files. Polling works on every file system, and with editors that
+#: replace a file by a new one.
 PAUSE = 0.4
-#: Characters of all arguments that a page may send.
+#: Size limit of the arguments that a page sends, in bytes.
 MAX_BODY = 100_000
 
 _HEADERS = {
     "Cache-Control": "no-store",
-    # What a page loads is in the page itself; these directives only count here.
+    # Directives for loaded resources are in the page; these are effective only in a header.
     "Content-Security-Policy": "frame-ancestors 'none'; form-action 'none'; base-uri 'none'",
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
@@ -54,15 +54,15 @@ _HEADERS = {
 
 
 class Viewer:
-    """One robot, the pages that show it, and the events that they get.
+    """A robot, and the events of the pages that show it.
 
     Attributes:
         file: a URDF or xacro file.
         options: of its check.
-        state: what was read last.
+        state: the last state that was read.
         revision: the number of events so far.
-        shape: counts the robots; the 3D view need not be sent again for the same one.
-        error: why the last attempt to read gave nothing; empty if it did.
+        shape: number of the robot's 3D model, so that pages need not load the same model again.
+        error: error of the last attempt to read; empty if it succeeded.
     """
 
     def __init__(self, file: str, options: Options, translator: Translator) -> None:
@@ -73,7 +73,7 @@ class Viewer:
         self.revision = self.shape = 1
         self.error = ""
         self._changed = asyncio.Event()
-        self._one_at_a_time = asyncio.Lock()
+        self._completion_lock = asyncio.Lock()
         self._completing: asyncio.Task[None] | None = None
 
     async def watch(self) -> None:
@@ -91,39 +91,39 @@ class Viewer:
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
-        except Exception as error:  # a file that is gone may come back; nor may a bug end this
+        except Exception as error:  # the file may come back; a bug must not end the viewer
             is_bug = not isinstance(error, UrdfkitError)
-            what = f"internal error: {type(error).__name__}: {error}" if is_bug else str(error)
-            if self.error == what:
+            message = f"internal error: {type(error).__name__}: {error}" if is_bug else str(error)
+            if self.error == message:
                 return
-            self.error = what
+            self.error = message
         self._notify()
 
     async def _complete(self, state: ViewerState) -> None:
-        """Add what takes a while, unless there is another state by then."""
-        async with self._one_at_a_time:
+        """Complete a state with the slow results, unless it is outdated."""
+        async with self._completion_lock:
             if state is self.state:
-                whole = await _aside(completed, state)
+                complete = await _in_thread(completed, state)
                 if state is self.state:
-                    self.state = whole
+                    self.state = complete
                     self._notify()
 
     def _notify(self) -> None:
-        """Tell the pages that there is something new."""
+        """Notify the pages of a new revision."""
         self.revision += 1
         self._changed.set()
         self._changed = asyncio.Event()
 
     async def revisions(self) -> AsyncIterator[int]:
-        """The number of the state, now and whenever there is another one."""
+        """The current revision and all following ones."""
         while True:
             changed = self._changed
             yield self.revision
             await changed.wait()
 
     def page(self) -> str:
-        """The page, with the state as it is."""
-        page = partial(html.render, shape=self.shape)  # an older number costs no more than time
+        """The page with the current state."""
+        page = partial(html.render, shape=self.shape)  # an outdated number only costs a reload
         state = self.state
         try:
             scene = state.scene or nothing()
@@ -132,10 +132,10 @@ class Viewer:
         return page(state.document, self.translator, state.drawings, scene, load_engine())
 
     def message(self, shown: str = "") -> dict[str, object]:
-        """The state for a page that is open.
+        """The state as a message to an open page.
 
         Args:
-            shown: the number of the robot that its 3D view shows.
+            shown: number of the 3D model that the page shows.
         """
         return {
             **self.state.message(self.translator, with_scene=shown != str(self.shape)),
@@ -145,31 +145,31 @@ class Viewer:
         }
 
 
-async def _aside(work: Callable[[T], T], thing: T) -> T:
-    """What a function makes of a thing, in a thread that Ctrl-C does not wait for."""
+async def _in_thread(work: Callable[[T], T], argument: T) -> T:
+    """The result of a function, computed in a thread that Ctrl-C does not wait for."""
     loop = asyncio.get_running_loop()
-    made: asyncio.Future[T] = loop.create_future()
+    future: asyncio.Future[T] = loop.create_future()
 
     def run() -> None:
         try:
-            result, failed = work(thing), None
+            result, exception = work(argument), None
         except Exception as error:
-            result, failed = thing, error
-        with suppress(RuntimeError):  # the loop has ended meanwhile
-            if failed is None:
-                loop.call_soon_threadsafe(made.set_result, result)
+            result, exception = argument, error
+        with suppress(RuntimeError):  # the event loop has ended
+            if exception is None:
+                loop.call_soon_threadsafe(future.set_result, result)
             else:
-                loop.call_soon_threadsafe(made.set_exception, failed)
+                loop.call_soon_threadsafe(future.set_exception, exception)
 
     threading.Thread(target=run, daemon=True).start()
-    return await made
+    return await future
 
 
 def application(viewer: Viewer, token: str) -> Starlette:
     """The server of a viewer, as an ASGI application.
 
     Args:
-        token: the first part of every address.
+        token: first part of all paths.
 
     Raises:
         UrdfkitError: Starlette is not installed.
@@ -213,14 +213,14 @@ def application(viewer: Viewer, token: str) -> Starlette:
 
 
 def _arguments(body: bytes) -> dict[str, str] | None:
-    """The arguments that a page sends; None if it is nothing of the kind."""
+    """The arguments that a page sends; None if the body is invalid."""
     try:
-        given = json.loads(body) if len(body) <= MAX_BODY else None
+        content = json.loads(body) if len(body) <= MAX_BODY else None
     except (ValueError, RecursionError):
         return None
-    if not isinstance(given, dict) or not all(isinstance(text, str) for text in given.values()):
+    if not isinstance(content, dict) or not all(isinstance(text, str) for text in content.values()):
         return None
-    return given
+    return content
 
 
 def serve(
@@ -234,8 +234,8 @@ def serve(
     """Show a robot until Ctrl-C.
 
     Args:
-        port: to listen at; a free one if 0.
-        opened: called with the address when the page is to be had.
+        port: to listen on; a free one if 0.
+        opened: called with the address when the page is available.
 
     Raises:
         UrdfkitError: the robot's file is missing, the port is taken, or a library is missing.
@@ -245,7 +245,7 @@ def serve(
         import uvicorn
 
     try:
-        listening = socket.create_server((HOST, port))  # a browser that comes early waits
+        listening = socket.create_server((HOST, port))  # accepts connections before the server runs
     except OSError as error:
         raise UrdfkitError(f"port {port} of {HOST}: {os.strerror(error.errno or 0)}") from error
     token = secrets.token_urlsafe(24)

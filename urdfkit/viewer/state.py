@@ -1,4 +1,4 @@
-"""What the viewer shows at a moment, and the files that it was made from."""
+"""State of the viewer: a robot as last read, with the files that it depends on."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ from urdfkit.output.report.translations import Translator
 from urdfkit.output.report.writing import rendered
 from urdfkit.text.diagnostic import Diagnostic
 
-#: The size and the time of change of a file; None if it is not there.
+#: Size and modification time of a file; None if it is missing.
 FileVersion = tuple[int, int] | None
 
 
 class ViewerState(Record):
-    """One state of the robot, as it was last read."""
+    """The robot as last read."""
 
-    document: ReportDocument  # its contents
-    drawings: dict[str, str]  # addresses of images, by name
-    scene: PageScene | None  # the robot in three dimensions; None if it cannot be had
-    declared: dict[str, str]  # the arguments that the xacro declares, each with its value
-    versions: dict[str, FileVersion]  # of every file that it was made from
-    reported: ReportInput  # what it was made of
-    is_whole: bool = False  # False while that which takes a while is not there yet
+    document: ReportDocument  # contents of the page
+    drawings: dict[str, str]  # URLs of images, by name
+    scene: PageScene | None  # the 3D model; None if it is not available
+    declared: dict[str, str]  # arguments declared by the xacro, with their values
+    versions: dict[str, FileVersion]  # of all files that the state depends on
+    reported: ReportInput  # input of the report
+    is_whole: bool = False  # False until the slow results are added
 
     def message(self, translator: Translator, *, with_scene: bool = True) -> dict[str, Any]:
-        """What a page needs to show it; JSON can hold it."""
-        found: dict[str, Any] = {
+        """The state as JSON, for a page."""
+        message: dict[str, Any] = {
             "content": html.render_content(self.document, translator, self.drawings),
             "files": len(self.versions),
             "declared": self.declared,
@@ -43,14 +43,14 @@ class ViewerState(Record):
             "whole": self.is_whole,
         }
         if self.scene is not None and with_scene:
-            found["robot"] = self.scene.robot
-            found["model"] = base64.b64encode(self.scene.model).decode("ascii")
-        return found
+            message["robot"] = self.scene.robot
+            message["model"] = base64.b64encode(self.scene.model).decode("ascii")
+        return message
 
     @property
     def is_stale(self) -> bool:
-        """True if one of its files has changed, come or gone."""
-        return any(file_version(path) != known for path, known in self.versions.items())
+        """True if a file has changed, appeared or disappeared."""
+        return any(file_version(path) != version for path, version in self.versions.items())
 
 
 def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
@@ -59,11 +59,11 @@ def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
     Args:
         file: a URDF or xacro file.
         options: of the check.
-        known: the files that it was made from before. One of them that changes while it is read
-            makes the state stale at once.
+        known: the files of the previous state. If one of them changes during the read, the new
+            state is stale immediately.
 
     Raises:
-        UrdfkitError: the file is missing, or the job cannot be done.
+        UrdfkitError: the file is missing, or cannot be checked.
     """
     before = {path: file_version(path) for path in (file, *known)}
     reported = describe(file, options, quick=True)
@@ -77,7 +77,7 @@ def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
 
 
 def completed(state: ViewerState) -> ViewerState:
-    """The same with statics, collisions and images."""
+    """The state with statics, collisions and images."""
     if state.document["robot"] is None:
         return state._replace(is_whole=True)
     reported = complete(state.reported)
@@ -86,31 +86,31 @@ def completed(state: ViewerState) -> ViewerState:
 
 
 def files_of(context: Context, diagnostics: Iterable[Diagnostic]) -> set[str]:
-    """Every file that a robot is made from, those included that are missing."""
-    found = {context.source.path}
+    """All files that a robot depends on, including missing ones."""
+    files = {context.source.path}
     xacro = context.reading.xacro
     if xacro is not None:
-        found |= {source.path for source in xacro.sources} | set(xacro.data_files)
+        files |= {source.path for source in xacro.sources} | set(xacro.data_files)
     if context.reading.document is not None:
         for mesh in context.files.meshes:
             at = mesh.located
-            found.add(at.path or os.path.join(at.directory or os.curdir, at.relative))
-    return found | {one.span.source.path for one in diagnostics}
+            files.add(at.path or os.path.join(at.directory or os.curdir, at.relative))
+    return files | {diagnostic.span.source.path for diagnostic in diagnostics}
 
 
 def _images(context: Context) -> set[str]:
-    """The files that the appearance of a robot needs besides its meshes, such as images."""
-    found: set[str] = set()
+    """The files of a robot's appearance other than its meshes, such as textures."""
+    images: set[str] = set()
     for body in (body for link in context.model.links for body in link.visuals):
         if body.material and body.material.texture is not None:
-            found.add(context.files.find(body.material.texture) or "")
+            images.add(context.files.find(body.material.texture) or "")
         mesh = context.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
-        found.update(mesh.files if mesh else ())
-    return found - {""}
+        images.update(mesh.files if mesh else ())
+    return images - {""}
 
 
 def _declared(context: Context) -> dict[str, str]:
-    """The arguments of a xacro, each with the value that was given, or its default as written."""
+    """The arguments of a xacro with their given values, or else their defaults as written."""
     xacro = context.reading.xacro
     if xacro is None:
         return {}
@@ -119,7 +119,7 @@ def _declared(context: Context) -> dict[str, str]:
 
 
 def file_version(path: str) -> FileVersion:
-    """The state of a file; None if it is not there."""
+    """The version of a file; None if it is missing."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):

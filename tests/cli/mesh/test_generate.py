@@ -55,7 +55,7 @@ def test_what_cannot_be_made_is_exit_code_1(capsys: pytest.CaptureFixture[str]) 
         (["a.stl", "--part", "wheel", "--size", "1", "0", "1"], "every edge must be from 1e-06"),
         (["a.stl", "--part", "wheel", "--size", "1", "inf", "1"], "every edge must be from 1e-06"),
         (["--model", "MODEL", "--force"], "apply to one mesh"),
-        (["no.stl", "--model", "MODEL"], "no shape of the robot names 'no.stl'"),
+        (["no.stl", "--model", "MODEL"], "no shape of the robot references 'no.stl'"),
         (["--model", "no.urdf"], "no.urdf"),
         (["a.step", "--part", "wheel"], "this suffix cannot be written"),
     ],

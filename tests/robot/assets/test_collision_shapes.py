@@ -95,7 +95,7 @@ def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     assert again.left == {}, "the same mesh may be written again"
     (tmp_path / "m_1_1_2_collision.stl").write_bytes((tmp_path / "m.stl").read_bytes())
     other = edited(read(file), propose(read(file), links=["a"], error=0.02))
-    assert "is there already" in other.left["a"]
+    assert "is another mesh" in other.left["a"]
     assert other.files == ()
 
 
@@ -137,7 +137,7 @@ def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     file = robot(tmp_path, text, name="r.xacro")
     found = edited(read(file), propose(read(file)))
     assert set(found.left) == {"a"}
-    assert "a macro wrote it" in found.left["a"]
+    assert "a macro creates it" in found.left["a"]
     assert len(found.files) == 1
     (tmp_path / "m.stl").write_bytes(b"")
     (first, _) = propose(read(file))

@@ -181,7 +181,7 @@ def test_what_is_left_of_a_broken_file_is_kept_if_it_is_most_of_it(tmp_path: Pat
     end = data.index(b"<p>") + len(data[data.index(b"<p>") : data.index(b"</p>")]) * 9 // 10
     (tmp_path / "b.dae").write_bytes(data[:end])
     one = made(robot(tmp_path, "b.dae", BOX))
-    assert one.reason.startswith("what is left of it: ")
+    assert one.reason.startswith("salvaged: ")
     assert 200 <= len(one.mesh.faces) < 320
     (tmp_path / "b.dae").write_bytes(data[: data.index(b"<p>") + 60])
     assert made(robot(tmp_path, "b.dae", BOX)).reason.startswith("the shape of the collision")

@@ -143,7 +143,7 @@ def test_the_first_two_rows_of_the_matrix() -> None:
     matrix = ((0.03, 0.004, 0.0), (0.004, 0.02, 0.001), (0.0, 0.001, 0.01))
     diagnosis = impossible((*matrix[0], *matrix[1]))
     assert diagnosis.tensor is None
-    assert str(diagnosis).startswith("the tensor holds the first two rows of the matrix")
+    assert str(diagnosis).startswith("the tensor contains the first two rows of the matrix")
 
 
 def test_a_wrong_sign_of_a_moment() -> None:

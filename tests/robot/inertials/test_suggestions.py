@@ -177,7 +177,7 @@ def test_a_missing_inertial_is_put_in(tmp_path: Path) -> None:
     ("inertial", "reason"),
     [
         (INERTIAL.replace('"2"', '"${1 + 1}"').replace('ixx="1"', 'ixx="${3}"'), "expressions"),
-        ("<xacro:i/>", "a macro wrote it"),
+        ("<xacro:i/>", "a macro creates it"),
     ],
 )
 def test_what_is_not_written_as_numbers_is_left_alone(

@@ -20,7 +20,7 @@ from math import isfinite
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.robot.joint_loads import effort, overloadable
+from urdfkit.robot.joint_loads import effort, overloadable_joints
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rotors import is_carried_by_rotors
@@ -52,7 +52,7 @@ _SAMPLES = 20
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
 def check(context: Context) -> Findings:
-    overloaded = overloadable(context.tree)
+    overloaded = overloadable_joints(context.tree)
     if not overloaded or context.is_part or context.masses.consistently_wrong:  # INE010
         return
     if is_carried_by_rotors(context.model):

@@ -4,7 +4,7 @@ All joints at zero, the lowest collisions touch the ground: their hull is what t
 In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
 or correct a mass or the place of one. Four kinds are not checked: a robot that stands on its base
 alone, since bases are bolted down, one on two wheels, which balances, one on legs, which does not
-stand with all joints at zero, and one that several rotors or thrusters carry. The stability in any
+stand with all joints at zero, and one that several rotors or thrusters carry. The stand in any
 pose is computed by `urdfkit statics --pose`.
 
 Sources:
@@ -83,8 +83,8 @@ def check(context: Context) -> Findings:
     heaviest = max(context.model.links, key=lambda link: link.mass)
     yield Finding(
         heaviest.inertial.at if heaviest.inertial else heaviest.at,
-        f"the robot falls {standing.way}: its centre of mass is {-standing.margin:.3g} m outside "
-        f"of what it stands on, {', '.join(standing.links)}",
+        f"the robot falls {standing.tip_direction}: its centre of mass is "
+        f"{-standing.margin:.3g} m outside of what it stands on, {', '.join(standing.links)}",
         related=tuple(Related(links[name].at.span, f"link '{name}'") for name in standing.links),
     )
 

@@ -14,7 +14,7 @@ Sources:
 from math import isinf
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.robot.joint_loads import light
+from urdfkit.robot.joint_loads import light_joints
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.samples import solid_xml
 
@@ -34,8 +34,8 @@ GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
     help="give the light link the mass and inertia of the real part, or fix one of the joints",
 )
 def check(context: Context) -> Findings:
-    light_joints = light(context.tree)
-    if not light_joints or context.is_part:
+    light = light_joints(context.tree)
+    if not light or context.is_part:
         return
     robot = context.dynamics  # before the module, which needs the same libraries
     from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
@@ -43,8 +43,8 @@ def check(context: Context) -> Findings:
     found = conditioning(robot)
     if not found.is_ill:
         return
-    names = {joint.name for joint in light_joints}
-    first = next((name for name in found.joints if name in names), light_joints[0].name)
+    names = {joint.name for joint in light}
+    first = next((name for name in found.joints if name in names), light[0].name)
     ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
     joints = " against ".join(f"'{name}'" for name in found.joints[:2])
     message = f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass"

@@ -10,7 +10,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joint_loads import idle
+from urdfkit.robot.joint_loads import joints_without_load
 from urdfkit.robot.joints import driven
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.samples import solid_xml
@@ -25,7 +25,7 @@ def check(context: Context) -> Findings:
         return
     moved = driven(context.model)
     seen = {block.get("reference") for block in context.model.gazebo if block.child("sensor")}
-    for joint in idle(context.tree):
+    for joint in joints_without_load(context.tree):
         child = joint.child_name
         if joint.name in moved or not seen.isdisjoint(context.tree.below(child)):
             continue

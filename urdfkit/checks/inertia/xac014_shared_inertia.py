@@ -19,7 +19,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, thrown_by, values
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Link
@@ -105,7 +105,7 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
 def _is_too_light(link: Link, masses: Masses) -> bool:
     """True if the joint of a link has too much effort for the tensor of its shape."""
     one = masses.by_name.get(link.name)
-    return bool(one and one.expected and thrown_by(one, one.expected))
+    return bool(one and one.expected and excessive_joint(one, one.expected))
 
 
 def _innermost_call(link: Link, tag: Tag) -> Step | None:

@@ -1,4 +1,4 @@
-"""A simple collision for every visual mesh, and the edits that put it into the source."""
+"""Simple collision shapes for visual meshes, and the edits that insert them."""
 
 from __future__ import annotations
 
@@ -26,32 +26,32 @@ if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.robot import Robot
 
-#: How far a shape may stick out, as a part of the diagonal of the mesh.
+#: Largest error of a shape, as a part of the diagonal of the mesh.
 RELATIVE = 0.05
 
 
 class CollisionProposal(Record):
-    """The collision of a link."""
+    """The proposed collision of a link."""
 
     link: Link  # the link
     bodies: tuple[Body, ...]  # its visuals
-    fits: tuple[Fits, ...]  # for each visual, what was tried
-    bounds: tuple[float, ...]  # for each visual, the bound of the error in m
-    reason: str = ""  # why nothing is proposed; empty if something is
+    fits: tuple[Fits, ...]  # for each visual, the shapes that were fitted
+    bounds: tuple[float, ...]  # for each visual, the largest error in m
+    reason: str = ""  # why there is no proposal; empty if there is one
 
 
 class Edited(Record):
-    """The edit of the URDF that would be written."""
+    """The new contents of the robot's files, and the new meshes."""
 
     files: tuple[Rewrite, ...]  # the robot's files with the new collisions
     meshes: dict[str, Mesh]  # new mesh files, by path
-    left: dict[str, str]  # by name of a link, why it stays as it is
+    left: dict[str, str]  # why a link is not changed, by its name
 
     def write(self) -> list[str]:
-        """Write the meshes and then the files that name them.
+        """Write the meshes, and then the files that reference them.
 
         Raises:
-            UrdfkitError: one cannot be written; none of the robot's files is changed then.
+            UrdfkitError: a file cannot be written; the robot's files are unchanged then.
         """
         from urdfkit.mesh.writers import write
 
@@ -71,10 +71,10 @@ def propose(
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
     Args:
-        error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
-        links: these links instead, whatever their collision is.
-        most: convex pieces at most, of a visual.
-        progress: called with the number of links done, and of all.
+        error: largest error of a shape in m; a twentieth of the diagonal of each mesh if None.
+        links: names of links to process regardless of their collision.
+        most: largest number of convex pieces per visual.
+        progress: called with the number of finished links and the total number.
 
     Raises:
         UnknownLink: one of the links is not in the robot.
@@ -100,9 +100,9 @@ def _has_mesh(link: Link) -> bool:
 
 
 def _lacks_shape(link: Link) -> bool:
-    """True without a collision, and where it is the visual mesh."""
-    seen = {_filename(body) for body in link.visuals} - {""}
-    return all(_filename(body) in seen for body in link.collisions)
+    """True without a collision, or if all collisions are visual meshes."""
+    visual_meshes = {_filename(body) for body in link.visuals} - {""}
+    return all(_filename(body) in visual_meshes for body in link.collisions)
 
 
 def _filename(body: Body) -> str:
@@ -113,7 +113,7 @@ def _filename(body: Body) -> str:
 def _proposal(
     robot: Robot, link: Link, error: float | None, most: int, fitted: dict[tuple[object, ...], Fits]
 ) -> CollisionProposal:
-    """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
+    """The collision of a link; ``fitted`` caches the results for meshes of other links."""
     from urdfkit.mesh.convex_hull import NoHull
     from urdfkit.mesh.fitting import fit, rolling
     from urdfkit.mesh.repair.soup import soup_of
@@ -140,7 +140,7 @@ def _proposal(
 
 
 def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
-    """The axis of the continuous joint of a link, and a point of it, in the frame of a shape."""
+    """The axis of the continuous parent joint and a point on it, in the frame of a shape."""
     joints = robot.tree.parents.get(link.name, [])
     turning = [joint for joint in joints if joint.kind == "continuous"]
     if not turning:
@@ -150,7 +150,7 @@ def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
 
 
 def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
-    """The robot's files and the mesh files that the proposals need; nothing is written."""
+    """The edited files and the mesh files of the proposals; nothing is written."""
     changes: list[Edit] = []
     meshes: dict[str, Mesh] = {}
     left: dict[str, str] = {}
@@ -164,7 +164,7 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
         for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
             lines += _collision(robot, body, fits, needed)
         if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
-            left[proposal.link.name] = f"{taken} is there already, and is another mesh"
+            left[proposal.link.name] = f"{taken} exists and is another mesh"
             continue
         if outside := next((path for path in needed if not robot.files.resolver.admits(path)), ""):
             left[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
@@ -177,51 +177,51 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
 
 
 def _is_other(path: str, mesh: Mesh) -> bool:
-    """True if a file is there that is not the mesh to write."""
+    """True if the file exists and is not the mesh to write."""
     from urdfkit.mesh.writers import encode
 
-    there = on_disk(path)
+    existing = on_disk(path)
     name = os.path.basename(path)
-    return there is not None and there != encode(mesh, name)[name]
+    return existing is not None and existing != encode(mesh, name)[name]
 
 
 def _why_not(robot: Robot, proposal: CollisionProposal) -> str:
-    """Why a proposal cannot be written; empty if it can."""
+    """The reason why a proposal cannot be written; empty if it can."""
     if proposal.reason:
         return proposal.reason
     if from_macro(proposal.link.at):
-        return "a macro wrote it; put the collision into the macro"
+        return "a macro creates it; put the collision into the macro"
     for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
-        if fits.best.kind in ("hull", "pieces") and _next_to(robot, body) is None:
+        if fits.best.kind in ("hull", "pieces") and _visual_mesh(robot, body) is None:
             return "its shape needs a mesh file, and there is no visual mesh to put it next to"
     return ""
 
 
-def _next_to(robot: Robot, body: Body) -> tuple[str, str] | None:
-    """The reference of the visual mesh, as XML has it, and its path, both without the suffix."""
+def _visual_mesh(robot: Robot, body: Body) -> tuple[str, str] | None:
+    """The reference of the visual mesh as XML, and its path, both without the suffix."""
     path = robot.files.path(body.shape) if body.shape else None
     if path is None or body.shape is None or body.shape.filename is None:
         return None
     at, (stem, suffix) = body.shape.filename.at, os.path.splitext(body.shape.filename.value)
     reference = escape(stem)
-    # What is written is kept: behind $(find), its value is a path of this machine.
+    # The source text is kept: the value of $(find) is a path of this machine.
     if isinstance(at, Attribute) and at.span.text.endswith(suffix):
         reference = at.span.text.removesuffix(suffix)
     return reference.replace('"', "&quot;"), os.path.splitext(path)[0]
 
 
 def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:
-    """The lines of a visual's collisions; mesh files that they need are added."""
+    """The lines of the collisions of a visual; required meshes are added to ``meshes``."""
     from urdfkit.mesh.geometry import Mesh
 
     best = fits.best
     if best.kind not in ("hull", "pieces"):
         return _element(body.origin @ best.frame, _primitive(best.kind, best.size))
-    place = _next_to(robot, body)
+    place = _visual_mesh(robot, body)
     assert place is not None
     reference, path = place
     lines: list[str] = []
-    # Scaled already, so the new element has no scale, and other scales need other files.
+    # The new meshes are scaled already; another scale needs another file.
     assert body.shape is not None
     x, y, z = body.shape.scale
     scale = "" if x == y == z == 1 else f"_{x:g}_{y:g}_{z:g}"

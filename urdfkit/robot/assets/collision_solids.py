@@ -1,4 +1,4 @@
-"""What the collision shapes of a link weigh: primitives, and meshes if they can be measured."""
+"""Mass properties of collision shapes: primitives and measurable meshes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class CollisionSolids:
-    """The collision shapes of links as solids."""
+    """Collision shapes of links as solids."""
 
     def __init__(
         self, meshes: Callable[[], Meshes], mesh_solid: Callable[[Body], MeshSolid | None]
@@ -25,10 +25,10 @@ class CollisionSolids:
         self._mesh_solid = mesh_solid
 
     def __call__(self, link: Link, mesh_volume: str) -> MassProperties | None:
-        """Of the shapes of a link at 1 kg/m³, in its frame; None if one of them is not known.
+        """Mass properties of a link's collisions at 1 kg/m³, in its frame; None if one is unknown.
 
         Args:
-            mesh_volume: ``unsigned`` as MuJoCo has it, ``signed``, or empty: meshes are not known.
+            mesh_volume: ``unsigned`` as in MuJoCo, ``signed``, or empty to reject meshes.
         """
         parts: list[MassProperties] = []
         for body in link.collisions:

@@ -9,8 +9,8 @@ from urdfkit.robot.model import Body, Link, Material, RobotModel
 class Colours:
     """The materials of a model by name.
 
-    urdfdom keeps the first definition of a name, at the top of the robot or in a visual; every
-    other visual with the name gets it. What has an empty name stands for itself.
+    urdfdom keeps the first definition of a name, of the robot or in a visual, and applies it to all
+    visuals with the name. A material with an empty name applies to its visual only.
     """
 
     def __init__(self, model: RobotModel) -> None:
@@ -23,7 +23,7 @@ class Colours:
                 self._named.setdefault(_name(material), material)
 
     def of(self, body: Body) -> Material | None:
-        """The material that gives a visual its colour or texture; None if nothing does."""
+        """The material with the colour or texture of a visual; None without one."""
         material = body.material
         if material is None:
             return None
@@ -31,7 +31,7 @@ class Colours:
         return named or (material if material.rgba or material.texture else None)
 
     def visuals(self) -> Iterator[tuple[Link, Body, Material]]:
-        """The visuals that have a colour or a texture, each with the material that gives it."""
+        """The visuals with a colour or texture, each with its material."""
         for link, body in _visuals(self._model):
             material = self.of(body)
             if material is not None:

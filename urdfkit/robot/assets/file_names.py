@@ -1,4 +1,4 @@
-"""Names of files and packages, compared."""
+"""Comparison of names of files and packages."""
 
 import os
 import re
@@ -8,15 +8,15 @@ from urdfkit.core.suggest import TYPO, nearest
 _SEPARATORS = str.maketrans("_-.", "   ")
 
 
-def is_mistyped(wrong: str, right: str) -> bool:
+def is_mistyped(name: str, candidate: str) -> bool:
     """True if the name of a file or a package is a typo of another one.
 
-    ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
-    alike for itself, and all numbers equal.
+    Every word must be similar, and all numbers equal, so that ``left_arm`` and ``right_arm``, or
+    ``link_1`` and ``link_2``, are not typos.
     """
-    if suffix(wrong) != suffix(right) or numbers_in(wrong) != numbers_in(right):
+    if suffix(name) != suffix(candidate) or numbers_in(name) != numbers_in(candidate):
         return False
-    words, others = _words(wrong), _words(right)
+    words, others = _words(name), _words(candidate)
     if "".join(words) == "".join(others):
         return True
     return len(words) == len(others) and all(

@@ -1,4 +1,4 @@
-"""Any visual or collision as triangles."""
+"""Triangle meshes of visuals and collisions."""
 
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.robot import Robot
@@ -10,7 +10,7 @@ def body_mesh(robot: Robot, body: Body) -> Mesh | None:
     """The triangles of a shape in m, in the frame of its visual or collision.
 
     Returns:
-        None where the shape is no known primitive and its file cannot be loaded.
+        None if the shape is neither a known primitive nor a loadable mesh.
     """
     if body.shape is None:
         return None

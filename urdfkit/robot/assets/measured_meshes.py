@@ -1,4 +1,4 @@
-"""The mesh files of a robot, measured, and their defects."""
+"""Measures and defects of the mesh files of a robot."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 
 class MeasuredMeshes:
-    """The meshes of one model that can be measured.
+    """The measurable meshes of a model.
 
     Args:
-        progress: called with the number of files measured, and of all.
+        progress: called with the number of measured files and the total number.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class MeasuredMeshes:
         self._known: dict[str, Measures | str] = {}
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Measures of a mesh; or why there are none, as a predicate whose subject is the file."""
+        """Measures of a mesh, or a predicate on the file that states why there are none."""
         path = self._files.path(shape)
         if path is None:
             return "is missing"
@@ -59,17 +59,17 @@ class MeasuredMeshes:
 
     @cached_property
     def uses(self) -> list[MeshUse]:
-        """Every use of a mesh that can be measured, in the order of the document."""
+        """All uses of measurable meshes, in document order."""
         return [use for use, _ in self._every_use if isinstance(use, MeshUse)]
 
     @property
     def unmeasured(self) -> list[tuple[MeshReference, str]]:
-        """The others whose files have no defect, with a predicate on the file."""
+        """References to unmeasurable files without a defect, each with a predicate on the file."""
         return [(mesh, why) for mesh, why in self._every_use if isinstance(mesh, MeshReference)]
 
     @cached_property
     def _every_use(self) -> list[tuple[MeshUse | MeshReference, str]]:
-        found: list[tuple[MeshUse | MeshReference, str]] = []
+        uses: list[tuple[MeshUse | MeshReference, str]] = []
         for mesh in self._files.meshes:
             path, facts, shape = mesh.located.path, mesh.facts, mesh.body.shape
             if shape is None or path is None or facts is None or facts.defect:
@@ -78,28 +78,28 @@ class MeasuredMeshes:
                 continue
             measures = self.measures(shape)
             if isinstance(measures, str):
-                found.append((mesh, measures))
+                uses.append((mesh, measures))
             else:
                 use = MeshUse(mesh.at, mesh.link, mesh.role, mesh.body, shape, path, measures)
-                found.append((use, ""))
-        return found
+                uses.append((use, ""))
+        return uses
 
     @cached_property
     def files(self) -> list[MeshUse]:
-        """One use of each file: the first collision, else the first visual."""
+        """One use of each file: the first collision, or else the first visual."""
         first: dict[str, MeshUse] = {}
         for use in sorted(self.uses, key=lambda use: use.role):
             first.setdefault(use.path, use)
         return list(first.values())
 
     def solid(self, body: Body) -> MeshSolid | None:
-        """A visual or collision as a solid; None if it is no mesh, or not measured, or flat."""
+        """A visual or collision as a solid; None if it is not a mesh, not measured, or flat."""
         use = self._by_body.get(id(body))
         return use.solid if use else None
 
     @cached_property
     def _by_body(self) -> dict[int, MeshUse]:
-        """The uses by the identity of their visual or collision."""
+        """Uses by the identity of their visual or collision."""
         return {id(use.body): use for use in self.uses}
 
     @cached_property

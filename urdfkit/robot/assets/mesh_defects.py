@@ -1,4 +1,4 @@
-"""The defects of meshes that the triangles in them show."""
+"""Defects of meshes that are found in their triangles."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ if TYPE_CHECKING:
     from urdfkit.robot.assets.mesh_uses import MeshUse
     from urdfkit.robot.model import RobotModel
 
-#: Triangles of a collision mesh over which simulation and planning become slow.
+#: Triangles of a collision mesh above which simulation and planning become slow.
 DENSE_COLLISION = 20_000
 
-#: Triangles of a visual mesh over which loading and drawing a robot becomes slow.
+#: Triangles of a visual mesh above which loading and drawing become slow.
 DENSE_VISUAL = 100_000
 
-#: Triangles of a mesh that serves as visual and collision, over which a simpler one is worth it.
+#: Triangles of a mesh that is both visual and collision, above which a simpler collision helps.
 DENSE_SHARED = 5_000
 
-#: A part this many m long is no part of a robot, if the rest of it is this many times smaller.
+#: A mesh longer than this, in m, is not a part of a robot that is smaller by this factor.
 HUGE, HUGE_RATIO = 10.0, 20.0
 
-#: A mesh that is shorter, in m, is no part of a robot; and the scale from which on it is to blame.
+#: A mesh shorter than this, in m, is not a part of a robot; the cause is a scale up to this.
 MICROSCOPIC, SHRINKING = 0.001, 0.01
 
-#: Words of the losses that only concern appearance.
+#: Words in losses that concern only the appearance.
 _APPEARANCE = ("normals", "texture coordinates", "material", "colour")
 
-#: What the description of colours in an STL file begins with.
+#: Prefix of the description of colours in an STL file.
 COLOURS = "colours of"
 
 
 class MeshDefect(Enum):
-    """What is wrong with a mesh."""
+    """The defect of a mesh."""
 
     PARTLY_UNREADABLE = "partly unreadable"
     MILLIMETRES = "in millimetres"
@@ -64,7 +64,7 @@ def find_defects(
     """The meshes with each defect.
 
     Args:
-        uses: every use of a mesh, in the order of the document.
+        uses: all uses of meshes, in document order.
     """
     found: dict[MeshDefect, list[MeshUse]] = {}
     reported: set[tuple[MeshDefect, str]] = set()
@@ -74,7 +74,7 @@ def find_defects(
             if (defect, use.path) not in reported and has_it(use):
                 reported.add((defect, use.path))
                 found.setdefault(defect, []).append(use)
-    # What has no joints may be scenery, where a landscape lies next to a tree.
+    # A model without joints may be scenery, with a landscape next to a tree.
     span = rest_of_robot(model) if model.joints else 0.0
     for use in uses:
         if looks_like_millimetres(use, span):
@@ -87,18 +87,18 @@ def find_defects(
 
 
 def missing_textures(use: MeshUse) -> list[str]:
-    """The images that a mesh uses and that do not exist, as written."""
+    """Missing images of a mesh, as written."""
     directory = os.path.dirname(use.path)
     return [name for name in use.measures.textures if name and find_image(name, directory) is None]
 
 
 def extras(use: MeshUse) -> list[str]:
-    """What a file holds besides triangles and colours."""
+    """Contents of a file other than triangles and colours."""
     return [extra for extra in use.measures.extras if not extra.startswith(COLOURS)]
 
 
 def losses(use: MeshUse) -> list[str]:
-    """What is broken in a file and matters: the appearance of a collision does not."""
+    """Unreadable contents of a file; for a collision, without those of the appearance."""
     found = use.measures.losses
     if use.role == "visual":
         return list(found)
@@ -106,7 +106,7 @@ def losses(use: MeshUse) -> list[str]:
 
 
 def looks_like_millimetres(use: MeshUse, span: float) -> bool:
-    """True for a mesh that is huge next to the robot, and of the size of a part in mm.
+    """True for a mesh that is huge compared with the robot, and plausible in mm.
 
     Args:
         span: the size of the rest of the robot in m.
@@ -115,19 +115,19 @@ def looks_like_millimetres(use: MeshUse, span: float) -> bool:
 
 
 def is_microscopic(use: MeshUse) -> bool:
-    """True for a mesh that is too small by its scale, and would be a part without it."""
+    """True for a mesh that only its scale makes too small."""
     return max(map(abs, use.shape.scale)) <= SHRINKING and 0 < use.longest < MICROSCOPIC
 
 
 def rest_of_robot(model: RobotModel) -> float:
-    """The size of the robot in m, by its joints and primitives; 0 if they say nothing."""
+    """Size of the robot in m, from its joints and primitives; 0 if unknown."""
     offsets = [hypot(*joint.origin.position) for joint in model.joints]
     sizes = [2 * max(shape.half_extents) for shape in model.shapes if shape.half_extents]
     return max((*offsets, *sizes), default=0.0)
 
 
 def _dense_shared(uses: list[MeshUse]) -> list[MeshUse]:
-    """The first collision with each dense file that a visual of the same link has, too."""
+    """The first collision with each dense file that is also a visual of the same link."""
     visuals = {(use.link.name, use.path) for use in uses if use.role == "visual"}
     found: dict[str, MeshUse] = {}
     for use in uses:
@@ -138,12 +138,12 @@ def _dense_shared(uses: list[MeshUse]) -> list[MeshUse]:
 
 
 def _lacks_materials(use: MeshUse) -> bool:
-    """True if nothing else says which colour the mesh has."""
+    """True if neither the file nor the URDF defines the colour."""
     return bool(use.measures.no_materials) and use.body.material is None
 
 
 def _is_open(use: MeshUse) -> bool:
-    """True also for a sheet with two sides: it has no edge, and encloses nothing."""
+    """True also for a two-sided sheet: it has no boundary edge but encloses no volume."""
     measures = use.measures
     encloses = measures.solid is not None or measures.inverted_bodies > 0
     is_solid = measures.is_closed and encloses
@@ -151,12 +151,12 @@ def _is_open(use: MeshUse) -> bool:
 
 
 def _overlaps(use: MeshUse) -> bool:
-    """True if masses that are computed from the mesh are too large; the visual serves at need."""
+    """True if overlaps increase a mass computed from the collision, or the visual without one."""
     return use.measures.overlap > OVERLAP and (use.role == "collision" or not use.link.collisions)
 
 
 def _is_degenerate(use: MeshUse) -> bool:
-    """True if it matters: a visual shows nothing of a few triangles without area."""
+    """True if the degenerate triangles matter; a few of them are invisible in a visual."""
     measures = use.measures
     share = measures.degenerate / measures.triangles
     return share > (0.01 if use.role == "visual" else 0)
@@ -179,7 +179,7 @@ OF_FILES: dict[MeshDefect, Callable[[MeshUse], bool]] = {
     MeshDefect.PARTLY_UNREADABLE: lambda use: bool(losses(use)),
 }
 
-#: Of what is irrelevant in a collision.
+#: Defects that are irrelevant in a collision.
 OF_APPEARANCE: dict[MeshDefect, Callable[[MeshUse], bool]] = {
     MeshDefect.MISSING_TEXTURES: lambda use: bool(missing_textures(use)),
     MeshDefect.STL_COLOURS: lambda use: any(e.startswith(COLOURS) for e in use.measures.extras),

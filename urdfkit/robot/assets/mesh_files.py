@@ -1,4 +1,4 @@
-"""The mesh files that a model names: their places, formats and defects, and suggestions."""
+"""The mesh files that a model references: paths, formats, defects, and suggestions."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import Resolver
 
-#: Directories of a package that are searched for a file of the wanted name.
+#: Directories of a package that are searched for a missing file.
 MAX_DIRECTORIES = 2000
-#: Directories of a missing file that lead to one of several files of its name for sure.
+#: With this many equal parent directories, one of several files with the same name is certain.
 MIN_COMMON_DIRECTORIES = 2
 
 
 class MeshReference(Record):
-    """A mesh that a visual or a collision names."""
+    """A reference to a mesh file in a visual or collision."""
 
-    at: Placed[str]  # the file name as it is after expansion
+    at: Placed[str]  # the file name after expansion
     link: Link  # the link
     role: str  # ``visual`` or ``collision``
     body: Body  # the visual or collision
-    located: ResolvedReference  # where it leads
-    facts: MeshFacts | None  # what the file's bytes say; None if there is no file
+    located: ResolvedReference  # the resolved file
+    facts: MeshFacts | None  # properties of the file's contents; None if the file is missing
 
     @property
     def who(self) -> str:
@@ -37,21 +37,21 @@ class MeshReference(Record):
 
     @property
     def literal(self) -> Attribute | None:
-        """The attribute, if the source holds this very reference and a fix may edit it."""
+        """The attribute if the source contains this reference literally; a fix can edit it."""
         at = self.at.at
         return at if isinstance(at, Attribute) and at.literal else None
 
 
 class Suggestion(Record):
-    """A file that a reference probably means."""
+    """The file that was probably intended by a reference."""
 
-    reference: str  # to write instead
-    path: str  # the file that it leads to
+    reference: str  # the corrected reference
+    path: str  # the file
     sure: bool  # True if it is the only candidate
 
 
 class MeshFiles:
-    """The files of one model; every file is found and read once."""
+    """The mesh files of a model; each file is located and read once."""
 
     def __init__(self, model: RobotModel, resolver: Resolver) -> None:
         self.resolver = resolver
@@ -62,9 +62,9 @@ class MeshFiles:
 
     @cached_property
     def meshes(self) -> tuple[MeshReference, ...]:
-        """Every mesh reference, in the order of the document.
+        """All mesh references, in document order.
 
-        References with an unexpanded ``${`` or ``$(`` are left out: they name no file yet.
+        References with an unexpanded ``${`` or ``$(`` are omitted.
         """
         return tuple(
             self._mesh(link, role, body, body.shape.filename)
@@ -79,7 +79,7 @@ class MeshFiles:
 
     @cached_property
     def each_file(self) -> tuple[MeshReference, ...]:
-        """The first reference to each file that is there; symbolic links count once."""
+        """The first reference to each existing file; symbolic links are resolved."""
         first: dict[str, MeshReference] = {}
         for mesh in self.meshes:
             if mesh.located.path:
@@ -88,20 +88,20 @@ class MeshFiles:
 
     @cached_property
     def paths(self) -> tuple[str, ...]:
-        """The mesh files that are there, each once."""
+        """The existing mesh files, without repetitions."""
         found = (mesh.located.path for mesh in self.meshes)
         return tuple(dict.fromkeys(path for path in found if path is not None))
 
     def path(self, shape: Shape) -> str | None:
-        """The file that a shape names; None if it is no mesh, or there is no such file."""
+        """The mesh file of a shape; None if it is not a mesh, or the file is missing."""
         return self.find(shape.filename) if shape.filename else None
 
     def find(self, name: Placed[str]) -> str | None:
-        """The file that a mesh or a texture names; None if there is no such file."""
+        """The file of a mesh or texture; None if it is missing."""
         return self.locate(name).path
 
     def locate(self, name: Placed[str]) -> ResolvedReference:
-        """What the name of a mesh or a texture leads to."""
+        """The resolved reference of a mesh or texture."""
         return self.resolver.locate(name.value, _tag(name).source.path, self.top)
 
     def facts(self, path: str) -> MeshFacts:
@@ -112,14 +112,14 @@ class MeshFiles:
         return self._facts[path]
 
     def has_ambiguous_axes(self, body: Body) -> bool:
-        """True for a mesh whose axes programs read differently (MSH013)."""
+        """True for a mesh whose axes programs interpret differently (MSH013)."""
         path = self.path(body.shape) if body.shape else None
         facts = self.facts(path) if path else None
         return facts is not None and (has_other_up_axis(facts) or is_gltf(facts))
 
     @property
     def missing(self) -> tuple[MeshReference, ...]:
-        """The references that lead to no file, although their package is known."""
+        """References to missing files in known packages."""
         return tuple(
             mesh
             for mesh in self.meshes
@@ -131,23 +131,23 @@ class MeshFiles:
 
     @property
     def copies(self) -> list[tuple[MeshReference, MeshReference]]:
-        """The references to a file with the content of an earlier one, and the latter."""
+        """References to files with the same contents as an earlier file, each with the latter."""
         by_size: dict[int, list[MeshReference]] = {}
         for mesh in self.each_file:
             if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES:
                 by_size.setdefault(mesh.facts.size, []).append(mesh)
-        found = []
-        for alike in by_size.values():
+        copies = []
+        for same_size in by_size.values():
             first: dict[bytes, MeshReference] = {}
-            for mesh in alike if len(alike) > 1 else ():
+            for mesh in same_size if len(same_size) > 1 else ():
                 earlier = first.setdefault(_content(mesh), mesh)
                 if earlier is not mesh:
-                    found.append((mesh, earlier))
-        return found
+                    copies.append((mesh, earlier))
+        return copies
 
     @property
     def ignored(self) -> list[MeshReference]:
-        """The references to files that git leaves out of the repository that they lie in."""
+        """References to files that git ignores."""
         if not self.each_file:
             return []
         from urdfkit.workspace.gitignore import GitIgnored
@@ -157,12 +157,12 @@ class MeshFiles:
 
     @property
     def without_package(self) -> dict[str, list[MeshReference]]:
-        """The references whose package is not found, by its name."""
-        found: dict[str, list[MeshReference]] = {}
+        """References to missing packages, by package name."""
+        references: dict[str, list[MeshReference]] = {}
         for mesh in self.meshes:
             if mesh.located.package is not None and mesh.located.directory is None:
-                found.setdefault(mesh.located.package, []).append(mesh)
-        return found
+                references.setdefault(mesh.located.package, []).append(mesh)
+        return references
 
     def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
         """The reference of a missing file, with upper and lower case as on disk."""
@@ -174,33 +174,33 @@ class MeshFiles:
         return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
 
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
-        """The file that a reference to a missing one probably means.
+        """The file that was probably intended by a reference to a missing file.
 
-        One of another format in the same directory, else a file of the same name elsewhere in the
-        package, else one of a similar name in the same directory, else one of another format
-        elsewhere. It is sure if it is the only candidate and no other link uses it. A file whose
-        name is like those of the missing ones of several links is not offered.
+        In this order: a file of another format in the same directory, a file of the same name
+        elsewhere in the package, a file of a similar name in the same directory, a file of another
+        format elsewhere. It is sure if it is the only candidate and no other link uses it. A file
+        whose name resembles the missing files of several links is not offered.
         """
         located = mesh.located
         similar = self._similar_name(located)
-        links = self._links_by_name_like.get(similar[0], {}).values()
+        links = self._links_by_similar_name.get(similar[0], {}).values()
         if not similar[1] and not set.intersection(*links):
             similar = None, False
-        found = [self._same_name_elsewhere(located), similar]
+        candidates = [self._same_name_elsewhere(located), similar]
         if similar[0] is not None and stem(similar[0]) == stem(located.relative):
-            found.reverse()
-        found.append(self._same_name_elsewhere(located, any_format=True))
-        path, sure = next((one for one in found if one[0] is not None), (None, False))
+            candidates.reverse()
+        candidates.append(self._same_name_elsewhere(located, any_format=True))
+        path, sure = next((pair for pair in candidates if pair[0] is not None), (None, False))
         if path is None:
             return None
         sure = sure and path not in self._used
         reference = self.reference_to(path, located)
-        # The path of one machine is not replaced by that of another one.
+        # An absolute path is not replaced by another absolute path.
         portable = _relative(path, self._directory) if reference == path else reference
         return Suggestion(portable, path, sure)
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
-        """A reference to a file, of the same sort as another one if it can be."""
+        """A reference to a file, of the same scheme as another reference if possible."""
         if like.directory:
             return f"{like.scheme}://{like.package}/{_relative(path, like.directory)}"
         package = self.resolver.packages.enclosing(path)
@@ -213,14 +213,14 @@ class MeshFiles:
         return os.path.dirname(os.path.abspath(self.top))
 
     @cached_property
-    def _links_by_name_like(self) -> dict[str | None, dict[str, set[str]]]:
-        """For each file, the names of missing files that its own is like, and their links."""
-        found: dict[str | None, dict[str, set[str]]] = {}
+    def _links_by_similar_name(self) -> dict[str | None, dict[str, set[str]]]:
+        """For each file, the similar names of missing files, and their links."""
+        links: dict[str | None, dict[str, set[str]]] = {}
         for mesh in self.missing:
             path, _ = self._similar_name(mesh.located)
             name = stem(mesh.located.relative)
-            found.setdefault(path, {}).setdefault(name, set()).add(mesh.link.name)
-        return found
+            links.setdefault(path, {}).setdefault(name, set()).add(mesh.link.name)
+        return links
 
     @cached_property
     def _used(self) -> set[str]:
@@ -232,7 +232,7 @@ class MeshFiles:
         return MeshReference(filename, link, role, body, located, facts)
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
-        """The directory below which a missing file should be, and its path there."""
+        """The base directory of a missing file, and its path below it."""
         if located.directory:
             return located.directory, located.relative
         if located.scheme == "relative":
@@ -242,9 +242,10 @@ class MeshFiles:
     def _same_name_elsewhere(
         self, located: ResolvedReference, *, any_format: bool = False
     ) -> tuple[str | None, bool]:
-        """The file of the wanted name in the package, and whether it certainly is the wanted one.
+        """The file of the expected name in the package, and whether it is certain.
 
-        Of several the one in the most directories of the wanted names; none if that is not one.
+        Of several, the one that shares the most parent directories with the missing file, if
+        unique.
         """
         base = located.directory
         if base is None:
@@ -261,7 +262,7 @@ class MeshFiles:
             ):
                 continue
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
-            # Not the same part of another model of the series.
+            # Exclude the same part of another model of the series.
             if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
                 found.setdefault(common, []).append(path)
         best = max(found, default=0)
@@ -271,7 +272,7 @@ class MeshFiles:
         return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
-        """A mesh file of a similar name in the same directory, and whether that is a typo."""
+        """A file of a similar name in the same directory, and whether the name is a typo."""
         base, relative = self._expected(located)
         directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.directories.entries(directory) or {}
@@ -281,7 +282,7 @@ class MeshFiles:
             for name, is_directory in entries.items()
             if not is_directory and suffix(name) in BY_SUFFIX and numbers_in(name) == numbers
         ]
-        # Without the endings, which are alike anyway.
+        # Suffixes are not compared.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
         close = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
         if close is None:
@@ -290,7 +291,7 @@ class MeshFiles:
 
 
 def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
-    """How many directories a wanted directory and that of a path end in alike, and what is left."""
+    """The number of common trailing directories of two paths, and the remaining parts."""
     ours, theirs = directory.split("/"), path.split("/")[:-1]
     common = 0
     while ours and theirs and ours[-1] == theirs[-1]:
@@ -300,7 +301,7 @@ def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
 
 
 def _content(mesh: MeshReference) -> bytes:
-    """The bytes of a file; its path where they cannot be read, which equals no other."""
+    """The contents of a file; its unique path if it is unreadable."""
     path = mesh.located.path or ""
     try:
         return disk.read(path)
@@ -313,7 +314,7 @@ def _relative(path: str, directory: str) -> str:
 
 
 def _tag(placed: Placed[str]) -> Tag:
-    """The tag that holds the text of a value."""
+    """The tag that contains the text of a value."""
     at = placed.at
     if isinstance(at, Attribute):
         return at.written_in or at.element.tag_at

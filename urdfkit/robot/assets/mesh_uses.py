@@ -1,4 +1,4 @@
-"""The uses of mesh files in the visuals and collisions of a model."""
+"""Uses of mesh files in the visuals and collisions of a model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from urdfkit.text.document import Attribute
 class MeshUse(Record):
     """A mesh file in a visual or a collision of a link."""
 
-    at: Placed[str]  # the file name as it is after expansion
+    at: Placed[str]  # the file name after expansion
     link: Link  # the link
     role: str  # ``visual`` or ``collision``
     body: Body  # the visual or collision
@@ -43,7 +43,7 @@ class MeshUse(Record):
 
     @property
     def longest(self) -> float:
-        """The longest edge of that box, in m."""
+        """The longest edge of the bounding box, in m."""
         return max(self.edges)
 
     @property

@@ -1,8 +1,8 @@
-"""Placeholder meshes for files that are missing or broken.
+"""Placeholder meshes for missing or broken files.
 
-What is left of a broken file is kept where it is most of it. Else the names of file and link say
-a real part (a lidar, a camera, a wheel), and the other shapes of the link its place and size; where
-no name does, those shapes themselves are taken. Nothing here guesses without saying so.
+A broken file is salvaged if most of it is readable. Otherwise the names of file and link determine
+a real part (a lidar, a camera, a wheel), and the other shapes of the link its pose and size;
+without such a name, these shapes are copied. The result states its source.
 """
 
 from __future__ import annotations
@@ -24,24 +24,24 @@ from urdfkit.robot.assets.placeholder_shapes import placeholder_shape
 from urdfkit.robot.assets.target_bounds import BUILDABLE, is_buildable
 from urdfkit.workspace.resolve import OUTSIDE
 
-#: A broken file is salvaged if this part of its triangles is left.
+#: A broken file is salvaged if this part of its triangles is readable.
 _ENOUGH = 0.5
 
 
 class GeneratedMesh(Record):
-    """A mesh that was made for a file."""
+    """A mesh generated for a file."""
 
-    path: str  # where the file belongs
-    references: tuple[MeshReference, ...]  # that lead there
-    defect: str  # what is wrong with the file, such as ``does not exist``
-    mesh: Mesh  # in the units of the file: with the scale of its reference it fits the robot
-    reason: str  # what it is and why
+    path: str  # expected path of the file
+    references: tuple[MeshReference, ...]  # references to the file
+    defect: str  # predicate on the file, such as ``does not exist``
+    mesh: Mesh  # in the units of the file: the scale of the reference applies to it
+    reason: str  # what was generated and why
 
     def write(self) -> list[str]:
-        """Write the file and those that it needs; missing directories are created.
+        """Write the file and the files that it references; missing directories are created.
 
         Returns:
-            The paths, that of the mesh first.
+            The paths, the mesh file first.
 
         Raises:
             UrdfkitError: it cannot be written.
@@ -49,12 +49,12 @@ class GeneratedMesh(Record):
         return write(self.mesh, self.path)
 
     def not_written(self, reason: str) -> NotGenerated:
-        """The result where the file may not be written."""
+        """The result if the file may not be written."""
         return NotGenerated(self.path, self.references, self.defect, reason)
 
 
 class NotGenerated(Record):
-    """A file for which no mesh can be made, and why."""
+    """A file for which no mesh can be generated, and the reason."""
 
     path: str
     references: tuple[MeshReference, ...]
@@ -63,19 +63,19 @@ class NotGenerated(Record):
 
 
 class GeneratedMeshes(Record):
-    """What was made for the missing and broken files of a robot, and what was not."""
+    """The generated meshes for missing and broken files, and the files without one."""
 
     generated: tuple[GeneratedMesh, ...]
     not_generated: tuple[NotGenerated, ...]
 
     @classmethod
     def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
-        made = tuple(one for one in results if isinstance(one, GeneratedMesh))
-        return cls(made, tuple(one for one in results if isinstance(one, NotGenerated)))
+        generated = tuple(each for each in results if isinstance(each, GeneratedMesh))
+        return cls(generated, tuple(each for each in results if isinstance(each, NotGenerated)))
 
 
 class NoSuchMesh(UrdfkitError):
-    """No shape of the robot names that mesh."""
+    """No shape of the robot references the mesh."""
 
 
 class NoSuchSize(UrdfkitError):
@@ -83,7 +83,7 @@ class NoSuchSize(UrdfkitError):
 
 
 def generate_missing(robot: Robot) -> GeneratedMeshes:
-    """Make a mesh for every file that a robot names and that is missing, empty or broken.
+    """Generate a mesh for each missing, empty or broken file of a robot.
 
     Nothing is written: see `GeneratedMesh.write`.
     """
@@ -98,17 +98,17 @@ def generate(
     size: Vector | None = None,
     force: bool = False,
 ) -> GeneratedMesh | NotGenerated:
-    """Make a mesh for one file that a robot names.
+    """Generate a mesh for a file that a robot references.
 
     Args:
-        reference: as its ``filename`` says.
-        part: what to make; chosen by the names if not given.
-        size: edges in m, along the axes of the visual or collision; by the link if not given.
+        reference: the ``filename`` as written.
+        part: the part to generate; chosen by the names if None.
+        size: edges in m, along the axes of the visual or collision; derived from the link if None.
 
     Raises:
         NoSuchMesh: no shape of the robot has this reference.
-        NoSuchSize: an edge is out of all bounds.
-        SoundMesh: the file is good, and not to be replaced.
+        NoSuchSize: an edge is out of bounds.
+        SoundMesh: the file is sound and is not replaced.
     """
     _require_buildable(size)
     references = tuple(mesh for mesh in robot.files.meshes if mesh.at.value == reference)
@@ -118,7 +118,7 @@ def generate(
         known = [mesh.at.value for mesh in robot.files.meshes]
         near = nearest(reference, known)
         hint = f"; did you mean '{near}'?" if near else ""
-        raise NoSuchMesh(f"no shape of the robot names '{reference}'{hint}")
+        raise NoSuchMesh(f"no shape of the robot references '{reference}'{hint}")
     path, defect = _place(references[0])
     if not force:
         require_replaceable(path)
@@ -128,14 +128,14 @@ def generate(
 def generate_part(
     path: str, part: RealPart, size: Vector | None = None, *, force: bool = False
 ) -> GeneratedMesh:
-    """Make a part for a file that no robot names yet.
+    """Generate a part for a file that no robot references yet.
 
     Args:
-        size: its edges in m, along its own axes; true to life if not given.
+        size: edges in m, along the axes of the part; the true size if None.
 
     Raises:
-        NoSuchSize: an edge is out of all bounds.
-        SoundMesh: the file is good, and not to be replaced.
+        NoSuchSize: an edge is out of bounds.
+        SoundMesh: the file is sound and is not replaced.
     """
     _require_buildable(size)
     if not force:
@@ -147,10 +147,10 @@ def generate_part(
 
 
 def _require_buildable(size: Vector | None) -> None:
-    """Check that solids can be built in a size.
+    """Check that a solid of a size can be built.
 
     Raises:
-        NoSuchSize: an edge is out of all bounds.
+        NoSuchSize: an edge is out of bounds.
     """
     if size is not None and not is_buildable(size):
         edges, (least, most) = "{:g} x {:g} x {:g} m".format(*size), BUILDABLE
@@ -158,7 +158,7 @@ def _require_buildable(size: Vector | None) -> None:
 
 
 def unusable(robot: Robot) -> Iterator[tuple[str, tuple[MeshReference, ...], str]]:
-    """The files that are missing or broken: path, references, and what is wrong."""
+    """The missing or broken files: path, references, and defect."""
     grouped: dict[str, list[MeshReference]] = {}
     defects: dict[str, str] = {}
     for mesh in robot.files.meshes:
@@ -171,7 +171,7 @@ def unusable(robot: Robot) -> Iterator[tuple[str, tuple[MeshReference, ...], str
 
 
 def _place(mesh: MeshReference) -> tuple[str, str]:
-    """Where the file of a reference belongs, and what is wrong with it; empty if nothing is."""
+    """The expected path of a referenced file, and its defect; empty if it is sound."""
     located = mesh.located
     if located.outside is not None:
         return located.outside, ""
@@ -207,14 +207,14 @@ def _make(
     if part is None and size is None and facts is not None and facts.defect:
         from urdfkit.mesh.io.salvage import salvage
 
-        left = salvage(path)
-        if left is not None and left.share >= _ENOUGH:
-            lost = f" ({'; '.join(left.mesh.losses)})" if left.mesh.losses else ""
-            reason = f"what is left of it: {left}{lost}"
-            return GeneratedMesh(path, references, defect, left.mesh, reason)
-    made = placeholder_shape(robot, references[0], part, size)
-    if made is None:
+        salvaged = salvage(path)
+        if salvaged is not None and salvaged.share >= _ENOUGH:
+            lost = f" ({'; '.join(salvaged.mesh.losses)})" if salvaged.mesh.losses else ""
+            reason = f"salvaged: {salvaged}{lost}"
+            return GeneratedMesh(path, references, defect, salvaged.mesh, reason)
+    shape = placeholder_shape(robot, references[0], part, size)
+    if shape is None:
         reason = "neither its name nor its link says what it is, or how large"
         return NotGenerated(path, references, defect, reason)
-    mesh, why = made
-    return GeneratedMesh(path, references, defect, mesh, why)
+    mesh, reason = shape
+    return GeneratedMesh(path, references, defect, mesh, reason)

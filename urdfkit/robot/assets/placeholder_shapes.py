@@ -1,4 +1,4 @@
-"""The shape of a placeholder mesh: a real part, a copy of other shapes, or a block."""
+"""Shapes of placeholder meshes: a real part, a copy of other shapes, or a block."""
 
 import os
 
@@ -25,59 +25,61 @@ from urdfkit.robot.assets.target_bounds import (
 )
 from urdfkit.robot.model import Body, Link
 
-#: A part is stretched to its bounds if no edge needs this many times the factor of another one.
+#: A part is stretched to its bounds if the factors of its edges differ by this ratio at most.
 _DISTORTION = 2.0
-#: Target bounds guessed from an inertia tensor overrule the data sheet up to this factor.
+#: Target bounds guessed from an inertia tensor overrule the data sheet up to this ratio.
 _GUESS = 2.0
-#: An axis this near to one of the frame, as a cosine, is taken for that one.
+#: An axis with a larger cosine to an axis of the frame is replaced by that axis.
 _ALMOST = 0.999
-#: From a sensor that looks along x with z upwards to an optical frame: z forwards, y downwards.
+#: Rotation from a sensor frame (x forwards, z up) to an optical frame (z forwards, y down).
 _OPTICAL: Rotation = ((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
 
 
 def placeholder_shape(
     robot: Robot, reference: MeshReference, part: RealPart | None, size: Vector | None
 ) -> tuple[Mesh, str] | None:
-    """A mesh for a shape, in the units of its file, and what it is; None if nothing says.
+    """A mesh for a shape in the units of its file, and its description; None if unknown.
 
     Args:
-        part: what to make; chosen by the names if not given.
-        size: edges in m, along the axes of the visual or collision; by the link if not given.
+        part: the part to generate; chosen by the names if None.
+        size: edges in m, along the axes of the visual or collision; derived from the link if None.
     """
     from urdfkit.mesh.parts import choose
     from urdfkit.mesh.transforms import scaled
 
     link, body = reference.link, reference.body
-    here = target_bounds(robot, link, body)
+    bounds = target_bounds(robot, link, body)
     why = "as asked for"
     if part is None and not _has_mesh(link, body):
         names = {
             "the file": os.path.splitext(os.path.basename(reference.located.relative))[0],
             "the link": link.name,
         }
-        choice = choose(names, size or (here.size if here and here.measured else None))
+        choice = choose(names, size or (bounds.size if bounds and bounds.measured else None))
         if choice is not None:
             part, why = choice
-    made: tuple[Mesh, str] | None
+    result: tuple[Mesh, str] | None
     if part is not None:
-        made = _fitted_part(robot, link, body, part, size, why)
+        result = _fitted_part(robot, link, body, part, size, why)
     elif size is not None:
-        made = _block(size, here.frame if here else Transform(), "of the size asked for")
+        result = _block(size, bounds.frame if bounds else Transform(), "of the size asked for")
     else:
-        made = _copied(robot, link, body)
-        if made is None and here is not None:
-            made = _block(here.size, here.frame, f"fitted to {here.source} of link '{link.name}'")
-    if made is None:
+        result = _copied(robot, link, body)
+        if result is None and bounds is not None:
+            result = _block(
+                bounds.size, bounds.frame, f"fitted to {bounds.source} of link '{link.name}'"
+            )
+    if result is None:
         return None
     assert body.shape is not None
     x, y, z = body.shape.scale
     if x and y and z:
-        made = (scaled(made[0], (1 / x, 1 / y, 1 / z)), made[1])
-    return made
+        result = (scaled(result[0], (1 / x, 1 / y, 1 / z)), result[1])
+    return result
 
 
 def _has_mesh(link: Link, body: Body) -> bool:
-    """True if a counterpart of a shape is a mesh: better than any part of our own."""
+    """True if a counterpart of a shape is a mesh, which is preferred to a generated part."""
     others, _ = counterparts(link, body)
     return any(other.shape and other.shape.kind == "mesh" for other in others)
 
@@ -89,20 +91,20 @@ def _fitted_part(
     from urdfkit.mesh.transforms import moved
 
     axes = _axes(robot, link, body, part)
-    here = target_bounds(robot, link, body, axes)
+    bounds = target_bounds(robot, link, body, axes)
     if size is not None:
         rows = transposed(axes)
         fitted = vector(sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in rows)
-        how = "of the size asked for"
-        frame = here.frame if here else Transform(axes)
+        reason = "of the size asked for"
+        frame = bounds.frame if bounds else Transform(axes)
     else:
-        fitted, how = _fit(part, here, link)
-        frame = _seat(part, fitted, here, axes)
+        fitted, reason = _fit(part, bounds, link)
+        frame = _seat(part, fitted, bounds, axes)
     text = "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in fitted))
     assert body.shape is not None
     assert body.shape.filename is not None
     names = (link.name, os.path.basename(body.shape.filename.value))
-    return moved(part.build(fitted, names), frame), f"{part.name}, {text}: {why}; {how}"
+    return moved(part.build(fitted, names), frame), f"{part.name}, {text}: {why}; {reason}"
 
 
 def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
@@ -110,13 +112,13 @@ def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
     if part.turns:
         axis = turning_axis(robot, link, body)
         if axis is None:
-            here = target_bounds(robot, link, body)
-            if here is None:
+            bounds = target_bounds(robot, link, body)
+            if bounds is None:
                 return IDENTITY
-            shortest = here.size.index(min(here.size))
+            shortest = bounds.size.index(min(bounds.size))
             axis = (float(shortest == 0), float(shortest == 1), float(shortest == 2))
         return _with_z_along(axis)
-    # A sensor looks along the axes of its link, however the visual is turned in it.
+    # A sensor is aligned with its link, whatever the rotation of the visual.
     link_axes = transposed(body.origin.rotation)
     optical = "optical" in link.name.lower() and "camera" in part.kind
     return multiply(link_axes, _OPTICAL) if optical else link_axes
@@ -130,26 +132,26 @@ def _with_z_along(axis: Vector) -> Rotation:
     return transposed(basis(axis))
 
 
-def _fit(part: RealPart, here: TargetBounds | None, link: Link) -> tuple[Vector, str]:
-    """The size that a part gets, and why."""
-    if here is None:
+def _fit(part: RealPart, bounds: TargetBounds | None, link: Link) -> tuple[Vector, str]:
+    """The size of a generated part, and the reason."""
+    if bounds is None:
         return part.size, "its true size, for the link has none"
-    ratios = [edge / true for edge, true in zip(here.size, part.size, strict=True)]
-    where = f"{here.source} of link '{link.name}'"
-    if not here.measured and not 1 / _GUESS <= min(ratios) <= max(ratios) <= _GUESS:
+    ratios = [edge / true for edge, true in zip(bounds.size, part.size, strict=True)]
+    where = f"{bounds.source} of link '{link.name}'"
+    if not bounds.measured and not 1 / _GUESS <= min(ratios) <= max(ratios) <= _GUESS:
         return part.size, f"its true size, for {where} give no likely one"
     if part.turns or max(ratios) <= _DISTORTION * min(ratios):
-        return here.size, f"fitted to {where}"
+        return bounds.size, f"fitted to {where}"
     x, y, z = (min(ratios) * edge for edge in part.size)
     return (x, y, z), f"in its true proportions within {where}"
 
 
-def _seat(part: RealPart, size: Vector, here: TargetBounds | None, axes: Rotation) -> Transform:
-    """The frame of a part: the middle of its bounds; a lower sensor stands on their floor."""
-    if here is None:
+def _seat(part: RealPart, size: Vector, bounds: TargetBounds | None, axes: Rotation) -> Transform:
+    """The frame of a part in the middle of its bounds; a lower sensor stands on their floor."""
+    if bounds is None:
         return Transform(axes)
-    drop = 0.0 if part.turns else (size[2] - here.size[2]) / 2
-    return here.frame @ Transform(position=(0.0, 0.0, drop))
+    drop = 0.0 if part.turns else (size[2] - bounds.size[2]) / 2
+    return bounds.frame @ Transform(position=(0.0, 0.0, drop))
 
 
 def _block(size: Vector, frame: Transform, how: str) -> tuple[Mesh, str]:
@@ -161,17 +163,17 @@ def _block(size: Vector, frame: Transform, how: str) -> tuple[Mesh, str]:
 
 
 def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
-    """The other shapes of the link as one mesh; None if there are none, or one is not known."""
+    """The counterparts of a shape as one mesh; None without any, or if one cannot be loaded."""
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.mesh.transforms import moved
 
-    others, source = counterparts(link, body)
+    bodies, source = counterparts(link, body)
     parts: list[MeshPart] = []
-    for other in others:
-        mesh = body_mesh(robot, other)
+    for counterpart in bodies:
+        mesh = body_mesh(robot, counterpart)
         if mesh is None:
             return None
-        parts += moved(mesh, body.origin.inverse @ other.origin).parts
+        parts += moved(mesh, body.origin.inverse @ counterpart.origin).parts
     if not parts:
         return None
     return Mesh(tuple(parts), up_axis="Z_UP"), f"the shape of {source} of link '{link.name}'"

@@ -1,4 +1,4 @@
-"""The bounds that a placeholder mesh has to fill, by the other shapes of its link."""
+"""Bounds of placeholder meshes, derived from the other shapes of the link."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive
 
-#: Edges in m outside this range, out of an inertia tensor, say that the tensor is wrong.
+#: Edges in m outside this range, computed from an inertia tensor, show that the tensor is wrong.
 _SHORTEST, _LONGEST = 0.001, 3.0
-#: Edges in m that solids can be built of.
+#: Range of edges in m for which solids can be built.
 BUILDABLE = (1e-6, 1e4)
 
 
 class TargetBounds(Record):
     """A box in the frame of a visual or collision."""
 
-    size: Vector  # its edges in m, along the columns of ``frame.rotation``
-    frame: Transform  # its middle and its axes
-    source: str  # what it was taken from, such as ``the collision``
-    measured: bool  # False if it is only guessed from mass and inertia
+    size: Vector  # edges in m, along the columns of ``frame.rotation``
+    frame: Transform  # centre and axes
+    source: str  # source of the bounds, such as ``the collision``
+    measured: bool  # False if they are estimated from mass and inertia
 
 
 def target_bounds(
     robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY
 ) -> TargetBounds | None:
-    """The bounds of a shape of a link, from its other shapes, else from its inertia.
+    """The bounds of a shape, from its counterparts in the link, or else from the inertia.
 
     Args:
-        body: the visual or collision whose bounds are wanted.
-        axes: of the bounds, as columns, in the frame of that body.
+        body: the visual or collision.
+        axes: axes of the bounds as columns, in the frame of ``body``.
     """
     others, source = counterparts(link, body)
     frame = Transform(axes).inverse @ body.origin.inverse
@@ -50,22 +50,22 @@ def target_bounds(
 
 
 def counterparts(link: Link, body: Body) -> tuple[tuple[Body, ...], str]:
-    """The collisions of a link for one of its visuals, its visuals for a collision."""
+    """The collisions of a link for one of its visuals; the visuals for a collision."""
     if any(body is visual for visual in link.visuals):
         return link.collisions, "the collision"
     return link.visuals, "the visual"
 
 
 def is_buildable(size: Vector) -> bool:
-    """True for edges of which a solid can be built."""
+    """True if a solid with these edges can be built."""
     least, most = BUILDABLE
     return all(least <= edge <= most for edge in size)
 
 
 def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
-    """The direction that a wheel turns about, in the frame of one of its shapes.
+    """The rotation axis of a wheel, in the frame of one of its shapes.
 
-    That of the only cylinder among its shapes, else of the joint that turns it.
+    The axis of the only cylinder among the counterparts, or else of the parent joint.
     """
     others, _ = counterparts(link, body)
     if len(others) == 1 and others[0].shape and others[0].shape.kind in ("cylinder", "capsule"):
@@ -89,10 +89,10 @@ def _target_bounds(
 
 
 def _block_of_inertia(link: Link) -> Primitive | None:
-    """The box of uniform density that has the mass and the moments of a link.
+    """The box of uniform density with the mass and the moments of a link.
 
-    With the edges a, b, c: ``Ixx = m (b^2 + c^2) / 12`` and so on, so that
-    ``a^2 = 6 (Iyy + Izz - Ixx) / m``. None where the tensor is no such box, or none of a robot.
+    For the edges a, b, c: ``Ixx = m (b^2 + c^2) / 12`` and so on, so that
+    ``a^2 = 6 (Iyy + Izz - Ixx) / m``. None if no box, or no part of a robot, has the tensor.
     """
     inertial = link.inertial
     if inertial is None or inertial.tensor is None or link.mass <= 0:
@@ -100,7 +100,7 @@ def _block_of_inertia(link: Link) -> Primitive | None:
     tensor = inertial.tensor.value
     x, y, z = tensor.ixx, tensor.iyy, tensor.izz
     if x == y == z and f"{x:e}".startswith("1.000000e"):
-        return None  # 1, 0.1, 0.001: what people write where they know no value
+        return None  # placeholders such as 1, 0.1, 0.001
     squares = [6 * value / link.mass for value in (y + z - x, x + z - y, x + y - z)]
     if not all(_SHORTEST**2 <= square <= _LONGEST**2 for square in squares):
         return None

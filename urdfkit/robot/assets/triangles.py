@@ -1,4 +1,4 @@
-"""The triangles of the mesh files that a model names; every file is loaded once."""
+"""Triangles of the mesh files of a model; each file is loaded once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Meshes:
     """The meshes of one model.
 
     Args:
-        progress: called with the number of files loaded, and of all.
+        progress: called with the number of loaded files and the total number.
     """
 
     def __init__(self, files: MeshFiles, progress: Progress | None = None) -> None:
@@ -24,12 +24,12 @@ class Meshes:
         self._loaded: dict[str, Mesh | str] = {}
 
     def mesh(self, shape: Shape) -> Mesh | None:
-        """What the file of a shape holds, in its own units; None if it cannot be loaded."""
+        """The mesh in the file of a shape, in the file's units; None if it cannot be loaded."""
         loaded = self._load(shape)
         return None if isinstance(loaded, str) else loaded
 
     def reason(self, shape: Shape) -> str:
-        """Why a shape has no triangles; empty if a mesh has some."""
+        """The reason why a shape has no triangles; empty for a loadable mesh."""
         loaded = self._load(shape)
         return loaded if isinstance(loaded, str) else ""
 

@@ -1,7 +1,7 @@
-"""The collisions of a link compared with its visuals.
+"""Comparison of the collisions of a link with its visuals.
 
-The collision may be simpler, a little larger, or without some parts. What is compared is the
-bounding box of each along the axes of the link, in m.
+The collision may be simpler, a little larger, or without some parts. The bounding boxes along the
+axes of the link are compared, in m.
 """
 
 from __future__ import annotations
@@ -17,41 +17,42 @@ from urdfkit.core.spatial import Rotation, Transform, Vector, cross, length, min
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
 
-#: Common volume by the volume of both bounding boxes together, below which they are apart. A body
-#: that stands on its origin in one and lies about it in the other has 1/3, and a little more where
-#: the half of its height was rounded.
+#: Common volume by the volume of the union of both bounding boxes, below which they are apart. A
+#: body with its origin at one end in one box and in the middle in the other has 1/3, and a little
+#: more if half of its height was rounded.
 LEAST_OVERLAP = 0.34
 
-#: A box with this part of its volume within the other one is intentionally larger or smaller.
+#: A box with this part of its volume inside the other box is intentionally larger or smaller.
 NESTED = 0.9
 
-#: Shapes with no edge over this, in m, mark a place.
+#: Primitives with no edge over this, in m, are markers.
 MARKER = 0.005
 
-#: Corners that are no farther apart than this, in m, differ by a tolerance, or a sheet's thickness.
+#: Corners at a smaller distance, in m, differ by a tolerance, or by the thickness of a sheet.
 NEAR = 0.002
 
-#: Edges of a cube differ by less; and how many times as large as what is too small by a thousand a
-#: part may be, being only similar.
+#: Largest ratio of the edges of a cube; and the range of ratios of a shape that is too small by a
+#: factor of 1000 and only similar.
 CUBE, THOUSAND = 1.1, (600.0, 1600.0)
 
-#: `OTHER_UNIT` for two meshes that differ by one factor in every direction: one part, two scales.
-LARGER_ALIKE, ALIKE = 1.5, 1.02
+#: The bound instead of `OTHER_UNIT` for two meshes whose ratios agree in all directions up to the
+#: second factor: one part at two scales.
+SIMILAR_UNIT, SIMILAR = 1.5, 1.02
 
-#: Boxes in one place that would have this much in common are those of one part; those of a motor
-#: and of a cylinder in the place of its neighbour have 0.66.
+#: Concentric boxes with a larger overlap show one part; a motor and a cylinder in the place of its
+#: neighbour have 0.66.
 SAME = 0.72
 
-#: What a turn must add to the common volume.
+#: Least increase of the overlap by a rotation.
 GAIN = 0.3
 
-#: Two meshes that a turn lays over one another like this are one part; above the other, they lie
-#: as they should.
+#: Two meshes with this overlap after a rotation are one part; with an overlap above the second
+#: value, they are aligned.
 SAME_MESH, ALIGNED = 0.97, 0.85
 
 
 class Mismatch(Enum):
-    """How collision and visual of a link differ."""
+    """The difference between the collision and the visual of a link."""
 
     SIZE = "size"
     ROTATION = "rotation"
@@ -59,11 +60,11 @@ class Mismatch(Enum):
 
 
 class QuarterTurn(Record):
-    """A rotation by which one of the two coincides with the other."""
+    """A rotation by right angles that aligns collision and visual."""
 
     body: Body  # the visual or collision to rotate
-    rpy: Vector  # of its ``<origin>`` after that, in rad
-    overlap: float  # common volume by that of both together, after that
+    rpy: Vector  # of its ``<origin>`` after the rotation, in rad
+    overlap: float  # common volume by the volume of the union, after the rotation
 
 
 class VisualCollisionPair:
@@ -71,13 +72,13 @@ class VisualCollisionPair:
 
     def __init__(self, link: Link, collision: LinkSolid, visual: LinkSolid) -> None:
         self.link = link  # the link
-        #: collision and visual: all its collisions, and all its visuals, as solids.
+        #: collision and visual: all collisions and all visuals of the link, as solids.
         self.collision = collision
         self.visual = visual
 
     @property
     def is_marker(self) -> bool:
-        """True if one of the two only marks a place."""
+        """True if the collision or the visual is only a marker."""
         return any(
             max(one.bounds.edges) <= MARKER and not _is_mesh(one)
             for one in (self.collision, self.visual)
@@ -85,7 +86,7 @@ class VisualCollisionPair:
 
     @cached_property
     def is_shrunk(self) -> bool:
-        """True if one of the two is a thousand times too small, and marks no place.
+        """True if one of the two is a thousand times too small and not a marker.
 
         A marker is a cube or a ball; a shrunk shape has the proportions of its link.
         """
@@ -96,28 +97,28 @@ class VisualCollisionPair:
 
     @cached_property
     def overlap(self) -> float:
-        """The common volume by that of both together."""
+        """Common volume by the volume of the union."""
         return _overlap(self.collision.bounds, self.visual.bounds)
 
     @property
     def is_nested(self) -> bool:
-        """True if one of the two is larger about the same place, or replaces a part."""
+        """True if one of the two is larger at the same position, or replaces a part."""
         one, other = self.collision.bounds, self.visual.bounds
         return one.common_volume(other) >= NESTED * min(one.volume, other.volume)
 
     @cached_property
     def factor(self) -> float | None:
-        """How many times as large as the collision the visual is; None if that may be intended."""
+        """Size of the visual relative to the collision; None if it may be intended."""
         edges = zip(self.visual.bounds.edges, self.collision.bounds.edges, strict=True)
         low, middle, high = sorted(a / b if b > 0 else 0.0 for a, b in edges)
         if low <= 0:
             return None
-        least = LARGER_ALIKE if self._has_meshes and high < ALIKE * low else OTHER_UNIT
+        least = SIMILAR_UNIT if self._has_meshes and high < SIMILAR * low else OTHER_UNIT
         return middle if low >= least or high <= 1 / least else None
 
     @cached_property
     def turn(self) -> QuarterTurn | None:
-        """The quarter turns that lay one over the other; None if they hardly help."""
+        """The best rotation by right angles; None if it hardly increases the overlap."""
         turns = [*self._turns(self.link.visuals, self.visual, self.collision)]
         turns += self._turns(self.link.collisions, self.collision, self.visual)
         best = max(turns, key=lambda turn: round(turn.overlap, 3), default=None)
@@ -128,7 +129,7 @@ class VisualCollisionPair:
 
     @property
     def _has_meshes(self) -> bool:
-        """True if collision and visual are meshes: drawn from one part, with one outline."""
+        """True if collision and visual are meshes, so that their outlines should be equal."""
         return _is_mesh(self.collision) and _is_mesh(self.visual)
 
     @staticmethod
@@ -142,12 +143,13 @@ class VisualCollisionPair:
 
     @property
     def is_apart(self) -> bool:
-        """True if they have little in common, and are not merely simplified.
+        """True if they hardly overlap, and are not merely simplified.
 
-        Legs often give a hip the cylinder of the motor next to it, intentionally. The same shape at
-        another place is a mistake, and so are shapes that are farther apart than they are long.
+        Legs often have the cylinder of the motor next to the hip as its collision, intentionally.
+        The same shape at another position is a mistake, and so is a distance larger than the
+        shapes.
         """
-        if self.overlap >= LEAST_OVERLAP or self.is_nested or self._is_near:
+        if self.overlap >= LEAST_OVERLAP or self.is_nested or self._coincides:
             return False
         if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
@@ -158,24 +160,24 @@ class VisualCollisionPair:
         return one.gap(other) > max(*one.edges, *other.edges)
 
     @property
-    def _is_near(self) -> bool:
-        """True if one box lies where the other does, as two sheets on one another."""
+    def _coincides(self) -> bool:
+        """True if both boxes have the same corners, as two sheets on one another."""
         corners = zip(self.visual.bounds, self.collision.bounds, strict=True)
         return all(length(minus(one, other)) <= NEAR for one, other in corners)
 
     @property
     def has_one_shape(self) -> bool:
-        """True if collision and visual are one shape, wherever they are."""
+        """True if collision and visual are the same shape, at any pose."""
         if len(self.link.collisions) != 1 or len(self.link.visuals) != 1:
             return False
         one, other = self.link.collisions[0].shape, self.link.visuals[0].shape
-        return one is not None and other is not None and _form(one) == _form(other)
+        return one is not None and other is not None and _geometry(one) == _geometry(other)
 
     def unusual(self, span: float) -> Body:
-        """The first visual or collision, whichever is less of the size of the robot.
+        """The first visual or collision, whichever differs more from the size of the robot.
 
         Args:
-            span: the longest distance of two joints that follow one another, in m.
+            span: the longest distance between consecutive joints, in m.
         """
         visual, collision = self.link.visuals[0], self.link.collisions[0]
         if span <= 0:
@@ -190,8 +192,8 @@ class VisualCollisionPairs:
     """The links of a robot that have both visuals and collisions.
 
     Args:
-        mesh_solid: a visual or collision that is a mesh, as a solid; None where not measured.
-        is_ambiguous: True for a visual or collision that programs rotate differently.
+        mesh_solid: returns a mesh as a solid; None if it is not measured.
+        is_ambiguous: True for a visual or collision whose axes programs interpret differently.
     """
 
     def __init__(
@@ -207,15 +209,15 @@ class VisualCollisionPairs:
     @cached_property
     def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
         """The links with each mismatch; each link has at most one."""
-        found: dict[Mismatch, list[VisualCollisionPair]] = {}
-        for one in self._each():
-            if mismatch := self._mismatch(one):
-                found.setdefault(mismatch, []).append(one)
-        return found
+        mismatches: dict[Mismatch, list[VisualCollisionPair]] = {}
+        for pair in self._each():
+            if mismatch := self._mismatch(pair):
+                mismatches.setdefault(mismatch, []).append(pair)
+        return mismatches
 
     @property
     def span(self) -> float:
-        """The longest distance of two joints that follow one another, in m."""
+        """The longest distance between consecutive joints, in m."""
         places = (joint.origin.position for joint in self._model.joints)
         return max((hypot(*place) for place in places), default=0.0)
 
@@ -227,45 +229,45 @@ class VisualCollisionPairs:
                 if collision and visual and collision.parts != visual.parts:
                     yield VisualCollisionPair(link, collision, visual)
 
-    def _mismatch(self, one: VisualCollisionPair) -> Mismatch | None:
-        if one.overlap >= ALIGNED or (one.is_marker and not one.is_shrunk):
+    def _mismatch(self, pair: VisualCollisionPair) -> Mismatch | None:
+        if pair.overlap >= ALIGNED or (pair.is_marker and not pair.is_shrunk):
             return None
-        if one.factor:
+        if pair.factor:
             return Mismatch.SIZE
-        if not one.has_one_shape:  # else the origins explain it
-            if any(map(self._is_ambiguous, (*one.link.visuals, *one.link.collisions))):
+        if not pair.has_one_shape:  # otherwise the origins explain the difference
+            if any(map(self._is_ambiguous, (*pair.link.visuals, *pair.link.collisions))):
                 return None
-            if one.turn:
+            if pair.turn:
                 return Mismatch.ROTATION
-        return Mismatch.APART if one.is_apart else None
+        return Mismatch.APART if pair.is_apart else None
 
 
 def _quarters() -> Iterator[Rotation]:
-    """The 23 rotations that lay a cube over itself, the smaller ones first."""
+    """The 23 rotations that map a cube onto itself, the smaller ones first."""
     axes: list[Vector] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
-    found = []
+    rotations = []
     for (a, b), (s, t) in product(permutations(axes, 2), product((1, -1), repeat=2)):
         x, y = (s * a[0], s * a[1], s * a[2]), (t * b[0], t * b[1], t * b[2])
-        found.append((x, y, cross(x, y)))
-    found.sort(key=lambda r: -(r[0][0] + r[1][1] + r[2][2]))
-    yield from found[1:]
+        rotations.append((x, y, cross(x, y)))
+    rotations.sort(key=lambda r: -(r[0][0] + r[1][1] + r[2][2]))
+    yield from rotations[1:]
 
 
-#: All turns by right angles.
+#: All rotations by multiples of right angles, without the identity.
 QUARTERS: tuple[Rotation, ...] = tuple(_quarters())
 
 
 def _overlap(one: BoundingBox, other: BoundingBox) -> float:
-    """The common volume of two boxes by that of both together."""
+    """Common volume of two boxes by the volume of their union."""
     common = one.common_volume(other)
     both = one.volume + other.volume - common
     return common / both if both > 0 else 0.0
 
 
-def _is_mesh(one: LinkSolid) -> bool:
-    return any(isinstance(part, MeshSolid) for part in one.parts)
+def _is_mesh(solid: LinkSolid) -> bool:
+    return any(isinstance(part, MeshSolid) for part in solid.parts)
 
 
-def _form(shape: Shape) -> tuple[object, ...]:
+def _geometry(shape: Shape) -> tuple[object, ...]:
     name = shape.filename.value if shape.filename else ""
     return (shape.kind, shape.size, shape.radius, shape.length, name, shape.scale)

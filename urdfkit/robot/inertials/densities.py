@@ -1,6 +1,6 @@
-"""Densities of the materials that robots are made of, in kg/m³.
+"""Densities of robot materials, in kg/m³.
 
-Solid material of common grades, rounded; a printed part with infill has less. Sources: metals from
+Solid material of common grades, rounded; printed parts with infill have less. Sources: metals from
 the EN standards of their grades (aluminium 6061 2700, structural steel 7850, stainless 1.4301 7900,
 titanium grade 5 4430, brass CW614N 8470); plastics from the data sheets of the common makers.
 """

@@ -1,7 +1,7 @@
-"""Why a tensor is wrong and which one was probably intended.
+"""Diagnosis of wrong tensors: the cause and the probably intended tensor.
 
-A diagnosis is a guess that the numbers support: corrected in this way, they agree with the shape of
-the link, or become possible at all. It has a confidence.
+A diagnosis is a guess that the numbers support: with the correction, the tensor agrees with the
+shape of the link, or becomes physically possible. It has a confidence.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
-from urdfkit.robot.joint_loads import is_thrown
+from urdfkit.robot.joint_loads import is_effort_excessive
 from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.shapes import OTHER_UNIT
@@ -37,38 +37,38 @@ UNITS = (
     ("lb ft^2", 0.45359237 * 0.3048**2),
 )
 
-#: Corrected, the moments must be this near to those of the shape, as a factor.
+#: Largest ratio of the corrected moments to those of the shape.
 NEAR = 1.5
 
-#: In kg/m³: of a body that is lighter, the shape is too large, as of millimetres taken for metres.
+#: In kg/m³: below this density, the shape is too large, such as with millimetres read as metres.
 _AIR = 1.2
 
-#: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
+#: Products of inertia below this part of the largest moment result from angles such as 1.57.
 CLEAR = 2e-3
 
-#: A tensor whose entries stand elsewhere, or have other signs, agrees with that of the shape if
-#: they differ by no more than this part of the largest moment.
+#: Largest difference of a tensor with rearranged entries or signs from that of the shape, as a part
+#: of the largest moment.
 _ALIKE = 0.05
 
-#: ``ixx`` is the entry of row 0 and column 0, ``ixy`` that of row 0 and column 1, and so on.
+#: Row and column of ``ixx``, ``ixy``, ``ixz``, ``iyy``, ``iyz`` and ``izz``.
 _CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
-#: Moments nearer to one another than this factor are as good as equal.
+#: Moments up to this ratio are equal.
 _EVEN = 1.01
 
-#: Other places that a finding about many links lists.
+#: Related locations of a finding about many links.
 MAX_RELATED = 20
 
 
 class Diagnosis(Record):
-    """What is probably wrong with a tensor."""
+    """The probable defect of a tensor."""
 
-    cause: str  # after "the tensor", such as ``is in g mm^2``; empty if nothing explains it
-    tensor: Tensor | None  # the intended one, in kg·m²; None if it is unknown
-    confidence: Confidence  # how sure the proposal is
+    cause: str  # predicate on the tensor, such as ``is in g mm^2``; empty if unknown
+    tensor: Tensor | None  # the intended tensor, in kg·m²; None if unknown
+    confidence: Confidence  # of the proposal
 
     def __str__(self) -> str:
-        """The cause and what to do, in one line; empty without a cause and a tensor."""
+        """The cause and the correction, in one line; empty if both are unknown."""
         if self.tensor is None:
             return f"the tensor {self.cause}" if self.cause else ""
         if not self.cause:
@@ -79,7 +79,7 @@ class Diagnosis(Record):
 
 
 def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
-    """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
+    """Diagnosis of a tensor that differs from the shape; without a cause, that of the shape."""
     expected = link.expected
     assert expected is not None
     if link.densities and link.densities[1] < _AIR:
@@ -93,11 +93,11 @@ def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
 
 
 def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
-    """True if a tensor was made up, so that even the rough shape of the link says more.
+    """True if a tensor was invented, so that even the rough shape of the link is more accurate.
 
-    Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
+    Three equal moments of an uneven shape, or with one digit, are a guess; moments in the exact
     proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.
-    Others may be published for the real robot, whose shape here may be a placeholder.
+    Other tensors may be published for the real robot, whose shape here may be a placeholder.
     """
     moment = link.tensor.ixx
     if link.is_diagonal and {*link.diagonal} == {moment}:
@@ -108,19 +108,19 @@ def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
 
 
 def _of_shape(link: LinkInertia) -> Tensor | None:
-    """The tensor of the shape; None where that marks a place, or cannot be that of the mass."""
+    """The tensor of the shape; None for a marker, or if the shape does not fit the mass."""
     low, high = link.densities or (HEAVIEST, HEAVIEST)
-    lengths = [max(part.longest for part in one.parts) for one in link.solids]
+    lengths = [max(part.longest for part in solid.parts) for solid in link.solids]
     is_in_two_units = bool(lengths) and max(lengths) > OTHER_UNIT * min(lengths)
     is_unknown = link.is_marker or is_in_two_units
     return None if is_unknown or low > HEAVIEST or high < _AIR else link.expected
 
 
 def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
-    """Mistakes without which the tensor agrees with the shape, each with the intended tensor."""
+    """Mistakes that explain the difference from the shape, each with the intended tensor."""
     if link.is_at_wrong_axes:
         yield of_wrong_axes(link)
-    # Three equal moments of a shape that has none were made up, in whatever unit they fit.
+    # Three equal moments of an uneven shape were invented, in whatever unit they fit.
     if not link.is_placeholder and (_is_even(expected) or not _is_even(link.tensor)):
         for unit, factor in UNITS:
             tensor = inertia.scaled(link.tensor, factor)
@@ -142,9 +142,9 @@ def _is_even(tensor: Tensor) -> bool:
 
 
 def of_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
-    """Why a tensor with the moments of the shape has other axes, and the intended tensor.
+    """Cause and intended tensor of a tensor with the moments of the shape about other axes.
 
-    Its own entries, as far as possible: moved as little as needed, or with other signs.
+    The intended tensor has the same entries with as few changes of position and sign as possible.
     """
     expected = link.expected
     assert expected is not None
@@ -158,22 +158,22 @@ def of_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
 def _rearranged(
     link: LinkInertia, expected: Tensor, orders: Iterable[Sequence[int]]
 ) -> Tensor | None:
-    """The entries of a tensor in other places or with other signs, nearest to those of the shape.
+    """The tensor with rearranged entries or signs that agrees with the shape.
 
-    None if none of these agrees. Of those that do, the one with the fewest changes.
+    None if no arrangement agrees. Of several, the one with the fewest changes.
     """
-    found = []
+    candidates = []
     for order, signs in product(orders, product((1, -1), repeat=3)):
         tensor = _permuted(link.tensor, order, signs)
         pairs = zip(tensor, expected, strict=True)
         if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(link.moments[2]):
             changes = sum(a != b for a, b in zip(tensor, link.tensor, strict=True))
-            found.append((changes, tensor))
-    return min(found)[1] if found else None
+            candidates.append((changes, tensor))
+    return min(candidates)[1] if candidates else None
 
 
 def _permuted(tensor: Tensor, order: Sequence[int], signs: Sequence[int]) -> Tensor:
-    """A tensor about its axes in another order, with signs for ``ixy``, ``ixz`` and ``iyz``."""
+    """A tensor with permuted axes, and with signs for ``ixy``, ``ixz`` and ``iyz``."""
     of_cell = dict(zip(_CELLS, tensor, strict=True))
     xx, xy, xz, yy, yz, zz = (
         of_cell[min(order[i], order[j]), max(order[i], order[j])] for i, j in _CELLS
@@ -182,7 +182,7 @@ def _permuted(tensor: Tensor, order: Sequence[int], signs: Sequence[int]) -> Ten
 
 
 def opposite(tensor: Tensor, other: Tensor) -> list[str]:
-    """The entries that differ between two tensors by their sign; none if others differ, too."""
+    """The entries with opposite signs; empty if the tensors differ otherwise, too."""
     rows = zip(Tensor._fields, tensor, other, strict=True)
     different = [(key, a, b) for key, a, b in rows if a != b]
     keys = [key for key, a, b in different if a == -b]
@@ -190,7 +190,7 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
 
 
 def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
-    """Why no body can have a tensor, and the intended one if the numbers show it."""
+    """Diagnosis of a physically impossible tensor, with the intended one if the numbers show it."""
     if link.is_measured and link.expected:
         suggested = _rearranged(link, link.expected, [range(3)])
         if suggested and is_possible(suggested) and (keys := opposite(link.tensor, suggested)):
@@ -198,7 +198,7 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
             return Diagnosis(cause, suggested, Confidence.INFERRED)
         shape = _of_shape(link)
         if shape and [_differs(key, link, shape) for key in Tensor._fields].count(True) == 1:
-            return Diagnosis("", shape, Confidence.INFERRED)  # all other entries are of the shape
+            return Diagnosis("", shape, Confidence.INFERRED)  # only one entry differs
     for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     for other in _symmetric_pairs(link, masses):
@@ -212,9 +212,9 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
 
 
 def _same_expressions(link: LinkInertia) -> list[str]:
-    """The two moments of a macro for boxes that are computed from the same edges; empty if none.
+    """The two moments of a box macro that are computed from the same edges; empty without any.
 
-    Many tutorials have ``m*(y*y+z*z)/12``, ``m*(x*x+z*z)/12`` and ``m*(x*x+z*z)/12``.
+    Many tutorials contain ``m*(y*y+z*z)/12``, ``m*(x*x+z*z)/12`` and ``m*(x*x+z*z)/12``.
     """
     keys: list[str] = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
     texts = {key: link.at.attributes[key].span.text for key in keys}
@@ -224,7 +224,7 @@ def _same_expressions(link: LinkInertia) -> list[str]:
 
 
 def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
-    """Ways of writing it that make the tensor possible, each with the intended tensor."""
+    """Mistakes in writing that explain an impossible tensor, each with the intended tensor."""
     if keys := _same_expressions(link):
         pairs = "of a box each moment has another pair of edges"
         yield f"has the same expression at {' and '.join(keys)}: {pairs}", None
@@ -233,7 +233,7 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     if min(a, b, c) > 0 and is_possible(as_in_sdf):
         yield "is in the order ixx iyy izz ixy ixz iyz", as_in_sdf
     if b == d and e > 0 and abs(f) <= e and a > 0 and len({*link.tensor}) > 1:
-        rows = "holds the first two rows of the matrix, so that the value at iyz is iyy"
+        rows = "contains the first two rows of the matrix, so that the value at iyz is iyy"
         yield f"{rows}, the one at izz is iyz, and izz is missing", None
     positive = Tensor(abs(a), b, c, abs(d), e, abs(f))
     if positive != link.tensor and is_possible(positive):
@@ -255,39 +255,39 @@ def _symmetric_pairs(link: LinkInertia, masses: Masses) -> Iterator[LinkInertia]
 
 
 def is_possible(tensor: Tensor) -> bool:
-    """True if some body can have the tensor."""
+    """True if the tensor is physically possible."""
     low, middle, high = inertia.principal_moments(tensor)
     return low > 0 and high <= (low + middle) * (1 + ROUNDING)
 
 
 def _shifted_from_origin(link: LinkInertia, mass: float) -> Tensor:
-    """The tensor moved between the centre of mass and the origin of the link."""
+    """The tensor shifted between the centre of mass and the origin of the link."""
     origin = link.inertial.origin
     offset = rotate(transposed(origin.rotation), origin.position)
     return inertia.shifted(link.tensor, mass, offset)
 
 
-def thrown_by(link: LinkInertia, tensor: Tensor) -> Joint | None:
-    """The joint whose effort would throw a link of another tensor, but not of its own.
+def excessive_joint(link: LinkInertia, tensor: Tensor) -> Joint | None:
+    """The joint whose effort is excessive for a new tensor of a link, but not for the present one.
 
     ``urdfkit simulate`` fails such a robot: a virtual link of 1 g between two joints of a hand.
     """
     joint = link.body.joint
-    if joint is None or is_thrown(joint, link.body.properties):
+    if joint is None or is_effort_excessive(joint, link.body.properties):
         return None
     parts = (
         own._replace(tensor=inertia.rotated(tensor, (frame @ link.inertial.origin).rotation))
-        if one is link.link
+        if part is link.link
         else own
-        for one, frame in link.body.links
-        for own in (properties_of(one, frame),)
+        for part, frame in link.body.links
+        for own in (properties_of(part, frame),)
     )
-    return joint if is_thrown(joint, inertia.combined(parts)) else None
+    return joint if is_effort_excessive(joint, inertia.combined(parts)) else None
 
 
 def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
-    """What to do about a tensor, in one line; empty if the help of the rule says it."""
-    if diagnosis.tensor and (joint := thrown_by(link, diagnosis.tensor)):
+    """Advice about a tensor, in one line; empty if the help of the rule is sufficient."""
+    if diagnosis.tensor and (joint := excessive_joint(link, diagnosis.tensor)):
         return f"give it more mass first: joint '{joint.name}' has too much effort for less inertia"
     if not from_macro(link.at):
         return str(diagnosis)
@@ -295,13 +295,13 @@ def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
 
 
 def written(tensor: Tensor) -> str:
-    """The attributes of a tensor; products of inertia only where there are any."""
+    """The attributes of a tensor, without products of inertia that are 0."""
     texts = zip(Tensor._fields, _digits(tensor), strict=True)
     return " ".join(f'{key}="{text}"' for key, text in texts if text != "0" or key[1] == key[2])
 
 
 def _digits(tensor: Tensor) -> list[str]:
-    """The numbers to six digits, without what the rounding of an angle makes of zero."""
+    """The values with six digits; products that result from rounded angles are 0."""
     least = CLEAR * max(map(abs, tensor))
     rows = zip(Tensor._fields, tensor, strict=True)
     return [
@@ -310,12 +310,12 @@ def _digits(tensor: Tensor) -> list[str]:
 
 
 def replacement(link: LinkInertia, tensor: Tensor | None) -> Fix | None:
-    """A fix that writes a tensor in the place of one that stands in the file as numbers.
+    """A fix that replaces a tensor that is written as numbers.
 
-    Entries that are right stay as they are written; one that stood elsewhere, or had the other
-    sign, keeps its digits. None if the effort of a joint is too large for the tensor.
+    Correct entries keep their text; moved entries and entries with changed sign keep their digits.
+    None if the effort of a joint is too large for the tensor.
     """
-    if tensor is None or thrown_by(link, tensor):
+    if tensor is None or excessive_joint(link, tensor):
         return None
     changed = _changed(link, tensor)
     attributes = link.at.attributes
@@ -325,7 +325,7 @@ def replacement(link: LinkInertia, tensor: Tensor | None) -> Fix | None:
 
 
 def _changed(link: LinkInertia, tensor: Tensor) -> dict[str, str]:
-    """The new texts of the entries that are wrong, by their names."""
+    """The new texts of the wrong entries, by name."""
     texts = {key: link.at.attributes[key].value.strip() for key in Tensor._fields}
     written_as = {-old: _negated(texts[key]) for key, old in link.tensor._asdict().items()}
     written_as |= {old: texts[key] for key, old in link.tensor._asdict().items()}
@@ -346,14 +346,14 @@ def _negated(text: str) -> str:
 
 
 def _differs(key: str, link: LinkInertia, tensor: Tensor) -> bool:
-    """True if an entry differs from the one computed by more than its digits are worth."""
+    """True if an entry differs from the computed one by more than its digits explain."""
     old, value = getattr(link.tensor, key), getattr(tensor, key)
     bound = CLEAR * max(map(abs, tensor)) if key[1] != key[2] else (EXACT - 1) * abs(value)
     return bool(abs(old - value) > bound)
 
 
 def as_solid(link: LinkInertia) -> str:
-    """What the shape of a link has, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
+    """The tensor of the shape as text, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
     expected = link.expected
     assert expected is not None
     moments = values((expected.ixx, expected.iyy, expected.izz))
@@ -362,6 +362,6 @@ def as_solid(link: LinkInertia) -> str:
 
 
 def values(numbers: Iterable[float]) -> str:
-    """Moments to three digits with their unit, such as ``0.1, 0.1, 0.2 kg·m²``."""
+    """Moments with three digits and their unit, such as ``0.1, 0.1, 0.2 kg·m²``."""
     texts = [f"{value:.3g}" for value in numbers]
     return f"{texts[0]} kg·m² each" if len({*texts}) == 1 else f"{', '.join(texts)} kg·m²"

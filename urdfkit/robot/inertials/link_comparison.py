@@ -1,4 +1,4 @@
-"""A link with a mass and an inertia tensor, compared with its shapes."""
+"""Comparison of a link's mass and inertia tensor with its shapes."""
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
@@ -10,38 +10,38 @@ from urdfkit.robot.model import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, solid
 
-#: Parts of robots are smaller than this, in m; their sizes in millimetres are larger.
+#: Upper bound of the size of robot parts, in m; sizes in millimetres exceed it.
 LARGEST_PART = 10.0
 
-#: Part of its rigid body's mass or inertia below which an error of a link is lost in it.
+#: Errors of a link below this part of its rigid body's mass or inertia are negligible.
 SIGNIFICANT = 0.01
 
-#: Moments up to this, in kg·m², are noise; a ball of 1 mg with a radius of 1 mm has 4e-13.
+#: Moments up to this, in kg·m², are noise; a ball of 1 mg and a radius of 1 mm has 4e-13.
 NOISE = 1e-13
 
-#: What rounding may do to a tensor, relative to its largest moment.
+#: Rounding error of a tensor, relative to its largest moment.
 ROUNDING = 0.01
 
-#: How far moments may be from those of a solid to have been computed from it, as a part of them.
+#: Relative tolerance for moments that were computed from a solid.
 SAME = 0.03
 
-#: Three moments that agree to this factor with those of another formula are no chance.
+#: Three moments that agree up to this factor with another formula do not agree by chance.
 EXACT = 1.03
 
-#: The same of moments about x, y and z that are those of a solid, and not of it turned.
+#: The factor for moments about x, y and z of a solid in its orientation.
 _OF_SOLID = 1.2
 
-#: What a turn changes in an entry of the tensor, as a part of the largest moment.
+#: Change of a tensor entry by a significant rotation, as a part of the largest moment.
 TURNED = 0.25
 
-#: A tensor may be this many times that of the uniform solid: a mass in the middle has less, and the
-#: thinnest shell twice as much. Numbers with many digits were computed from something.
+#: Range of a tensor relative to that of the uniform solid: a mass in the middle has less, and the
+#: thinnest shell twice as much. Tensors with many digits were computed and may be larger.
 LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
 
-#: What people write where they know no value, in kg·m².
+#: Values that are written as placeholders, in kg·m².
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
 
-#: Shapes without an edge over this, in m, mark a place and are not the body of the link.
+#: Shapes without an edge over this, in m, are markers, not the body of the link.
 MARKER = 0.005
 
 
@@ -59,12 +59,12 @@ class LinkInertia:
         at = inertial.at.child("inertia")
         assert at is not None
         self.link = link  # the link
-        self.inertial = inertial  # where mass and tensor stand
+        self.inertial = inertial  # the element with mass and tensor
         self.mass = link.mass  # in kg, more than 0
-        #: As written: about the centre of mass, along the axes of the ``<inertial>``.
+        #: The tensor as written: about the centre of mass, along the axes of the ``<inertial>``.
         self.tensor = tensor
         self.at = at  # the ``<inertia>``
-        self.body = body  # the rigid body that the link is a part of
+        self.body = body  # the rigid body of the link
         self._mesh_solid = mesh_solid
 
     @property
@@ -83,29 +83,29 @@ class LinkInertia:
 
     @property
     def is_noise(self) -> bool:
-        """True if the tensor is zero, or as good as."""
+        """True if the tensor is practically zero."""
         return max(map(abs, self.moments)) <= NOISE
 
     @property
     def is_indefinite(self) -> bool:
-        """True if a principal moment is negative by more than rounding."""
+        """True if a principal moment is negative beyond rounding."""
         low, _, high = self.moments
         return not self.is_noise and low < -ROUNDING * abs(high)
 
     @property
     def breaks_triangle(self) -> bool:
-        """True if a principal moment exceeds the sum of the others by more than rounding."""
+        """True if a principal moment exceeds the sum of the others beyond rounding."""
         low, middle, high = self.moments
         return not self.is_noise and high > (low + middle) * (1 + ROUNDING)
 
     @property
     def is_diagonal(self) -> bool:
-        """True without products of inertia: people leave them out, CAD programs do not."""
+        """True without products of inertia, which people omit and CAD programs do not."""
         return not (self.tensor.ixy or self.tensor.ixz or self.tensor.iyz)
 
     @property
     def is_round(self) -> bool:
-        """True if no number has more than two digits."""
+        """True if no value has more than two significant digits."""
         return all(float(f"{value:.1e}") == value for value in self.tensor)
 
     @property
@@ -115,25 +115,25 @@ class LinkInertia:
 
     @property
     def radius_of_gyration(self) -> float:
-        """The distance in m at which all of the mass had the largest moment."""
+        """The largest radius of gyration in m."""
         return float((max(self.moments[2], 0.0) / self.mass) ** 0.5)
 
     @cached_property
     def solid(self) -> LinkSolid | None:
-        """The solid of its collisions, else of its visuals; None unless all are measured."""
+        """The solid of the collisions, or else of the visuals; None unless all are measured."""
         if self.link.collisions and self.link.visuals:
             return solid(self.link.collisions, self._mesh_solid)
         return self.solids[0] if self.solids else None
 
     @cached_property
     def is_measured(self) -> bool:
-        """True if it has shapes and all of them are primitives, or meshes that are measured."""
+        """True if the link has shapes and all are primitives or measured meshes."""
         kinds = bool(self.link.collisions) + bool(self.link.visuals)
         return 0 < kinds == len(self.solids)
 
     @cached_property
     def expected(self) -> Tensor | None:
-        """The tensor that the uniform solid has, along the axes of the ``<inertial>``."""
+        """The tensor of the uniform solid, along the axes of the ``<inertial>``."""
         return self._uniform(self.solid) if self.solid else None
 
     def _uniform(self, solid: LinkSolid | Primitive) -> Tensor:
@@ -142,7 +142,7 @@ class LinkInertia:
 
     @property
     def expected_of_twice(self) -> Tensor | None:
-        """The same of a single primitive whose edges, or whose radius, were twice as large."""
+        """The tensor of a single primitive of twice the edges or radius; None for other solids."""
         if self.solid is None or len(self.solid.parts) > 1:
             return None
         (part,) = self.solid.parts
@@ -154,45 +154,45 @@ class LinkInertia:
 
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
-        """The solids of its collisions and of its visuals; one that is not measured is left out."""
+        """The solids of the collisions and of the visuals, without unmeasured ones."""
         shapes = (self.link.collisions, self.link.visuals)
-        return tuple(one for each in shapes if (one := solid(each, self._mesh_solid)))
+        return tuple(each for bodies in shapes if (each := solid(bodies, self._mesh_solid)))
 
     @cached_property
     def outline(self) -> BoundingBox:
-        """The bounding box of its shapes along the axes of the link."""
-        return BoundingBox.around(one.bounds for one in self.solids)
+        """The bounding box of the shapes along the axes of the link."""
+        return BoundingBox.around(solid.bounds for solid in self.solids)
 
     @cached_property
     def reach(self) -> float:
-        """Distance in m from the centre of mass to the farthest point of its shapes."""
-        return max(one.farthest(self.inertial.origin.position) for one in self.solids)
+        """Distance in m from the centre of mass to the farthest point of the shapes."""
+        return max(solid.farthest(self.inertial.origin.position) for solid in self.solids)
 
     @property
     def largest_possible(self) -> float:
-        """The largest moment of inertia that the mass can have within the shapes, in kg·m².
+        """The largest moment of inertia of the mass within the shapes, in kg·m².
 
-        All of it at the farthest point, for no point is farther from an axis through the centre
-        of mass than from the centre itself.
+        The whole mass is at the farthest point from the centre of mass: the distance from an axis
+        through the centre is not larger than the distance from the centre.
         """
         return self.mass * self.reach * self.reach
 
     def ratios(self, expected: Tensor) -> list[float]:
-        """``ixx``, ``iyy`` and ``izz`` by those of another tensor."""
+        """Ratios of ``ixx``, ``iyy`` and ``izz`` to those of another tensor."""
         others = (expected.ixx, expected.iyy, expected.izz)
         return [a / b if b > 0 else inf for a, b in zip(self.diagonal, others, strict=True)]
 
     def fits(self, expected: Tensor, factor: float) -> bool:
-        """True if the moments about x, y and z differ by no more than a factor."""
+        """True if the moments about x, y and z differ by a factor at most."""
         return inertia.agree(self.tensor, expected, factor)
 
     def is_of(self, solid: LinkSolid) -> bool:
-        """True if the moments about x, y and z are those of a uniform solid as it lies."""
+        """True if the moments about x, y and z are those of a uniform solid in its orientation."""
         return self.fits(self._uniform(solid), _OF_SOLID)
 
     @property
     def differs(self) -> bool:
-        """True if a tensor without products is not that of the uniform solid, nor near it."""
+        """True if a tensor without products is not near that of the uniform solid."""
         if self.expected is None or not self.is_diagonal:
             return False
         ratios = self.ratios(self.expected)
@@ -208,30 +208,30 @@ class LinkInertia:
     def is_at_wrong_axes(self) -> bool:
         """True if the principal moments are those of the uniform solid, but about other axes.
 
-        What fits the visual is right, though the collision may be turned (GEO004).
+        A tensor that fits the visual is correct; the collision may be rotated (GEO004).
         """
         if self.expected is None:
             return False
         if self.is_diagonal and any(map(self.is_of, self.solids)):
             return False
-        apart = max(abs(a - b) for a, b in zip(self.tensor, self.expected, strict=True))
-        if not self.is_diagonal and apart < TURNED * self.moments[2]:
-            return False  # it is tilted a little
+        difference = max(abs(a - b) for a, b in zip(self.tensor, self.expected, strict=True))
+        if not self.is_diagonal and difference < TURNED * self.moments[2]:
+            return False  # slightly rotated
         pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
         return all(abs(a - b) <= SAME * b for a, b in pairs)
 
     @property
     def is_marker(self) -> bool:
-        """True if a shape marks a place and is not the body of the link."""
-        return any(all(part.longest <= MARKER for part in one.parts) for one in self.solids)
+        """True if the collision or the visual is a marker, not the body of the link."""
+        return any(all(part.longest <= MARKER for part in solid.parts) for solid in self.solids)
 
     @cached_property
     def densities(self) -> tuple[float, float] | None:
         """The mass by the larger and by the smaller volume of collision and visual, in kg/m³.
 
-        None without a collision, but for visuals too large for a part, and where a shape is not
-        measured or only marks a place. Of a mesh the larger volume is that of its hull, for a
-        hollow one may hold motors.
+        None without a collision, except for visuals too large for a part, and if a shape is not
+        measured or only a marker. The larger volume of a mesh is that of its convex hull: a hollow
+        mesh may contain motors.
         """
         if not self.is_measured:
             return None
@@ -239,14 +239,14 @@ class LinkInertia:
             return None
         if self.is_marker:
             return None
-        least = min(one.least_volume for one in self.solids)
-        most = max(one.most_volume for one in self.solids)
+        least = min(solid.minimum_volume for solid in self.solids)
+        most = max(solid.maximum_volume for solid in self.solids)
         return self.mass / most, self.mass / least if least else inf
 
 
 def by_tensor(inertias: Iterable[LinkInertia]) -> Iterator[list[LinkInertia]]:
-    """Links in groups with the same tensor, in the order of the first of each."""
+    """Groups of links with the same tensor, in the order of the first link of each."""
     groups: dict[Tensor, list[LinkInertia]] = {}
-    for one in inertias:
-        groups.setdefault(one.tensor, []).append(one)
+    for link in inertias:
+        groups.setdefault(link.tensor, []).append(link)
     yield from groups.values()

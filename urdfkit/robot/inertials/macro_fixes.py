@@ -1,6 +1,6 @@
-"""From a macro that gives every link the same tensor to macros that compute it from the shape.
+"""Fix that replaces a macro with a constant tensor by macros that compute it from the shape.
 
-A uniform solid has its inertial where its shape is, so the calls pass the pose of the shape, too.
+A uniform solid has its inertial at the pose of its shape, so that the calls pass this pose.
 """
 
 from __future__ import annotations
@@ -43,15 +43,15 @@ _PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
 
 
 class _MacroCall(Record):
-    """A macro call that can be written anew."""
+    """The new call for an old macro call."""
 
-    at: Tag  # its tag
-    kind: str  # of the shape of the links that it is for
-    arguments: tuple[tuple[str, str], ...]  # for the new macro, as text
+    at: Tag  # the old call
+    kind: str  # kind of shape
+    arguments: tuple[tuple[str, str], ...]  # of the new call, as text
 
 
 def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
-    """Macros for the shapes of some links, and calls of these in the place of one.
+    """A fix with new macros for the shapes of links, and with calls of these macros.
 
     Args:
         tensor: the ``<inertia>`` in the macro.
@@ -76,21 +76,21 @@ def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fi
     lines = [line for kind, name in names.items() for line in ("", *_macro(kind, name))]
     is_complete = not rejected and _is_only_use(description, tensor, links)
     edits = (*_defined(definition, lines, instead=is_complete), *(_edit(c, names) for c in good))
-    # Only its author knows what in a comment holds for the new macros, so it stays.
+    # A comment stays: only its author knows whether it applies to the new macros.
     stale = is_complete and _has_comment_above(definition)
     again = "; the comment above was about the old one" if stale else ""
     return Fix(f"compute the tensors from the shapes, by new macros{again}", edits)
 
 
 def _has_comment_above(definition: Tag) -> bool:
-    """True if a comment ends in the line above an element, or before it in its own line."""
+    """True if a comment ends in the line above an element, or before it in the same line."""
     before = definition.source.data[: definition.start]
     text = before.rstrip()
     return text.endswith(b"-->") and before.count(b"\n", len(text)) < 2
 
 
 def _frame(link: Link) -> CallFrame | None:
-    """The macro call that gave a link its inertial, if the macro holds nothing else."""
+    """The macro call that created the inertial of a link, if the macro contains nothing else."""
     assert link.inertial is not None
     at = link.inertial.at
     frame = at.frame
@@ -114,7 +114,7 @@ def _numbers(origin: Element) -> list[str]:
 
 
 def _call(link: Link, frame: CallFrame) -> _MacroCall | None:
-    """The new call in the place of one; None if the shape or the mass cannot be passed on."""
+    """The new call for a link; None if the shape or the mass cannot be passed."""
     mass = _mass(link, frame)
     bodies = link.collisions or link.visuals
     if mass is None or len(bodies) != 1:
@@ -131,19 +131,19 @@ def _call(link: Link, frame: CallFrame) -> _MacroCall | None:
 
 
 def _mass(link: Link, frame: CallFrame) -> str | None:
-    """The argument that a call gives for the mass, as text, if it gives nothing else."""
+    """The mass argument of a call, as text, if it is the only argument."""
     assert link.inertial is not None
     element = link.inertial.at.child("mass")
     value = element.attributes.get("value") if element else None
     parameter = re.fullmatch(_PARAMETER, value.span.text) if value else None
-    given = frame.call.attribute_spans()
-    if parameter is None or set(given) != {parameter.group(1)}:
+    arguments = frame.call.attribute_spans()
+    if parameter is None or set(arguments) != {parameter.group(1)}:
         return None
-    return given[parameter.group(1)].text
+    return arguments[parameter.group(1)].text
 
 
 def _sizes(shape: Element, kind: str) -> list[tuple[str, str]] | None:
-    """The arguments for the size of a shape, each as it is written there."""
+    """The size arguments of a shape, as written."""
     parameters, _ = _MOMENTS[kind]
     if kind != "box":
         texts = [_text(shape.attributes.get(name)) for name in parameters]
@@ -156,7 +156,7 @@ def _sizes(shape: Element, kind: str) -> list[tuple[str, str]] | None:
 
 
 def _pose(body: Body, frame: CallFrame) -> list[tuple[str, str]] | None:
-    """The arguments for the pose of a shape."""
+    """The pose arguments of a shape; None if they cannot be passed."""
     origin = body.at.child("origin")
     if origin is None or not _numbers(origin):
         return []
@@ -168,14 +168,14 @@ def _pose(body: Body, frame: CallFrame) -> list[tuple[str, str]] | None:
 
 
 def _text(attribute: Attribute | None) -> str | None:
-    """A value as it is written in its tag."""
+    """A value as written in its tag."""
     if attribute is None or attribute.written_in is not None:
         return None
     return " ".join(attribute.span.text.split())
 
 
 def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | None:
-    """Names for the macros by the kind of their shape; None if all are taken."""
+    """Unused names of the macros by the kind of shape; None if all are in use."""
     taken = {macro.name.removeprefix("xacro:") for macro in description.xacro.macros}
     for name in ("{}_inertial", "solid_{}_inertial"):
         names = {kind: name.format(kind) for kind in _MOMENTS if kind in kinds}
@@ -185,7 +185,7 @@ def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | Non
 
 
 def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) -> bool:
-    """True if nothing but these links uses a macro that other files cannot include."""
+    """True if only these links use the macro, and no other file can include it."""
     is_private = tensor.source is description.source and description.xacro.is_complete
     return description.uses[tensor] == len(links) and is_private and not description.is_included
 
@@ -208,7 +208,7 @@ def _macro(kind: str, name: str) -> list[str]:
 
 
 def _defined(definition: Tag, lines: list[str], *, instead: bool) -> tuple[Edit, ...]:
-    """The new macros behind an old one, or in its place."""
+    """Edits that insert the new macros after the old one, or replace it."""
     whole = definition.whole_span
     if not instead:
         return insert_behind(whole, lines)

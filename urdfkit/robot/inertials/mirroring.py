@@ -1,4 +1,4 @@
-"""The inertial of a link as the mirror image of that of its left/right counterpart."""
+"""Mirror images of the inertials of left/right counterparts."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import replace_value
 
-#: In m: links that are mirror images are no farther from where they should be.
+#: Tolerance of mirrored positions, in m.
 _NEAR = 1e-3
-#: The products of inertia that change their sign where an axis does: y, else x.
+#: The products of inertia that change their sign with an axis: y, or else x.
 _PLANES = ((1, ("ixy", "iyz")), (0, ("ixy", "ixz")))
 
 
 def mirror_image(
     link: LinkInertia, other: LinkInertia, placed: Mapping[str, Transform]
 ) -> MassProperties | None:
-    """The mass properties of another link, mirrored, in the frame of a link.
+    """The mirrored mass properties of a counterpart, in the frame of a link.
 
     None unless the origins of the two are mirror images in the plane y = 0 or x = 0 of the root.
 
@@ -46,12 +46,12 @@ def _flipped(point: Vector, axis: int) -> Vector:
 
 
 def along_inertial(link: LinkInertia, tensor: Tensor) -> Tensor:
-    """A tensor along the axes of a link, along those of its ``<inertial>``."""
+    """A tensor transformed from the axes of a link to those of its ``<inertial>``."""
     return rotated(tensor, transposed(link.inertial.origin.rotation))
 
 
 def center_edits(link: LinkInertia, center: Vector) -> tuple[Edit, ...] | None:
-    """What writes another centre of mass; nothing if it is there, None if it cannot be written."""
+    """Edits that change the centre of mass; empty if it is equal, None if they are impossible."""
     if dist(center, link.inertial.origin.position) <= _NEAR:
         return ()
     origin = link.inertial.at.child("origin")

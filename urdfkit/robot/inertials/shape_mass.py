@@ -1,7 +1,7 @@
-"""What the shapes of a link enclose: volume, centre and moments at a density of 1 kg/m³.
+"""Mass properties of the shapes of a link at a density of 1 kg/m³.
 
-Primitives by closed forms, meshes by exact integrals over their triangles. A mesh that does not
-enclose a solid counts with its convex hull, and that is said.
+Primitives are computed in closed form, meshes by exact integrals over their triangles. The convex
+hull replaces a mesh that does not enclose a solid; a note states this.
 """
 
 from __future__ import annotations
@@ -19,31 +19,31 @@ from urdfkit.robot.shapes import solid
 if TYPE_CHECKING:
     Measure = Callable[[Shape], Measures | str]
 
-#: What the volume of a link can be taken from.
+#: Sources of the volume of a link.
 SOURCES = ("auto", "collision", "visual", "hull")
 
 
 class ShapeMass(Record):
-    """What some shapes enclose."""
+    """Mass properties of shapes."""
 
     properties: MassProperties  # in the frame of the link; the mass is the volume in m^3
     source: str  # such as ``the collision`` or ``the hull of the visual``
-    notes: tuple[str, ...] = ()  # what a reader should know, such as that shapes may overlap
+    notes: tuple[str, ...] = ()  # limitations, such as overlapping shapes
 
-    def weighing(self, mass: float) -> MassProperties:
-        """The same with uniform density and a mass in kg."""
+    def with_mass(self, mass: float) -> MassProperties:
+        """The mass properties with uniform density and a mass in kg."""
         volume, center, tensor = self.properties
         # Squared radii first: the density of a heavy dot may leave the range of floating point.
-        return MassProperties(mass, center, Tensor(*(mass * (each / volume) for each in tensor)))
+        return MassProperties(mass, center, Tensor(*(mass * (value / volume) for value in tensor)))
 
 
 def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
-    """What the shapes of a link enclose, or why that is not known.
+    """Mass properties of the shapes of a link, or the reason why they are unknown.
 
     Args:
-        source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
-            convex hull of every mesh of those.
-        measures: measures a mesh, or says why it cannot: `Context.measures`.
+        source: one of `SOURCES`; ``auto`` is the collision, or else the visual; ``hull`` uses the
+            convex hull of every mesh of these.
+        measures: returns the measures of a mesh, or the reason why there are none.
     """
     collisions = (link.collisions, "the collision")
     visuals = (link.visuals, "the visual")
@@ -52,10 +52,10 @@ def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     for bodies, name in choices:
         if not bodies:
             continue
-        found = _enclosed(bodies, name, measures, hull=source == "hull")
-        if isinstance(found, ShapeMass):
-            return found
-        reason = found
+        result = _enclosed(bodies, name, measures, hull=source == "hull")
+        if isinstance(result, ShapeMass):
+            return result
+        reason = result
     return reason
 
 
@@ -72,18 +72,18 @@ def _enclosed(
             continue
         if body.shape is None or body.shape.filename is None:
             return f"a shape of {name} cannot be read"
-        found = measures(body.shape)
-        if isinstance(found, str):
-            return f"{name}: '{body.shape.filename.value}' {found}"
-        is_hull = hull or found.solid is None
-        uniform = found.hull if is_hull else found.solid
+        measured = measures(body.shape)
+        if isinstance(measured, str):
+            return f"{name}: '{body.shape.filename.value}' {measured}"
+        is_hull = hull or measured.solid is None
+        uniform = measured.hull if is_hull else measured.solid
         if uniform is None:
             return f"{name}: all of the mesh lies in a plane"
-        properties = stretched(uniform, body.shape, found.unit)
+        properties = stretched(uniform, body.shape, measured.unit)
         if properties is None:
             return f"{name}: the scale of the mesh is zero"
         hulls += is_hull
-        overlaps = max(overlaps, 0.0 if is_hull else found.overlap)
+        overlaps = max(overlaps, 0.0 if is_hull else measured.overlap)
         parts.append(properties.moved(body.origin))
     notes = []
     if hulls and not hull:

@@ -1,4 +1,4 @@
-"""Declared inertia of links, compared with that of their shapes; edits that replace it."""
+"""Comparison of declared inertias with those of the shapes; edits that replace them."""
 
 from __future__ import annotations
 
@@ -27,30 +27,30 @@ from urdfkit.text.editing.edits import (
 )
 from urdfkit.text.editing.rewriting import Rewrite
 
-#: Moments that differ by no more than this factor were computed from the same shape.
+#: Moments up to this ratio were computed from the same shape.
 SAME = 1.03
-#: Matter is not spread evenly in real parts, so moments within this factor may be right.
+#: Moments up to this ratio may be correct: real parts are not of uniform density.
 NEAR = 3.0
-#: Tensors of the same moments that are farther apart, as a part of the greatest, have other axes.
+#: Tensors of the same moments have other axes if their distance exceeds this part of the largest.
 _TURNED = 0.1
-#: Offsets and moments below this part of the whole are rounding.
+#: Offsets and moments below this relative value are rounding errors.
 _NOISE = 1e-6
 
 
 class InertiaProposal(Record):
-    """The inertia of a link, or of the rigid body that it is the topmost link of."""
+    """The proposed inertia of a link, or of a rigid body by its topmost link."""
 
     link: Link  # the link
-    links: tuple[str, ...]  # names of all links of the body; one unless they were lumped together
-    #: In the frame of the link, along its axes; None where it says nothing usable.
+    links: tuple[str, ...]  # names of all links of the body; one unless they are lumped
+    #: In the frame of the link; None if it is missing or incomplete.
     declared: MassProperties | None
-    shape_mass: ShapeMass | None  # what its shapes enclose; None where that is not known
-    computed: MassProperties | None  # with uniform density; None where shapes or mass are not known
-    reason: str  # why nothing is computed; empty if it is
+    shape_mass: ShapeMass | None  # of its shapes; None if unknown
+    computed: MassProperties | None  # with uniform density; None if shapes or mass are unknown
+    reason: str  # why ``computed`` is None; empty otherwise
 
     @property
     def factor(self) -> float:
-        """The largest ratio of the principal moments; 0 where one side is not known."""
+        """The largest ratio of the principal moments; 0 if one side is unknown."""
         if self.declared is None or self.computed is None:
             return 0.0
         pairs = zip(
@@ -62,7 +62,7 @@ class InertiaProposal(Record):
 
     @property
     def verdict(self) -> str:
-        """How the two compare, in a word.
+        """The result of the comparison.
 
         ``agrees``, ``near``, ``turned``, ``differs``, ``impossible``, ``missing`` or ``unknown``.
         """
@@ -83,7 +83,7 @@ class InertiaProposal(Record):
 
     @property
     def is_doubtful(self) -> bool:
-        """True if the declared inertia had better be replaced."""
+        """True if the declared inertia should be replaced."""
         return self.verdict in ("turned", "differs", "impossible", "missing")
 
     def lines(self) -> list[str]:
@@ -113,14 +113,14 @@ def propose(
     links: Collection[str] = (),
     lump: bool = False,
 ) -> tuple[InertiaProposal, ...]:
-    """Declared against computed, for every link that has a shape or an inertia.
+    """Declared and computed inertia of every link with a shape or an inertia.
 
     Args:
-        source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
+        source: one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
         mass: of each link in kg, instead of the declared one.
-        density: in kg/m³, that gives the mass instead.
-        links: only these.
-        lump: take links that fixed joints hold together as one body.
+        density: in kg/m³, to compute the mass instead.
+        links: names of the links; all if empty.
+        lump: treat links connected by fixed joints as one body.
 
     Raises:
         UnknownLink: one of the links is not in the robot.
@@ -146,15 +146,15 @@ def _proposal(
     robot: Robot, link: Link, source: str, mass: float | None, density: float | None
 ) -> InertiaProposal:
     declared = _declared(link.inertial)
-    found = shape_mass(link, source, robot.measures)
-    if isinstance(found, str):
-        return InertiaProposal(link, (link.name,), declared, None, None, found)
+    shapes = shape_mass(link, source, robot.measures)
+    if isinstance(shapes, str):
+        return InertiaProposal(link, (link.name,), declared, None, None, shapes)
     if mass is None:
-        mass = density * found.properties.mass if density else link.mass
+        mass = density * shapes.properties.mass if density else link.mass
     if not mass > 0:
-        reason = "it has no mass; give --mass, --density or --material"
-        return InertiaProposal(link, (link.name,), declared, found, None, reason)
-    return InertiaProposal(link, (link.name,), declared, found, found.weighing(mass), "")
+        reason = "it has no mass; pass --mass, --density or --material"
+        return InertiaProposal(link, (link.name,), declared, shapes, None, reason)
+    return InertiaProposal(link, (link.name,), declared, shapes, shapes.with_mass(mass), "")
 
 
 def _declared(inertial: Inertial | None) -> MassProperties | None:
@@ -165,7 +165,7 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
 
 
 def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
-    """Links as one body in the frame of the first; a link without mass adds nothing."""
+    """Links as one body in the frame of the first; links without mass add nothing."""
     first = each[0]
     if len(each) == 1:
         return first
@@ -186,35 +186,34 @@ def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProp
 
 
 def rewrites(proposals: Iterable[InertiaProposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:
-    """The files with the computed inertias written in, and why some cannot be.
+    """The files with the computed inertias, and the reasons for unchanged links.
 
-    Only what a file holds as numbers is edited. Nothing is written:
-    see `urdfkit.text.editing.rewriting.write`.
+    Only values that are written as numbers are edited. Nothing is written:
 
     Returns:
-        The new files, and by name of a link the reason why it stays as it is.
+        The new files, and by link name the reason why the link is unchanged.
     """
     changes: list[Edit] = []
-    left: dict[str, str] = {}
+    unchanged: dict[str, str] = {}
     for proposal in proposals:
         edits = _edits(proposal)
         if isinstance(edits, str):
-            left[proposal.link.name] = edits
+            unchanged[proposal.link.name] = edits
         else:
             changes += edits
-    return rewriting.rewrites(changes), left
+    return rewriting.rewrites(changes), unchanged
 
 
 def _edits(proposal: InertiaProposal) -> tuple[Edit, ...] | str:
-    """The edits that write what is computed, or why there are none."""
+    """The edits that write the computed inertia, or the reason why there are none."""
     if proposal.computed is None:
         return proposal.reason
     if len(proposal.links) > 1:
-        return "it is several links; write each of them without --lump"
+        return "it consists of several links; write each of them without --lump"
     inertial = proposal.link.inertial
     at = inertial.at if inertial else proposal.link.at
     if from_macro(at):
-        return "a macro wrote it; compute it in the macro"
+        return "a macro creates it; compute it in the macro"
     if inertial is None:
         return insert_first(at, proposal.lines())
     mass, center, tensor = _rounded(proposal.computed)
@@ -241,7 +240,7 @@ def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
 
 
 def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit, ...] | None:
-    """Edits that give a child these attributes; None where one comes out of an expression."""
+    """Edits that set the attributes of a child; None if an expression yields one."""
     child = parent.child(tag)
     text = "".join(f' {key}="{value}"' for key, value in values.items())
     if child is None:
@@ -254,7 +253,7 @@ def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit
             if value not in ("0", "0 0 0"):
                 return None
             continue
-        if [f"{one:.6g}" for one in numbers(attribute.value) or ()] == value.split():
+        if [f"{number:.6g}" for number in numbers(attribute.value) or ()] == value.split():
             continue
         piece = replace_value(attribute, value)
         if piece is None:
@@ -264,7 +263,7 @@ def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit
 
 
 def _rounded(properties: MassProperties) -> MassProperties:
-    """Without the noise of sums."""
+    """Mass properties without rounding errors."""
     mass, center, tensor = properties
     largest = max(map(abs, tensor), default=0.0)
     reach = (largest / mass) ** 0.5 if mass > 0 else 0.0
