@@ -105,26 +105,24 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transfo
     return found
 
 
-def transform(
-    tree: KinematicTree, given: Mapping[str, float], link: str, reference: str
-) -> Transform:
+def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Transform:
     """The frame of a link in the frame of a reference link.
 
     Args:
         tree: of the model.
         given: positions of joints, as for `positions`.
         link: name of the link.
-        reference: name of the reference link.
+        seen: name of the reference link.
 
     Raises:
         UnknownLink: a link does not exist, or no joints connect the two.
     """
-    for name in (link, reference):
+    for name in (link, seen):
         tree.model.require_link(name)
     placed = frames(tree, given)
-    if link not in placed or tree.root_of[link] != tree.root_of.get(reference):
-        raise UnknownLink(f"links '{reference}' and '{link}' are not connected by joints")
-    return placed[reference].inverse @ placed[link]
+    if link not in placed or tree.root_of[link] != tree.root_of.get(seen):
+        raise UnknownLink(f"links '{seen}' and '{link}' are not connected by joints")
+    return placed[seen].inverse @ placed[link]
 
 
 def motion(joint: Joint, position: float) -> Transform:

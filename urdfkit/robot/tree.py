@@ -62,7 +62,7 @@ class KinematicTree:
         place = self.model.place()
         defect = "links and joints do not form one tree"
         if not self.model.links:
-            defect = "it has no link; perhaps other files include it for its macros"
+            defect = "it has no link; it may be a macro file for other files to include"
         return f"{place}: {defect}; see 'urdfkit check {shown(place.source.path)}'"
 
     @cached_property

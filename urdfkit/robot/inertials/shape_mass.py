@@ -87,9 +87,9 @@ def _enclosed(
         parts.append(properties.moved(body.origin))
     notes = []
     if hulls and not hull:
-        notes.append("a mesh encloses no solid, so its convex hull is taken")
+        notes.append("a mesh does not enclose a solid; its convex hull is used")
     if overlaps > OVERLAP:
-        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
+        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % counts twice")
     if len(parts) > 1:
         notes.append(f"{len(parts)} shapes; where they overlap, the volume counts twice")
     return ShapeMass(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
