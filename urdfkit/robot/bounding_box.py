@@ -54,8 +54,8 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
             else:
                 boxes.append(box)
                 measured.add(name)
-    whole = BoundingBox.around(boxes) if boxes else None
-    return RobotExtent(whole, len(measured), left_out)
+    union = BoundingBox.around(boxes) if boxes else None
+    return RobotExtent(union, len(measured), left_out)
 
 
 def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:

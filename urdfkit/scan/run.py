@@ -54,7 +54,7 @@ def scan(
     sources = tuple(sources)
     settings.options.resolved()  # rejects invalid options now
     with Journal(directory, _effective_options(settings)) as journal, Extraction() as extraction:
-        known = len(journal.done)
+        checked = len(journal.done)
         total = _counted(sources)
         pending = map(extraction.on_disk, _new(models(sources), journal.done))
         if engine == "dask":
@@ -65,7 +65,7 @@ def scan(
         for count, row in enumerate(rows, 1):
             journal.write(row)
             if progress is not None:
-                progress(count, total[0] - known if total else 0)
+                progress(count, total[0] - checked if total else 0)
     return count
 
 
@@ -202,9 +202,9 @@ _thread_data = threading.local()
 
 def check_batch(models: list[Model], settings: Settings) -> list[ModelRow]:
     """The rows of models; a thread of a Dask worker reuses its process."""
-    kept: tuple[Settings, Isolated] | None = getattr(_thread_data, "kept", None)
-    if kept is None or kept[0] != settings:
-        if kept is not None:
-            kept[1].end()
-        kept = _thread_data.kept = (settings, Isolated(settings))
-    return [kept[1].check(model) for model in models]
+    current: tuple[Settings, Isolated] | None = getattr(_thread_data, "kept", None)
+    if current is None or current[0] != settings:
+        if current is not None:
+            current[1].end()
+        current = _thread_data.kept = (settings, Isolated(settings))
+    return [current[1].check(model) for model in models]

@@ -115,8 +115,8 @@ def generate(
     if not references:
         from urdfkit.core.suggest import nearest
 
-        known = [mesh.at.value for mesh in robot.files.meshes]
-        near = nearest(reference, known)
+        filenames = [mesh.at.value for mesh in robot.files.meshes]
+        near = nearest(reference, filenames)
         hint = f"; did you mean '{near}'?" if near else ""
         raise NoSuchMesh(f"no shape of the robot references '{reference}'{hint}")
     path, defect = _place(references[0])
@@ -203,8 +203,8 @@ def _make(
             path, references, defect, "run 'git lfs pull', which fetches the mesh itself"
         )
     if os.path.splitext(path)[1].lower() not in SUFFIXES:
-        known = ", ".join(SUFFIXES)
-        return NotGenerated(path, references, defect, f"only {known} can be written")
+        supported = ", ".join(SUFFIXES)
+        return NotGenerated(path, references, defect, f"only {supported} can be written")
     facts = references[0].facts
     if part is None and size is None and facts is not None and facts.defect:
         from urdfkit.mesh.io.salvage import salvage

@@ -80,8 +80,8 @@ def placeholder_shape(
 
 def _has_mesh(link: Link, body: Body) -> bool:
     """True if a counterpart of a shape is a mesh, which is preferred to a generated part."""
-    others, _ = counterparts(link, body)
-    return any(other.shape and other.shape.kind == "mesh" for other in others)
+    bodies, _ = counterparts(link, body)
+    return any(counterpart.shape and counterpart.shape.kind == "mesh" for counterpart in bodies)
 
 
 def _fitted_part(

@@ -66,9 +66,9 @@ def _enclosed(
     hulls = 0
     overlaps = 0.0
     for body in bodies:
-        whole = solid((body,))
-        if whole is not None:
-            parts.append(whole.properties(whole.volume))
+        primitive = solid((body,))
+        if primitive is not None:
+            parts.append(primitive.properties(primitive.volume))
             continue
         if body.shape is None or body.shape.filename is None:
             return f"a shape of {name} cannot be read"
