@@ -103,7 +103,7 @@ def test_a_total_without_a_centre_says_why(
     path.write_text(whole_robot(text), encoding="utf-8")
     page = run(capsys, str(path))
     assert "\ntotal         5\n" in page
-    assert "no joint says how the roots a, b stand to one another" in " ".join(page.split())
+    assert "no joint connects the roots a, b" in " ".join(page.split())
     total = json.loads(run(capsys, str(path), "--format", "json"))["total"]
     assert total["mass"] == 5
     assert "center" not in total

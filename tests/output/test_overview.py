@@ -112,12 +112,12 @@ def test_the_mass_of_a_loop_counts_although_it_is_nowhere() -> None:
     loop = link("a", ball) + link("b", ball) + joint("a", "b") + joint("b", "a")
     whole = summarise(of(loop)).weight.whole
     assert (whole.mass, whole.properties) == (4, None)
-    assert whole.reason == "no root leads to a, b, in a closed loop"
+    assert whole.reason == "links in a closed loop without a root: a, b"
 
 
 def test_of_many_roots_a_few_are_named() -> None:
     text = "".join(link(name, inertial(1, (1, 1, 1))) for name in "abcde")
-    reason = "no joint says how the roots a, b, c and 2 more stand to one another"
+    reason = "no joint connects the roots a, b, c and 2 more"
     assert summarise(of(text)).weight.whole.reason == reason
 
 
@@ -126,7 +126,7 @@ def test_how_several_roots_stand_to_one_another_nobody_says() -> None:
     text = link("a", ball, shape("visual", BALL)) + link("b", ball, shape("collision", BALL))
     found = summarise(of(text))
     assert (found.weight.whole.mass, found.weight.whole.properties) == (4, None)
-    assert found.weight.whole.reason == "no joint says how the roots a, b stand to one another"
+    assert found.weight.whole.reason == "no joint connects the roots a, b"
     assert found.shapes.left_out == {"b": "not connected to root link a"}
     light = summarise(of(text.replace('value="2"', 'value="0"', 1))).weight.whole
     assert light.root == "b"

@@ -88,9 +88,9 @@ def _add_documents(server: Server) -> None:
         server.cancel_check(params.text_document.uri)
         path = server.path(params.text_document.uri)
         nothing: dict[str, list[Diagnostic]] = {}
-        left = await server.in_worker(lambda: server.robots.close(path), nothing)
-        for file, found in left.items():
-            server.publish(file, found)
+        remaining = await server.in_worker(lambda: server.robots.close(path), nothing)
+        for file, diagnostics in remaining.items():
+            server.publish(file, diagnostics)
         if params.text_document.uri not in server.workspace.text_documents:  # not reopened
             server.uris.pop(path, None)
 
@@ -107,7 +107,7 @@ def _add_pull(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_DIAGNOSTIC, options)
     async def _(params: lsp.DocumentDiagnosticParams) -> lsp.DocumentDiagnosticReport:
         found = await server.checked(params.text_document.uri)
-        return lsp.RelatedFullDocumentDiagnosticReport([server.diagnostic(one) for one in found])
+        return lsp.RelatedFullDocumentDiagnosticReport(list(map(server.diagnostic, found)))
 
 
 def _hover(server: Server, params: lsp.HoverParams) -> lsp.Hover | None:

@@ -97,8 +97,8 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
                 text = use.node.get("value") or use.node.get("default")
                 yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(use.span)}"
     elif name.kind == "package":
-        known = robot.resolver.packages.known(page.source.path)
-        directory = known.get(name.text)
+        packages = robot.resolver.packages.known(page.source.path)
+        directory = packages.get(name.text)
         location = f"`{_code(directory)}`" if directory else "not found"
         yield f"**package** `{_code(name.text)}`: {location}"
 
@@ -274,5 +274,5 @@ def _code(text: str) -> str:
 
 def _kind(joint: Joint) -> str:
     """The type of a joint, as code if it is unknown."""
-    known = (*DEGREES_OF_FREEDOM, "fixed")
-    return joint.kind if joint.kind in known else f"`{_code(joint.kind)}`"
+    types = (*DEGREES_OF_FREEDOM, "fixed")
+    return joint.kind if joint.kind in types else f"`{_code(joint.kind)}`"

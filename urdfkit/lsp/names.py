@@ -281,8 +281,8 @@ class NameIndex:
 
 
 def parameters(macro: TagNode) -> list[str]:
-    found = _PARAMETER.findall(macro.get("params").encode())
-    return [word.decode("utf-8", "replace").lstrip("*") for word in found]
+    words = _PARAMETER.findall(macro.get("params").encode())
+    return [word.decode("utf-8", "replace").lstrip("*") for word in words]
 
 
 def _id(macro: TagNode) -> tuple[str, int]:

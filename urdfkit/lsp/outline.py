@@ -85,14 +85,14 @@ def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
     """The links and joints that a file creates, as a tree."""
     model, tree = robot.context.model, robot.context.tree
     tops: list[OutlineEntry] = []
-    seen: set[str] = set()
+    visited: set[str] = set()
     names = [*(link.name for link in tree.roots), *model.links_by_name]  # the latter for loops
     stack = [(name, tops, 0) for name in reversed(names)]
     while stack:
         name, siblings, depth = stack.pop()
-        if name in seen:
+        if name in visited:
             continue
-        seen.add(name)
+        visited.add(name)
         siblings = _add(siblings if depth < MAX_DEPTH else tops, model.links_by_name[name], page)
         below = [(joint.child, _add(siblings, joint, page)) for joint in tree.children[name]]
         stack += [(child.value, inner, depth + 2) for child, inner in reversed(below) if child]

@@ -22,10 +22,8 @@ class Adjacency:
             if ends := tree.ends(joint):
                 self._joined[ends[0]].add(ends[1])
                 self._joined[ends[1]].add(ends[0])
-        collisionless = {
-            name for name, link in tree.model.links_by_name.items() if not link.collisions
-        }
-        self._gaps = _collisionless_groups(self._joined, collisionless)
+        bare = {name for name, link in tree.model.links_by_name.items() if not link.collisions}
+        self._gaps = _bare_groups(self._joined, bare)
 
     def is_adjacent(self, first: str, second: str) -> bool:
         """True if a joint connects two links, directly or through links without collisions."""
@@ -41,21 +39,19 @@ class Adjacency:
 _NONE: frozenset[int] = frozenset()
 
 
-def _collisionless_groups(
-    joined: dict[str, set[str]], collisionless: set[str]
-) -> dict[str, set[int]]:
+def _bare_groups(joined: dict[str, set[str]], bare: set[str]) -> dict[str, set[int]]:
     """The groups of connected links without collision that each link belongs or is adjacent to."""
     borders: dict[str, set[int]] = {}
-    seen: set[str] = set()
-    for number, start in enumerate(sorted(collisionless)):
-        group = [] if start in seen else [start]
-        seen.add(start)
+    visited: set[str] = set()
+    for number, start in enumerate(sorted(bare)):
+        group = [] if start in visited else [start]
+        visited.add(start)
         for name in group:  # appended to in the loop
             borders.setdefault(name, set()).add(number)
-            for other in joined[name]:
-                if other not in collisionless:
-                    borders.setdefault(other, set()).add(number)
-                elif other not in seen:
-                    seen.add(other)
-                    group.append(other)
+            for neighbour in joined[name]:
+                if neighbour not in bare:
+                    borders.setdefault(neighbour, set()).add(number)
+                elif neighbour not in visited:
+                    visited.add(neighbour)
+                    group.append(neighbour)
     return borders

@@ -54,8 +54,8 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
             else:
                 boxes.append(box)
                 measured.add(name)
-    whole = BoundingBox.around(boxes) if boxes else None
-    return RobotExtent(whole, len(measured), left_out)
+    union = BoundingBox.around(boxes) if boxes else None
+    return RobotExtent(union, len(measured), left_out)
 
 
 def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
@@ -66,7 +66,7 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     """
     shape = body.shape
     if shape is None:
-        return "a shape that is missing"
+        return "a missing shape"
     if shape.filename is None:
         primitive = solid([body._replace(origin=link @ body.origin)])
         return primitive.bounds if primitive else f"a {shape.kind} without positive sizes"

@@ -38,11 +38,11 @@ def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> Comp
     unreachable = [name for name in heavy if name not in tree.root_of]
     if unreachable:
         return CompositeBody(
-            mass, None, "", f"no root leads to {few(unreachable, _MOST)}, in a closed loop"
+            mass, None, "", f"links in a closed loop without a root: {few(unreachable, _MOST)}"
         )
     roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
     if len(roots) > 1:
-        reason = f"no joint says how the roots {few(roots, _MOST)} stand to one another"
+        reason = f"no joint connects the roots {few(roots, _MOST)}"
         return CompositeBody(mass, None, "", reason)
     root = next(iter((*roots, *(link.name for link in tree.roots))), "")
     bodies = (

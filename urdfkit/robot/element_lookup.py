@@ -15,15 +15,15 @@ class ElementLookup:
         self._joints: dict[str, str] = {}
         if model is None:
             return
-        known = model.links_by_name
+        links = model.links_by_name
         for link in model.links:
             self._links.setdefault(link.at.path, link.name)
         for joint in model.joints:
-            if joint.child_name in known:
+            if joint.child_name in links:
                 self._links.setdefault(joint.at.path, joint.child_name)
                 self._joints.setdefault(joint.at.path, joint.name)
         for block in model.gazebo:
-            if (name := block.get("reference")) in known:
+            if (name := block.get("reference")) in links:
                 self._links.setdefault(block.path, str(name))
 
     def link(self, element: str) -> str | None:

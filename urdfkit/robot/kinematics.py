@@ -44,22 +44,22 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
     Args:
         joints: of a model, by name.
     """
-    found: dict[str, MimicLaw] = {}
+    relations: dict[str, MimicLaw] = {}
     for start in joints:
         name, chain = start, list[tuple[str, Mimic]]()
-        while name in joints and name not in found:
+        while name in joints and name not in relations:
             mimic = joints[name].mimic
             if mimic is None or mimic.joint is None:
-                found[name] = MimicLaw(name, 1.0, 0.0)
+                relations[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = LOCKED  # replaced below unless the chain is a cycle
+            relations[name] = LOCKED  # replaced below unless the chain is a cycle
             chain.append((name, mimic))
             name = mimic.joint.value
-        law = found.get(name, _ABSENT)
+        law = relations.get(name, _ABSENT)
         for follower, mimic in reversed(chain):
             law = _followed(law, mimic)
-            found[follower] = law
-    return found
+            relations[follower] = law
+    return relations
 
 
 def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
@@ -78,13 +78,13 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
     """
     joints = tree.model.joints_by_name
     relations = laws(joints)
-    found: dict[str, float] = {}
+    values: dict[str, float] = {}
     for name, joint in joints.items():
         if joint.kind in TURNING or joint.kind in SLIDING:
             leader, factor, shift = relations[name]
             position = factor * given.get(leader, 0.0) + shift
-            found[name] = position if isfinite(position) else 0.0
-    return found
+            values[name] = position if isfinite(position) else 0.0
+    return values
 
 
 def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transform]:
@@ -100,33 +100,31 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transfo
     moved = positions(tree, given)
     if not any(moved.values()):
         return dict(tree.frames)
-    found = {root.name: Transform() for root in tree.roots}
+    placed = {root.name: Transform() for root in tree.roots}
     for joint in tree.spanning:
-        parent, position = found[joint.parent_name], moved.get(joint.name, 0.0)
-        found[joint.child_name] = parent @ joint.origin @ motion(joint, position)
-    return found
+        parent, position = placed[joint.parent_name], moved.get(joint.name, 0.0)
+        placed[joint.child_name] = parent @ joint.origin @ motion(joint, position)
+    return placed
 
 
-def transform(
-    tree: KinematicTree, given: Mapping[str, float], link: str, reference: str
-) -> Transform:
+def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Transform:
     """The frame of a link in the frame of a reference link.
 
     Args:
         tree: of the model.
         given: positions of joints, as for `positions`.
         link: name of the link.
-        reference: name of the reference link.
+        seen: name of the reference link.
 
     Raises:
         UnknownLink: a link does not exist, or no joints connect the two.
     """
-    for name in (link, reference):
+    for name in (link, seen):
         tree.model.require_link(name)
     placed = frames(tree, given)
-    if link not in placed or tree.root_of[link] != tree.root_of.get(reference):
-        raise UnknownLink(f"links '{reference}' and '{link}' are not connected by joints")
-    return placed[reference].inverse @ placed[link]
+    if link not in placed or tree.root_of[link] != tree.root_of.get(seen):
+        raise UnknownLink(f"links '{seen}' and '{link}' are not connected by joints")
+    return placed[seen].inverse @ placed[link]
 
 
 def motion(joint: Joint, position: float) -> Transform:

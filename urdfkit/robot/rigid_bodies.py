@@ -69,21 +69,21 @@ def rigid_bodies(
         preserved: names of fixed joints that are not merged.
     """
     bodies: list[RigidBody] = []
-    seen: set[str] = set()
+    visited: set[str] = set()
     links = tree.model.links_by_name
     tops: list[tuple[Joint | None, str]] = [(None, root.name) for root in tree.roots]
     for joint, name in tops:  # appended to in the loop
-        if name in seen:
+        if name in visited:
             continue
-        seen.add(name)
+        visited.add(name)
         group = [(links[name], Transform())]
         for link, frame in group:  # appended to in the loop
             for below in tree.children[link.name]:
                 child = below.child_name
                 if below.kind != "fixed" or below.name in preserved:
                     tops.append((below, child))
-                elif child not in seen:
-                    seen.add(child)
+                elif child not in visited:
+                    visited.add(child)
                     group.append((links[child], frame @ below.origin))
         bodies.append(RigidBody(joint, tuple(group)))
     return tuple(bodies)

@@ -198,8 +198,8 @@ class MeshSolid(Record):
 
     def __str__(self) -> str:
         """For example ``mesh 'arm.stl' of 0.0012 m^3``."""
-        what = "mesh" if self.is_closed else "convex hull of the mesh"
-        return f"{what} '{self.name}' of {self.volume:.3g} m^3"
+        kind = "mesh" if self.is_closed else "convex hull of the mesh"
+        return f"{kind} '{self.name}' of {self.volume:.3g} m^3"
 
 
 class LinkSolid:

@@ -124,16 +124,16 @@ def standing(
     by_name = tree.model.links_by_name
     visual_only = tuple(name for name in with_visuals if not by_name[name].collisions)
     loads = _loads(robot, placed, payload or {})
-    found = _stability(loads, touching)
-    if found is not None:
+    result = _stability(loads, touching)
+    if result is not None:
         fixed = {link.name for link, _ in root.links}
         bolted = "-unless-bolted" if fixed.issuperset(touching) else ""
-        verdict = f"tips{bolted}" if found.tips else "stands"
+        verdict = f"tips{bolted}" if result.tips else "stands"
     elif not touching:
         verdict = "no-contact"
     else:
         verdict = "no-area" if sum(mass for mass, _ in loads) > 0 else "no-mass"
-    return Standing(verdict, tuple(touching), found, visual_only, visuals)
+    return Standing(verdict, tuple(touching), result, visual_only, visuals)
 
 
 def stand(

@@ -36,13 +36,13 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     """
     candidates = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
     paired: set[str] = set()
-    found: list[tuple[str, str]] = []
+    result: list[tuple[str, str]] = []
     for name in candidates:
         for right in _right_names(name):
             if right in candidates and name not in paired and right not in paired:
                 paired.update((name, right))
-                found.append((name, right))
-    return found
+                result.append((name, right))
+    return result
 
 
 @lru_cache(maxsize=4096)
@@ -83,16 +83,16 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
         for match in re.finditer(_NUMBER, name):
             by_affixes.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
     taken: set[str] = set()
-    found: list[tuple[str, str]] = []
+    result: list[tuple[str, str]] = []
     for (before, after), series in by_affixes.items():
         numbers = [int(name[len(before) : len(name) - len(after)]) for name in series]
         if max(numbers) - min(numbers) >= 2 * len(set(numbers)):
             continue  # product names: the grippers RG2 and RG6
         free = {name: places[name] for name in series if name not in taken}
         mirrored = _mirrored(free, 1) or _mirrored(free, 0)
-        found += mirrored
+        result += mirrored
         taken.update(name for pair in mirrored for name in pair)
-    return found
+    return result
 
 
 def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
@@ -112,12 +112,12 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
         if joint.kind in MOVING and joint.name:
             children[joint.name] = child
             siblings.setdefault(parent, {})[joint.name] = joint.origin.position
-    found = pairs(children)
-    taken = {name for pair in found for name in pair}
+    names = pairs(children)
+    taken = {name for pair in names for name in pair}
     for places in siblings.values():
         free = {name: place for name, place in places.items() if name not in taken}
-        found += numbered_pairs(free) if len(free) > 1 else []
-    links = [(children[a], children[b]) for a, b in found]
+        names += numbered_pairs(free) if len(free) > 1 else []
+    links = [(children[a], children[b]) for a, b in names]
     separate = on_separate_branches(links, {child: parent for child, (_, parent) in above.items()})
     return [(above[a][0], above[b][0]) for a, b in separate]
 
@@ -172,12 +172,12 @@ def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
 def _mirrored(places: Mapping[str, Vector], axis: int) -> list[tuple[str, str]]:
     """Pairs of positions that differ only in the sign of one coordinate."""
     waiting: dict[tuple[float, ...], str] = {}
-    found: list[tuple[str, str]] = []
+    result: list[tuple[str, str]] = []
     for name, place in places.items():
         key = tuple(round(value, 6) for value in place)
         image = (*key[:axis], -key[axis], *key[axis + 1 :])
         if key[axis] and image in waiting:
-            found.append((waiting.pop(image), name))
+            result.append((waiting.pop(image), name))
         else:
             waiting.setdefault(key, name)
-    return found
+    return result

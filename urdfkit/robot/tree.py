@@ -42,8 +42,8 @@ class KinematicTree:
     def ends(self, joint: Joint) -> tuple[str, str] | None:
         """Parent and child of a joint; None unless the model has both links."""
         parent, child = joint.parent_name, joint.child_name
-        known = self.model.links_by_name
-        return (parent, child) if parent in known and child in known else None
+        links = self.model.links_by_name
+        return (parent, child) if parent in links and child in links else None
 
     @cached_property
     def is_sound(self) -> bool:
@@ -62,7 +62,7 @@ class KinematicTree:
         place = self.model.place()
         defect = "links and joints do not form one tree"
         if not self.model.links:
-            defect = "it has no link; perhaps other files include it for its macros"
+            defect = "it has no link; it may be a macro file for other files to include"
         return f"{place}: {defect}; see 'urdfkit check {shown(place.source.path)}'"
 
     @cached_property
@@ -105,17 +105,17 @@ class KinematicTree:
         Of several joints with the same child, the first that the walk meets counts; links in a
         closed loop without a root have none.
         """
-        found: list[Joint] = []
+        joints: list[Joint] = []
         stack = [root.name for root in reversed(self.roots)]
-        seen = set(stack)
+        visited = set(stack)
         while stack:
             for joint in self.children[stack.pop()]:
                 child = joint.child_name
-                if child not in seen:
-                    seen.add(child)
+                if child not in visited:
+                    visited.add(child)
                     stack.append(child)
-                    found.append(joint)
-        return tuple(found)
+                    joints.append(joint)
+        return tuple(joints)
 
     @cached_property
     def _above(self) -> dict[str, Joint]:
@@ -123,11 +123,11 @@ class KinematicTree:
 
     def path(self, link: str) -> list[Joint]:
         """The joints from the root to a link."""
-        found: list[Joint] = []
+        joints: list[Joint] = []
         while joint := self._above.get(link):
-            found.append(joint)
+            joints.append(joint)
             link = joint.parent_name
-        return found[::-1]
+        return joints[::-1]
 
     def branches(self, first: str, second: str) -> tuple[list[Joint], list[Joint]]:
         """The joints to two links from their last common ancestor, or from the root of each."""
@@ -138,10 +138,10 @@ class KinematicTree:
     @cached_property
     def root_of(self) -> dict[str, str]:
         """The root of each link; links in a closed loop without a root are omitted."""
-        found = {root.name: root.name for root in self.roots}
+        roots = {root.name: root.name for root in self.roots}
         for joint in self.spanning:
-            found[joint.child_name] = found[joint.parent_name]
-        return found
+            roots[joint.child_name] = roots[joint.parent_name]
+        return roots
 
     @cached_property
     def frames(self) -> dict[str, Transform]:

@@ -193,10 +193,10 @@ def application(viewer: Viewer, token: str) -> Starlette:
         return StreamingResponse(stream, headers=_HEADERS, media_type="text/event-stream")
 
     async def arguments(request: Request) -> Response:
-        given = _arguments(await request.body())
-        if given is None:
+        new = _arguments(await request.body())
+        if new is None:
             return Response(status_code=400)
-        merged = {**viewer.options.arguments, **given}
+        merged = {**viewer.options.arguments, **new}
         viewer.options = viewer.options._replace(arguments=merged)
         await viewer.refresh()
         return Response(status_code=204)

@@ -114,8 +114,8 @@ def _declared(context: Context) -> dict[str, str]:
     xacro = context.reading.xacro
     if xacro is None:
         return {}
-    given = {name: text for name, text in context.arguments.items() if name in xacro.defaults}
-    return xacro.defaults | given
+    arguments = {name: text for name, text in context.arguments.items() if name in xacro.defaults}
+    return xacro.defaults | arguments
 
 
 def file_version(path: str) -> FileVersion:

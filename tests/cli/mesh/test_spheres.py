@@ -113,7 +113,7 @@ def test_of_a_robot_with_visual_geometry_only_the_error_names_the_option(
 @pytest.mark.parametrize(
     ("shape", "why"),
     [
-        ('<box size="1 1 1e-9"/>', "its <box> has no size, or one that no robot has"),
+        ('<box size="1 1 1e-9"/>', "its <box> has no size, or an implausible one"),
         ('<mesh filename="no.stl"/>', "the file is missing"),
     ],
 )

@@ -108,9 +108,7 @@ def test_where_nothing_joins_the_parts_they_have_no_centre(pair: Path) -> None:
     joint = ARM[ARM.index("<joint") : ARM.index("</joint>") + len("</joint>")]
     found = changed(pair, joint, "")
     assert (found.whole_after.mass, found.centers, found.center_moved) == (3.0, None, 0.0)
-    assert (
-        found.whole_after.reason == "no joint says how the roots base, upper stand to one another"
-    )
+    assert found.whole_after.reason == "no joint connects the roots base, upper"
     assert "masses" not in found.kinds
 
 

@@ -172,7 +172,7 @@ def test_a_placeholder_tells_no_size(tmp_path: Path) -> None:
     inertial = """<inertial><mass value="1"/>
         <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>"""
     (one,) = generate_missing(read(robot(tmp_path, "b.stl", more=inertial))).not_generated
-    assert "how large" in one.reason
+    assert "neither a type nor a size" in one.reason
 
 
 def test_what_is_left_of_a_broken_file_is_kept_if_it_is_most_of_it(tmp_path: Path) -> None:
@@ -210,10 +210,10 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("visual", "reason"),
     [
-        ("b.stl", "neither its name nor its link says"),
+        ("b.stl", "its name and its link define neither"),
         ("b.step", "only .dae, .stl"),
         ("package://not_there/b.stl", "package 'not_there' not found"),
-        ("http://example.org/b.stl", "'http://' leads to no file"),
+        ("http://example.org/b.stl", "'http://' does not refer to a file"),
     ],
 )
 def test_what_cannot_be_made_is_said(visual: str, reason: str, tmp_path: Path) -> None:

@@ -101,7 +101,7 @@ def test_an_open_mesh_counts_with_its_hull_and_that_is_said(tmp_path: Path) -> N
     assert one.shape_mass is not None
     assert one.shape_mass.properties.mass == pytest.approx(6)
     assert one.shape_mass.source == "the hull of the collision"
-    assert one.shape_mass.notes == ("a mesh encloses no solid, so its convex hull is taken",)
+    assert one.shape_mass.notes == ("a mesh does not enclose a solid; its convex hull is used",)
 
 
 def test_the_hull_of_a_solid_is_taken_where_asked_for(tmp_path: Path) -> None:

@@ -66,24 +66,24 @@ def find_defects(
     Args:
         uses: all uses of meshes, in document order.
     """
-    found: dict[MeshDefect, list[MeshUse]] = {}
+    defects: dict[MeshDefect, list[MeshUse]] = {}
     reported: set[tuple[MeshDefect, str]] = set()
     visuals = [use for use in uses if use.role == "visual"]
     for chosen, tests in ((visuals, OF_APPEARANCE), (files, OF_FILES)):
         for use, (defect, has_it) in product(chosen, tests.items()):
             if (defect, use.path) not in reported and has_it(use):
                 reported.add((defect, use.path))
-                found.setdefault(defect, []).append(use)
+                defects.setdefault(defect, []).append(use)
     # A model without joints may be scenery, with a landscape next to a tree.
     span = rest_of_robot(model) if model.joints else 0.0
     for use in uses:
         if looks_like_millimetres(use, span):
-            found.setdefault(MeshDefect.MILLIMETRES, []).append(use)
+            defects.setdefault(MeshDefect.MILLIMETRES, []).append(use)
         elif is_microscopic(use):
-            found.setdefault(MeshDefect.MICROSCOPIC, []).append(use)
+            defects.setdefault(MeshDefect.MICROSCOPIC, []).append(use)
     if shared := _dense_shared(uses):
-        found[MeshDefect.DENSE_SHARED] = shared
-    return found
+        defects[MeshDefect.DENSE_SHARED] = shared
+    return defects
 
 
 def missing_textures(use: MeshUse) -> list[str]:
@@ -99,10 +99,10 @@ def extras(use: MeshUse) -> list[str]:
 
 def losses(use: MeshUse) -> list[str]:
     """Unreadable contents of a file; for a collision, without those of the appearance."""
-    found = use.measures.losses
+    messages = use.measures.losses
     if use.role == "visual":
-        return list(found)
-    return [loss for loss in found if not any(word in loss for word in _APPEARANCE)]
+        return list(messages)
+    return [loss for loss in messages if not any(word in loss for word in _APPEARANCE)]
 
 
 def looks_like_millimetres(use: MeshUse, span: float) -> bool:
@@ -129,12 +129,12 @@ def rest_of_robot(model: RobotModel) -> float:
 def _dense_shared(uses: list[MeshUse]) -> list[MeshUse]:
     """The first collision with each dense file that is also a visual of the same link."""
     visuals = {(use.link.name, use.path) for use in uses if use.role == "visual"}
-    found: dict[str, MeshUse] = {}
+    first: dict[str, MeshUse] = {}
     for use in uses:
         is_dense = DENSE_SHARED < use.measures.triangles <= DENSE_COLLISION
         if use.role == "collision" and is_dense and (use.link.name, use.path) in visuals:
-            found.setdefault(use.path, use)
-    return list(found.values())
+            first.setdefault(use.path, use)
+    return list(first.values())
 
 
 def _lacks_materials(use: MeshUse) -> bool:

@@ -89,8 +89,8 @@ class MeshFiles:
     @cached_property
     def paths(self) -> tuple[str, ...]:
         """The existing mesh files, without repetitions."""
-        found = (mesh.located.path for mesh in self.meshes)
-        return tuple(dict.fromkeys(path for path in found if path is not None))
+        paths = (mesh.located.path for mesh in self.meshes)
+        return tuple(dict.fromkeys(path for path in paths if path is not None))
 
     def path(self, shape: Shape) -> str | None:
         """The mesh file of a shape; None if it is not a mesh, or the file is missing."""
@@ -253,30 +253,30 @@ class MeshFiles:
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         if base not in self._below:
             self._below[base] = self.resolver.directories.files_below(base, MAX_DIRECTORIES)
-        directory, wanted = os.path.split(located.relative)
-        found: dict[int, list[str]] = {}
+        directory, expected = os.path.split(located.relative)
+        by_common: dict[int, list[str]] = {}
         for path in self._below[base]:
             name = os.path.basename(path)
-            if name.casefold() != wanted.casefold() and not (
-                any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(wanted)
+            if name.casefold() != expected.casefold() and not (
+                any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(expected)
             ):
                 continue
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Exclude the same part of another model of the series.
             if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
-                found.setdefault(common, []).append(path)
-        best = max(found, default=0)
-        if len(found.get(best, ())) != 1:
+                by_common.setdefault(common, []).append(path)
+        best = max(by_common, default=0)
+        if len(by_common.get(best, ())) != 1:
             return None, False
-        is_only = len(found) == 1 or best >= MIN_COMMON_DIRECTORIES
-        return found[best][0], is_only and not any_format
+        is_only = len(by_common) == 1 or best >= MIN_COMMON_DIRECTORIES
+        return by_common[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A file of a similar name in the same directory, and whether the name is a typo."""
         base, relative = self._expected(located)
-        directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
+        directory, expected = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.directories.entries(directory) or {}
-        numbers = numbers_in(wanted)
+        numbers = numbers_in(expected)
         meshes = [
             name
             for name, is_directory in entries.items()
@@ -284,10 +284,10 @@ class MeshFiles:
         ]
         # Suffixes are not compared.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
-        close = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
+        close = nearest(os.path.splitext(expected)[0], stems, SIMILAR_FILE)
         if close is None:
             return None, False
-        return os.path.join(directory, stems[close]), is_mistyped(wanted, stems[close])
+        return os.path.join(directory, stems[close]), is_mistyped(expected, stems[close])
 
 
 def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:

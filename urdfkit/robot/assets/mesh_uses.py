@@ -65,12 +65,13 @@ class MeshUse(Record):
         uniform, hull = measures.solid or measures.hull, measures.hull
         if uniform is None or hull is None:
             return None
-        whole = stretched(uniform, self.shape, measures.unit)
-        around = stretched(hull, self.shape, measures.unit)
-        if whole is None or around is None:
+        properties = stretched(uniform, self.shape, measures.unit)
+        outer = stretched(hull, self.shape, measures.unit)
+        if properties is None or outer is None:
             return None
         name, is_closed = os.path.basename(self.path), measures.solid is not None
-        return MeshSolid(name, whole.moved(self.body.origin), around.mass, is_closed, self.points)
+        mass = properties.moved(self.body.origin)
+        return MeshSolid(name, mass, outer.mass, is_closed, self.points)
 
     @property
     def scale_at(self) -> Attribute | None:

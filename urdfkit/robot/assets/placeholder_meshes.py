@@ -115,8 +115,8 @@ def generate(
     if not references:
         from urdfkit.core.suggest import nearest
 
-        known = [mesh.at.value for mesh in robot.files.meshes]
-        near = nearest(reference, known)
+        filenames = [mesh.at.value for mesh in robot.files.meshes]
+        near = nearest(reference, filenames)
         hint = f"; did you mean '{near}'?" if near else ""
         raise NoSuchMesh(f"no shape of the robot references '{reference}'{hint}")
     path, defect = _place(references[0])
@@ -143,7 +143,7 @@ def generate_part(
     facts = sniff_file(path) if disk.exists(path) else None
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
-    return GeneratedMesh(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")
+    return GeneratedMesh(path, (), defect, part.build(size), f"{part.name}, {text}: as requested")
 
 
 def _require_buildable(size: Vector | None) -> None:
@@ -193,7 +193,9 @@ def _make(
         reason = f"package '{located.package}' not found; pass its directory with --package"
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
-        return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")
+        return NotGenerated(
+            path, references, defect, f"'{located.scheme}://' does not refer to a file"
+        )
     if not robot.files.resolver.admits(path):
         return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
     if "Git LFS" in defect:
@@ -201,8 +203,8 @@ def _make(
             path, references, defect, "run 'git lfs pull', which fetches the mesh itself"
         )
     if os.path.splitext(path)[1].lower() not in SUFFIXES:
-        known = ", ".join(SUFFIXES)
-        return NotGenerated(path, references, defect, f"only {known} can be written")
+        supported = ", ".join(SUFFIXES)
+        return NotGenerated(path, references, defect, f"only {supported} can be written")
     facts = references[0].facts
     if part is None and size is None and facts is not None and facts.defect:
         from urdfkit.mesh.io.salvage import salvage
@@ -214,7 +216,7 @@ def _make(
             return GeneratedMesh(path, references, defect, salvaged.mesh, reason)
     shape = placeholder_shape(robot, references[0], part, size)
     if shape is None:
-        reason = "neither its name nor its link says what it is, or how large"
+        reason = "its name and its link define neither a type nor a size"
         return NotGenerated(path, references, defect, reason)
     mesh, reason = shape
     return GeneratedMesh(path, references, defect, mesh, reason)

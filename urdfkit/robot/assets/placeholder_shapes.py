@@ -49,7 +49,7 @@ def placeholder_shape(
 
     link, body = reference.link, reference.body
     bounds = target_bounds(robot, link, body)
-    why = "as asked for"
+    why = "as requested"
     if part is None and not _has_mesh(link, body):
         names = {
             "the file": os.path.splitext(os.path.basename(reference.located.relative))[0],
@@ -62,7 +62,7 @@ def placeholder_shape(
     if part is not None:
         result = _fitted_part(robot, link, body, part, size, why)
     elif size is not None:
-        result = _block(size, bounds.frame if bounds else Transform(), "of the size asked for")
+        result = _block(size, bounds.frame if bounds else Transform(), "of the requested size")
     else:
         result = _copied(robot, link, body)
         if result is None and bounds is not None:
@@ -80,8 +80,8 @@ def placeholder_shape(
 
 def _has_mesh(link: Link, body: Body) -> bool:
     """True if a counterpart of a shape is a mesh, which is preferred to a generated part."""
-    others, _ = counterparts(link, body)
-    return any(other.shape and other.shape.kind == "mesh" for other in others)
+    bodies, _ = counterparts(link, body)
+    return any(counterpart.shape and counterpart.shape.kind == "mesh" for counterpart in bodies)
 
 
 def _fitted_part(
@@ -95,7 +95,7 @@ def _fitted_part(
     if size is not None:
         rows = transposed(axes)
         fitted = vector(sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in rows)
-        reason = "of the size asked for"
+        reason = "of the requested size"
         frame = bounds.frame if bounds else Transform(axes)
     else:
         fitted, reason = _fit(part, bounds, link)
@@ -135,11 +135,11 @@ def _with_z_along(axis: Vector) -> Rotation:
 def _fit(part: RealPart, bounds: TargetBounds | None, link: Link) -> tuple[Vector, str]:
     """The size of a generated part, and the reason."""
     if bounds is None:
-        return part.size, "its true size, for the link has none"
+        return part.size, "its true size: the link has no size"
     ratios = [edge / true for edge, true in zip(bounds.size, part.size, strict=True)]
     where = f"{bounds.source} of link '{link.name}'"
     if not bounds.measured and not 1 / _GUESS <= min(ratios) <= max(ratios) <= _GUESS:
-        return part.size, f"its true size, for {where} give no likely one"
+        return part.size, f"its true size: {where} give no plausible size"
     if part.turns or max(ratios) <= _DISTORTION * min(ratios):
         return bounds.size, f"fitted to {where}"
     x, y, z = (min(ratios) * edge for edge in part.size)

@@ -36,11 +36,11 @@ def target_bounds(
         body: the visual or collision.
         axes: axes of the bounds as columns, in the frame of ``body``.
     """
-    others, source = counterparts(link, body)
+    bodies, source = counterparts(link, body)
     frame = Transform(axes).inverse @ body.origin.inverse
-    boxes = [box_of(robot, other, frame) for other in others]
+    boxes = [box_of(robot, counterpart, frame) for counterpart in bodies]
     measured = [box for box in boxes if isinstance(box, BoundingBox)]
-    if measured and len(measured) == len(others):
+    if measured and len(measured) == len(bodies):
         return _target_bounds(BoundingBox.around(measured), axes, source, measured=True)
     block = _block_of_inertia(link)
     if block is None:
@@ -67,9 +67,9 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
 
     The axis of the only cylinder among the counterparts, or else of the parent joint.
     """
-    others, _ = counterparts(link, body)
-    if len(others) == 1 and others[0].shape and others[0].shape.kind in ("cylinder", "capsule"):
-        axis = rotate(others[0].origin.rotation, (0.0, 0.0, 1.0))
+    bodies, _ = counterparts(link, body)
+    if len(bodies) == 1 and bodies[0].shape and bodies[0].shape.kind in ("cylinder", "capsule"):
+        axis = rotate(bodies[0].origin.rotation, (0.0, 0.0, 1.0))
     else:
         joints = robot.tree.parents.get(link.name, [])
         turning = [joint for joint in joints if joint.kind in ("continuous", "revolute")]

@@ -49,7 +49,7 @@ class Meshes:
 
     def _load(self, shape: Shape) -> Mesh | str:
         if shape.filename is None:
-            return f"its <{shape.kind}> has no size, or one that no robot has"
+            return f"its <{shape.kind}> has no size, or an implausible one"
         path = self._files.path(shape)
         if path is None:
             return "the file is missing"

@@ -80,8 +80,8 @@ class VisualCollisionPair:
     def is_marker(self) -> bool:
         """True if the collision or the visual is only a marker."""
         return any(
-            max(one.bounds.edges) <= MARKER and not _is_mesh(one)
-            for one in (self.collision, self.visual)
+            max(solid.bounds.edges) <= MARKER and not _is_mesh(solid)
+            for solid in (self.collision, self.visual)
         )
 
     @cached_property
@@ -103,8 +103,8 @@ class VisualCollisionPair:
     @property
     def is_nested(self) -> bool:
         """True if one of the two is larger at the same position, or replaces a part."""
-        one, other = self.collision.bounds, self.visual.bounds
-        return one.common_volume(other) >= NESTED * min(one.volume, other.volume)
+        collision, visual = self.collision.bounds, self.visual.bounds
+        return collision.common_volume(visual) >= NESTED * min(collision.volume, visual.volume)
 
     @cached_property
     def factor(self) -> float | None:
@@ -133,13 +133,13 @@ class VisualCollisionPair:
         return _is_mesh(self.collision) and _is_mesh(self.visual)
 
     @staticmethod
-    def _turns(bodies: tuple[Body, ...], one: LinkSolid, other: LinkSolid) -> Iterator[QuarterTurn]:
+    def _turns(bodies: tuple[Body, ...], a: LinkSolid, b: LinkSolid) -> Iterator[QuarterTurn]:
         for body in bodies if len(bodies) == 1 else ():
             frame = body.origin
             for quarter in QUARTERS:
                 turned = frame @ Transform(quarter)
-                box = one.bounds.moved(turned @ frame.inverse)
-                yield QuarterTurn(body, to_rpy(turned.rotation), _overlap(box, other.bounds))
+                box = a.bounds.moved(turned @ frame.inverse)
+                yield QuarterTurn(body, to_rpy(turned.rotation), _overlap(box, b.bounds))
 
     @property
     def is_apart(self) -> bool:
@@ -153,25 +153,25 @@ class VisualCollisionPair:
             return False
         if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
-        one, other = self.collision.bounds, self.visual.bounds
-        concentric = other.moved(Transform(position=minus(one.center, other.center)))
-        if _overlap(one, concentric) >= SAME:
+        collision, visual = self.collision.bounds, self.visual.bounds
+        concentric = visual.moved(Transform(position=minus(collision.center, visual.center)))
+        if _overlap(collision, concentric) >= SAME:
             return True
-        return one.gap(other) > max(*one.edges, *other.edges)
+        return collision.gap(visual) > max(*collision.edges, *visual.edges)
 
     @property
     def _coincides(self) -> bool:
         """True if both boxes have the same corners, as two sheets on one another."""
         corners = zip(self.visual.bounds, self.collision.bounds, strict=True)
-        return all(length(minus(one, other)) <= NEAR for one, other in corners)
+        return all(length(minus(corner, opposite)) <= NEAR for corner, opposite in corners)
 
     @property
     def has_one_shape(self) -> bool:
         """True if collision and visual are the same shape, at any pose."""
         if len(self.link.collisions) != 1 or len(self.link.visuals) != 1:
             return False
-        one, other = self.link.collisions[0].shape, self.link.visuals[0].shape
-        return one is not None and other is not None and _geometry(one) == _geometry(other)
+        a, b = self.link.collisions[0].shape, self.link.visuals[0].shape
+        return a is not None and b is not None and _geometry(a) == _geometry(b)
 
     def unusual(self, span: float) -> Body:
         """The first visual or collision, whichever differs more from the size of the robot.
@@ -183,7 +183,7 @@ class VisualCollisionPair:
         if span <= 0:
             return visual
         of_visual, of_collision = (
-            abs(log(max(one.bounds.edges) / span)) for one in (self.visual, self.collision)
+            abs(log(max(solid.bounds.edges) / span)) for solid in (self.visual, self.collision)
         )
         return visual if of_visual >= of_collision else collision
 
@@ -257,10 +257,10 @@ def _quarters() -> Iterator[Rotation]:
 QUARTERS: tuple[Rotation, ...] = tuple(_quarters())
 
 
-def _overlap(one: BoundingBox, other: BoundingBox) -> float:
+def _overlap(a: BoundingBox, b: BoundingBox) -> float:
     """Common volume of two boxes by the volume of their union."""
-    common = one.common_volume(other)
-    both = one.volume + other.volume - common
+    common = a.common_volume(b)
+    both = a.volume + b.volume - common
     return common / both if both > 0 else 0.0
 
 

@@ -86,9 +86,9 @@ def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
         return Diagnosis("", None, Confidence.GUESSED)
     for cause, tensor in _mistakes(link, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
-    other = masses.of_their_shape.get(link.tensor)
-    cause = f"is that of link '{other.name}', which it fits" if other else ""
-    is_wrong = bool(other) or _is_invented(link, expected)
+    match = masses.of_their_shape.get(link.tensor)
+    cause = f"is that of link '{match.name}', which it fits" if match else ""
+    is_wrong = bool(match) or _is_invented(link, expected)
     return Diagnosis(cause, _of_shape(link) if is_wrong else None, Confidence.INFERRED)
 
 
@@ -201,10 +201,11 @@ def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
             return Diagnosis("", shape, Confidence.INFERRED)  # only one entry differs
     for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
-    for other in _symmetric_pairs(link, masses):
-        mirrored = other.tensor._replace(ixy=-other.tensor.ixy, iyz=-other.tensor.iyz)
+    for counterpart in _symmetric_pairs(link, masses):
+        tensor = counterpart.tensor
+        mirrored = tensor._replace(ixy=-tensor.ixy, iyz=-tensor.iyz)
         if is_possible(mirrored):
-            cause = f"of its counterpart '{other.name}' is possible"
+            cause = f"of its counterpart '{counterpart.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
     if link.is_measured:
         return Diagnosis("", _of_shape(link), Confidence.INFERRED)
@@ -218,9 +219,9 @@ def _same_expressions(link: LinkInertia) -> list[str]:
     """
     keys: list[str] = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
     texts = {key: link.at.attributes[key].span.text for key in keys}
-    alike = {re.sub(r"[A-Za-z_]\w*", "v", text) for text in texts.values()}
+    patterns = {re.sub(r"[A-Za-z_]\w*", "v", text) for text in texts.values()}
     twice = [key for key in keys if list(texts.values()).count(texts[key]) == 2]
-    return twice if len(keys) == 3 and len(alike) == 1 and "v" in alike.pop() else []
+    return twice if len(keys) == 3 and len(patterns) == 1 and "v" in patterns.pop() else []
 
 
 def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:

@@ -162,11 +162,11 @@ class Masses:
                 if joints
             }
         )
-        known = {*named, *((right, left) for left, right in named)}
+        all_pairs = {*named, *((right, left) for left, right in named)}
         symmetric = []
         for left, right in (*named, *numbered):
             above = self._parent(left), self._parent(right)
-            mirrored = above[0] == above[1] or above in known
+            mirrored = above[0] == above[1] or above in all_pairs
             if mirrored and left in self.by_name and right in self.by_name:
                 symmetric.append((self.by_name[left], self.by_name[right]))
         return symmetric
@@ -193,13 +193,13 @@ class Masses:
     @cached_property
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Pairs with clearly different mass or moments, without another defect."""
-        wrong = {one.name for one in self._defective}
+        wrong = {link.name for link in self._defective}
         wrong |= {link.name for body in self.without_inertia for link, _ in body.links}
         return [
             (left, right)
             for left, right in self.symmetric_pairs
             if wrong.isdisjoint((left.name, right.name))
-            and any(one.mass >= SIGNIFICANT * one.body.mass for one in (left, right))
+            and any(link.mass >= SIGNIFICANT * link.body.mass for link in (left, right))
             and unlike(left, right)
         ]
 

@@ -34,10 +34,10 @@ def mirror_image(
         return None
     for axis, products in _PLANES:
         if dist(_flipped(its.position, axis), own.position) <= _NEAR:
-            whole = properties_of(other.link, its)
-            signs = {key: -getattr(whole.tensor, key) for key in products}
-            center, tensor = _flipped(whole.center, axis), whole.tensor._replace(**signs)
-            return MassProperties(whole.mass, center, tensor).moved(own.inverse)
+            properties = properties_of(other.link, its)
+            signs = {key: -getattr(properties.tensor, key) for key in products}
+            center, tensor = _flipped(properties.center, axis), properties.tensor._replace(**signs)
+            return MassProperties(properties.mass, center, tensor).moved(own.inverse)
     return None
 
 

@@ -66,9 +66,9 @@ def _enclosed(
     hulls = 0
     overlaps = 0.0
     for body in bodies:
-        whole = solid((body,))
-        if whole is not None:
-            parts.append(whole.properties(whole.volume))
+        primitive = solid((body,))
+        if primitive is not None:
+            parts.append(primitive.properties(primitive.volume))
             continue
         if body.shape is None or body.shape.filename is None:
             return f"a shape of {name} cannot be read"
@@ -87,9 +87,9 @@ def _enclosed(
         parts.append(properties.moved(body.origin))
     notes = []
     if hulls and not hull:
-        notes.append("a mesh encloses no solid, so its convex hull is taken")
+        notes.append("a mesh does not enclose a solid; its convex hull is used")
     if overlaps > OVERLAP:
-        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
+        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % counts twice")
     if len(parts) > 1:
         notes.append(f"{len(parts)} shapes; where they overlap, the volume counts twice")
     return ShapeMass(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))

@@ -224,7 +224,7 @@ def _edits(proposal: InertiaProposal) -> tuple[Edit, ...] | str:
         _attributes(inertial.at, "inertia", dict(moments)),
     )
     edits = all_or_none(pieces)
-    return "its numbers come out of expressions; write them there" if edits is None else edits
+    return "its values come from expressions; edit the expressions" if edits is None else edits
 
 
 def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
