@@ -377,7 +377,7 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
     """
     base = tmp_path_factory.getbasetemp()
     with pytest.MonkeyPatch.context() as patch:
-        shared = search_root._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
-        patch.setattr(search_root, "_SHARED_BY_ALL", shared)
+        shared = search_root._SYSTEM_DIRECTORIES.union(map(str, (base, *base.parents)))
+        patch.setattr(search_root, "_SYSTEM_DIRECTORIES", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
         yield

@@ -21,7 +21,7 @@ from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.package_references import mentions
+from urdfkit.workspace.package_references import package_references
 from urdfkit.workspace.resolve import Resolver
 
 MANY = 40_000
@@ -102,9 +102,9 @@ def test_comments_of_a_robot(comment: bytes):
         source = Source("arm.urdf", head + comment * many)
         assert not is_xacro(source)
         assert ignores(source) == ()
-        assert [one.package for one in mentions(source)] == ["a"]
+        assert [one.package for one in package_references(source)] == ["a"]
         again = Source("arm.urdf", head + comment * many)
-        return lambda: (is_xacro(again), ignores(again), mentions(again))
+        return lambda: (is_xacro(again), ignores(again), package_references(again))
 
     assert_linear(reading, MANY)
 

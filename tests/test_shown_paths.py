@@ -11,7 +11,7 @@ from tests.xacros import xacro
 from urdfkit.cli import main
 from urdfkit.lint.engine import check
 from urdfkit.output import formats
-from urdfkit.text.source import shown, shown_text
+from urdfkit.text.source import shown, shown_text, without_directory
 
 #: A file that is named, one beside it, and one that is found by its package, each with a defect.
 PARTS = {
@@ -106,3 +106,32 @@ def test_a_report_has_no_directory_of_its_author(
     assert "arm/urdf/far.xacro" in text
     if form == "json":
         assert json.loads(text)["file"] == "arm/urdf/arm.urdf.xacro"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "searched {0} and its parent directories, {0} (1 package)",
+            "searched . and its parent directories, . (1 package)",
+        ),
+        ("AMENT_PREFIX_PATH ({0}:/opt/ros/jazzy)", "AMENT_PREFIX_PATH (.:/opt/ros/jazzy)"),
+        ('pip install -e "{0}[dynamics]"', 'pip install -e "{0}[dynamics]"'),
+        (
+            'pip install "urdfkit @ file://{0}/urdfkit"',
+            'pip install "urdfkit @ file://{0}/urdfkit"',
+        ),
+        ("{0}-old and {0}.d are others", "{0}-old and {0}.d are others"),
+    ],
+)
+def test_the_current_directory_itself(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, expected: str
+) -> None:
+    """Its absolute path differs between machines; a command to install something must work."""
+    monkeypatch.chdir(tmp_path)
+    assert shown_text(text.format(tmp_path)) == expected.format(tmp_path)
+
+
+def test_a_page_keeps_its_tags_and_data() -> None:
+    page = "<a>x</a> src='data:;base64,x+/a/b+/a='"
+    assert without_directory(page, "/a") == page

@@ -154,6 +154,8 @@ def test_arguments_that_no_variant_has_are_reported_once(robot: Path, capsys) ->
         main(["check", str(where)])
         note = f"{config}: {robot} has no argument 'sied'; did you mean 'side'?"
         assert capsys.readouterr().out.count(note) == 1
+        main(["check", str(where), "--format", "github"])
+        assert capsys.readouterr().err.count(note) == 1  # has no place for it
         main(["check", str(where), "sied:=right"])
         out = capsys.readouterr().out
         assert note not in out

@@ -29,7 +29,7 @@ def test_it_says_what_is_lost(capsys: pytest.CaptureFixture[str]) -> None:
     text = " ".join(capsys.readouterr().out.split())
     assert text.startswith(
         "wrote out: gripper.xml; its root is welded to the world"
-        " 4 links, 2 joints, 6 geoms, 1 actuator MuJoCo and Pinocchio agree on masses, frames,"
+        " 4 links, 2 joints, 6 geoms, 1 actuator MuJoCo and Pinocchio agree on frames, inertia,"
     )
     assert "lost: velocity: MuJoCo does not limit velocities (" in text
     assert text.endswith("gripper.urdf:65:57, and 1 more place)")

@@ -71,7 +71,7 @@ def test_a_check_counts_what_fix_would_write(
     assert main(["check", str(robot), "--select", "JNT020,RCT029"]) == 1
     out = capsys.readouterr().out
     assert "fixable with" not in out
-    assert "Not fixable: 4 (the file is generated: fix what it is made from)\n" in out
+    assert "Not fixable: 4 (the file is generated: fix the file that it is generated from)\n" in out
 
 
 def test_a_diff_writes_nothing(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:

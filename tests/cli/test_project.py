@@ -115,7 +115,7 @@ def test_what_a_baseline_holds_is_not_offered_to_be_fixed(project: Project) -> N
 def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     code, out, _ = project.check(".", "--baseline", "known.json", "--write-baseline")
     assert code == 0
-    assert out == "no findings in 2 files (1 finding in the baseline)\n"
+    assert out == "no new findings in 2 files (1 finding in the baseline)\n"
     assert [entry["code"] for entry in json.loads(Path("known.json").read_text())["findings"]] == [
         "TRE003"
     ]
@@ -155,7 +155,7 @@ def test_a_baseline_works_from_every_directory(project: Project, monkeypatch) ->
     monkeypatch.chdir(project.directory / "inner")
     assert project.summary("..", "--baseline", "../known.json") == (
         0,
-        "no findings in 2 files (1 finding in the baseline)",
+        "no new findings in 2 files (1 finding in the baseline)",
     )
 
 

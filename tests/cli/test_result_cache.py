@@ -12,10 +12,12 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
+from urdfkit.checks.gazebo.gaz001_unknown_reference import BAD
 from urdfkit.cli import result_cache, result_entry, result_recording
 from urdfkit.cli.result_entry import ResultEntry, decode, encode
 from urdfkit.core.cache_directory import VARIABLE
 from urdfkit.core.file_log import FileLog, present_answer
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output import formats
 
 #: Runs a command line as the command does, and says last whether anything was checked.
@@ -181,6 +183,45 @@ def test_a_variable_is_seen(workspace: Path, name: str, value: str) -> None:
     assert is_repeated(run(workspace, *CHECK, variables={"UNRELATED": "1"}))
 
 
+def test_a_file_that_becomes_read_only_is_seen(workspace: Path) -> None:
+    run(workspace, *CHECK)
+    robot = workspace / "arm/urdf/arm.urdf.xacro"
+    robot.chmod(0o444)
+    assert not is_repeated(run(workspace, *CHECK))
+    robot.chmod(0o644)
+
+
+def test_a_file_that_becomes_a_directory_is_seen(workspace: Path) -> None:
+    place = workspace / "arm/README.md"
+    place.touch()
+    run(workspace, *CHECK)
+    assert is_repeated(run(workspace, *CHECK))
+    place.unlink()
+    place.mkdir()
+    (place / "other.urdf").write_text("<robot name='other'><link name='a'/></robot>")
+    assert not is_repeated(run(workspace, *CHECK))
+    shutil.rmtree(place)
+
+
+@pytest.mark.parametrize(
+    "variables",
+    [
+        {"PATH": "/none"},
+        {"GIT_CEILING_DIRECTORIES": "/none"},
+        {"GIT_CONFIG_COUNT": "1", "GIT_CONFIG_KEY_0": "a.b", "GIT_CONFIG_VALUE_0": "c"},
+    ],
+)
+def test_what_git_depends_on_is_seen(tmp_path: Path, variables: dict[str, str]) -> None:
+    workspace = tmp_path / "ws"
+    workspace.mkdir()
+    subprocess.run(["git", "init", "-q", str(workspace)], check=True)
+    (workspace / ".gitignore").write_text("arm.urdf\n")
+    (workspace / "arm.urdf").write_text(whole_robot(BAD))
+    assert b"git ignores the file" in run(workspace, "check", ".").stdout
+    assert is_repeated(run(workspace, "check", "."))
+    assert not is_repeated(run(workspace, "check", ".", variables=variables))
+
+
 @pytest.mark.parametrize(
     "more", [["prefix:=b_"], ["--target", "ros1"], ["--select", "MSH"], ["--format", "json"]]
 )
@@ -315,6 +356,15 @@ def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
         assert result_cache.replay(["check", "a.urdf"]) is None
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_a_pipe_in_place_of_an_entry_is_none(entry: ResultEntry) -> None:
+    path = result_entry.path_of(entry.question)
+    os.makedirs(os.path.dirname(path))
+    os.mkfifo(path)
+    assert result_cache.replay(["check", "a.urdf"]) is None
+    result_recording.store(entry)
+
+
 def test_an_entry_answers_one_question(entry: ResultEntry) -> None:
     other = entry._replace(question=entry.question + b"x")
     path = Path(result_entry.path_of(entry.question))
@@ -337,6 +387,20 @@ def test_another_version_asks_something_else(
     monkeypatch.setattr(result_cache, "__version__", "9")
     asked.append(result_cache.question(["check", "a"]))
     assert len(set(asked)) == 4
+
+
+def test_an_extra_that_appears_on_the_path_asks_something_else(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(tmp_path)
+    asked = result_cache.question(["check", "a"])
+    (tmp_path / "robot.png").touch()
+    assert result_cache.question(["check", "a"]) == asked
+    (tmp_path / "manifold3d.cpython-311-x86_64-linux-gnu.so").touch()
+    again = result_cache.question(["check", "a"])
+    assert again != asked
+    (tmp_path / "manifold3d-3.0.1.dist-info").mkdir()
+    assert result_cache.question(["check", "a"]) not in (asked, again)
 
 
 @pytest.mark.parametrize("place", ["/dev/full", "/dev/null/cache"])
@@ -362,6 +426,7 @@ def test_the_older_half_goes(
     entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(result_recording, "MAX_BYTES", 50)
+    monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 1)
     (cache / "results").mkdir(parents=True)
     for number in range(10):
         old = cache / "results" / f"{number}"
@@ -372,21 +437,47 @@ def test_the_older_half_goes(
     assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.question)).name}
 
 
+def test_few_runs_look_at_all_entries(
+    entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks: list[str] = []
+    monkeypatch.setattr(result_recording, "_make_room", looks.append)
+    monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 10_000)
+    for number in range(200):
+        result_recording.store(entry._replace(question=b"%d" % number))
+    written = sum(path.stat().st_size for path in (cache / "results").iterdir())
+    assert written / 20_000 < len(looks) < written / 5_000
+
+
 def test_a_file_with_the_same_time_is_not_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: object, **__: object) -> None:
         raise AssertionError("it was read")
 
-    path = tmp_path / "a"
+    path, log = tmp_path / "a", FileLog()
     path.touch()
-    monkeypatch.setattr("builtins.open", fail)
     state = path.stat()
-    answer = f"{state.st_mtime_ns} {state.st_size} {state.st_ino} hash"
-    later = state.st_mtime_ns + 3_000_000_000
-    assert present_answer("r", str(path), answer, later) == answer
+    log.read(str(path), -1, b"", state)
+    answer = log.answers["r", str(path)]
+    monkeypatch.setattr("builtins.open", fail)
+    changed = max(state.st_mtime_ns, state.st_ctime_ns)
+    assert present_answer("r", str(path), answer, changed + 3_000_000_000) == answer
     with pytest.raises(AssertionError, match="it was read"):  # it was new: it may be another one
-        present_answer("r", str(path), answer, state.st_mtime_ns + 1_000_000_000)
+        present_answer("r", str(path), answer, changed + 1_000_000_000)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="has no time of the last change of a file")
+def test_a_change_whose_time_is_set_back_is_seen(tmp_path: Path) -> None:
+    path, log = tmp_path / "a", FileLog()
+    path.write_bytes(b"old")
+    state = path.stat()
+    log.read(str(path), -1, b"old", state)
+    time.sleep(0.05)  # a tick of the clock of the file system
+    path.write_bytes(b"new")
+    os.utime(path, ns=(state.st_atime_ns, state.st_mtime_ns))
+    later = state.st_ctime_ns + 3_000_000_000
+    assert present_answer("r", str(path), log.answers["r", str(path)], later) is None
 
 
 def test_a_change_within_one_tick_of_the_clock_is_seen(tmp_path: Path) -> None:

@@ -31,6 +31,22 @@ def test_a_base_on_wheels(capsys: pytest.CaptureFixture[str]) -> None:
     assert "\n\n\n" not in page
 
 
+def test_links_without_gravity_in_gazebo_have_no_weight(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """DYN003 leaves them out, too."""
+    pytest.importorskip("pinocchio")
+    flag = '<gazebo reference="forearm"><turnGravityOff>true</turnGravityOff></gazebo></robot>'
+    text = Path(ARM).read_text(encoding="utf-8").replace("</robot>", flag)
+    (tmp_path / "arm.urdf").write_text(text, encoding="utf-8")
+    assert main(["statics", str(tmp_path / "arm.urdf"), "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert "forearm" in found["weightless"]
+    assert {one["joint"]: one["worst"] for one in found["joints"]}["elbow"] == 0
+    assert main(["statics", str(tmp_path / "arm.urdf")]) == 0
+    assert "it is off in Gazebo" in capsys.readouterr().out
+
+
 def test_what_the_world_holds_cannot_tip_over(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -83,7 +99,7 @@ def test_without_pinocchio_it_says_what_is_missing(
             "--payload x@forearm: expected KG@LINK: a mass in kg and a link",
         ),
         (["--payload", "5@foream"], "no link 'foream'; did you mean 'forearm'?"),
-        (["--payload", "1e300@forearm"], "no robot carries 1e+300 kg"),
+        (["--payload", "1e300@forearm"], "is implausible: 1e+300 kg"),
         (
             ["--payload=-1@forearm"],
             "--payload -1@forearm: expected KG@LINK: a mass in kg and a link",

@@ -100,9 +100,10 @@ def verdict(name: str, robot: Robot) -> Verdict | None:
 
 
 def with_absolute_paths(context: Context) -> bytes:
-    """The expanded URDF, with the places of the meshes that are there."""
-    text = re.sub(rb"^\s*<\?xml.*?\?>", b"", context.text)
-    robot = ElementTree.fromstring(text)
+    """The expanded URDF, with the places of the meshes that are there, and its declaration."""
+    declared = re.match(rb"\s*<\?xml.*?\?>", context.text)
+    declaration = declared.group() if declared else b""
+    robot = ElementTree.fromstring(context.text[len(declaration) :])
     paths = {mesh.at.value: mesh.located.path for mesh in context.files.meshes}
     for mesh in robot.iter("mesh"):
         if path := paths.get(mesh.get("filename", "")):
@@ -110,7 +111,7 @@ def with_absolute_paths(context: Context) -> bytes:
     for compiler in robot.iter("compiler"):
         compiler.attrib.pop("meshdir", None)
         compiler.attrib.pop("strippath", None)
-    return ElementTree.tostring(robot)
+    return declaration + ElementTree.tostring(robot)
 
 
 def cause_of(name: str, refusal: str) -> tuple[str, set[str]]:

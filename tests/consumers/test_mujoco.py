@@ -91,6 +91,51 @@ CASES = {
     "collision without a size": (f'<link name="a"><collision>{SQUARE}</collision></link>', NUMBER),
     "visual of size 0": (f'<link name="a"><visual>{FLAT}</visual></link>', ""),
     "collision of size 0": (f'<link name="a"><collision>{FLAT}</collision></link>', "GEO001"),
+    "two roots": (link("a") + link("b"), ""),
+    "limits the wrong way round": (
+        arm(link("arm"), "revolute", '<limit lower="1" upper="-1"/>'),
+        "",
+    ),
+    "one joint twice": (arm(link("arm")) + arm("", base=""), "NAM001"),
+    "a mimic of nothing": (arm(link("arm"), "continuous", '<mimic joint="k"/>'), ""),
+    "hexadecimal": (link("a", more=COLLISION.replace("1 1 1", "0x1p-3 1 1")), ""),
+    "white space": (arm(link("arm", " 1 ")), ""),
+    "endless limits": (arm(link("arm"), "revolute", '<limit lower="-inf" upper="inf"/>'), ""),
+    "floating": (arm(link("arm"), "floating"), ""),
+    "floating on a fixed link": (
+        '<link name="root"/><joint name="i" type="fixed"><parent link="root"/><child link="base"/>'
+        "</joint>" + arm(link("arm"), "floating"),
+        "",
+    ),
+    "floating on a fixed link that is not merged": (
+        told('<compiler fusestatic="false"/>') + arm(link("arm"), "floating"),
+        "JNT045",
+    ),
+    "floating on a moving link": (
+        arm(link("arm")) + link("tool") + '<joint name="k" type="floating"><parent link="arm"/>'
+        '<child link="tool"/></joint>',
+        "JNT045",
+    ),
+    "ball joint": (arm(link("arm"), "spherical", '<limit lower="0" upper="1"/>'), ""),
+    "ball joint to both sides": (
+        arm(link("arm"), "spherical", '<limit lower="-1" upper="1"/>'),
+        "JNT045",
+    ),
+    "ball joint with a lower limit": (arm(link("arm"), "spherical", '<limit lower="-1"/>'), ""),
+    "range without autolimits": (
+        told('<compiler autolimits="false"/>')
+        + arm(link("arm"), "planar", '<limit lower="-1" upper="1"/>'),
+        "JNT045",
+    ),
+    "effort without autolimits": (
+        told('<compiler autolimits="false"/>') + arm(link("arm"), more='<limit effort="1"/>'),
+        "JNT045",
+    ),
+    "no range without autolimits": (
+        told('<compiler autolimits="false"/>')
+        + arm(link("arm"), more='<limit lower="-1" upper="1"/>'),
+        "",
+    ),
     "colour of three numbers": (
         '<material name="m"><color rgba="1 1 1"/></material>' + link("a"),
         NUMBER,
@@ -161,3 +206,15 @@ def test_refusals_of_meshes(case: str, tmp_path: Path) -> None:
             mujoco.MjModel.from_xml_path(str(path))
     else:
         mujoco.MjModel.from_xml_path(str(path))
+
+
+@pytest.mark.parametrize(("scale", "code"), [("1 1 1", ""), ("1e-5 1e-5 1e-5", "MSH015")])
+@pytest.mark.parametrize("is_kept", [True, False])
+def test_visuals_that_are_kept(scale: str, code: str, is_kept: bool, tmp_path: Path) -> None:
+    settings = told('<compiler discardvisual="false"/>') if is_kept else ""
+    visual = mesh("a.stl", "visual", f' scale="{scale}"')
+    robot = whole(settings + link("base", more=visual))
+    found = errors(robot, tmp_path, {"a.stl": SOUND})
+    assert found == ({code} if code and is_kept else set())
+    flat = whole(settings + link("base", more=mesh("flat.stl", "visual")))
+    assert errors(flat, tmp_path, {"flat.stl": PLATE}) == ({"MSH015"} if is_kept else set())

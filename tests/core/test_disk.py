@@ -45,6 +45,7 @@ WITHOUT_GATE = {
     "output/bundle/writing.py": "its own output",
     "output/conversion/usd.py": "its own temporary directory",
     "output/conversion/mjcf.py": "its own output",
+    "output/conversion/text_reading.py": "the null device",
     "output/comparison/__init__.py": "its own temporary directory",
     "output/report/translations.py": "urdfkit's own",
     "ros/catalog/__init__.py": "urdfkit's own",
@@ -119,7 +120,6 @@ READERS = {
     "workspace/config_file.py": "the nearest above a file",
     "workspace/file_head.py": "who calls read_head",
     "workspace/gitignore.py": IN_PACKAGE,
-    "workspace/ignore_files.py": "git's own configuration",
     "workspace/includes.py": IN_PACKAGE,
     "workspace/install_rules.py": IN_PACKAGE,
     "workspace/installs.py": IN_PACKAGE,
@@ -127,8 +127,8 @@ READERS = {
     "workspace/package_directories.py": IN_PACKAGE,
     "workspace/python_installs.py": IN_PACKAGE,
     "workspace/resolve.py": "itself",
-    "workspace/siblings.py": IN_PACKAGE,
-    "workspace/xml_programs.py": ADMITTED,
+    "workspace/srdf_files.py": IN_PACKAGE,
+    "workspace/program_strings.py": ADMITTED,
     "xacro/file_reader.py": "Resolver.allows",
 }
 
@@ -192,6 +192,7 @@ def test_what_is_asked_for_is_noted(
         ("l", "to"),
         ("l", "b.stl"),
         ("d", "."),
+        ("k", "./to"),
         ("p", "to"),
         ("v", "ARM"),
         ("v", "LEG"),
@@ -217,12 +218,13 @@ def test_only_regular_files_are_opened(log: FileLog, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="needs /dev/fd")
-def test_a_pipe_of_the_shell_is_read_to_its_end() -> None:
+def test_a_pipe_of_the_shell_is_read_to_its_end_and_once(log: FileLog) -> None:
     reading, writing = os.pipe()
     with open(writing, "wb") as file:
         file.write(b"data")
     assert disk.read(f"/dev/fd/{reading}") == b"data"
     os.close(reading)
+    assert not log.is_complete
 
 
 def test_a_whole_file_is_no_longer_than_the_limit(tmp_path: Path) -> None:

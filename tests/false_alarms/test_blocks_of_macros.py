@@ -45,3 +45,14 @@ def test_elsewhere_such_a_name_says_nothing(tmp_path: Path) -> None:
     )
     (found,) = check(robot, select=["URD001"]).diagnostics
     assert found.message == "joint 'j': unknown element <optical_origin> in <joint> (ignored)"
+
+
+def test_the_frame_has_the_rotation_that_is_not_read(tmp_path: Path) -> None:
+    robot = tmp_path / "r.urdf.xacro"
+    names = {'"optical"': '"camera_optical_frame"', '"base"': '"camera_link"'}
+    text = ROBOT.replace('rpy="0 0 0"', 'rpy="-1.5708 0 -1.5708"')
+    for old, new in names.items():
+        text = text.replace(old, new)
+    robot.write_text(text)
+    found = check(robot, select=["URD001", "JNT030"]).diagnostics
+    assert [one.code for one in found] == ["URD001"]

@@ -62,21 +62,23 @@ def notes(tmp_path: Path, code: str, robot: str = ROBOT) -> list[tuple[str, int,
     ]
 
 
-def test_an_element_and_the_first_of_its_values(tmp_path: Path) -> None:
+def test_an_element_and_the_first_of_its_values_on_each_line(tmp_path: Path) -> None:
     assert notes(tmp_path, "JNT003") == [
-        ("limits.yaml", 1, 17, "lower and upper are given here"),
+        ("limits.yaml", 1, 17, "lower and upper are defined here"),
     ]
 
 
 def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
     assert sorted(notes(tmp_path, "INE003")) == [
-        ("inertials.yaml", 3, 17, "ixx, iyy and izz are given here"),
-        ("inertials.yaml", 7, 9, "ixx, iyy and izz are given here"),
+        ("inertials.yaml", 3, 17, "ixx, iyy and izz are defined here"),
+        ("inertials.yaml", 7, 9, "ixx, iyy and izz are defined here"),
+        ("inertials.yaml", 8, 9, "ixx, iyy and izz are defined here"),
+        ("inertials.yaml", 9, 9, "ixx, iyy and izz are defined here"),
     ]
 
 
 def test_one_attribute(tmp_path: Path) -> None:
-    assert notes(tmp_path, "INE001") == [("inertials.yaml", 11, 9, "value is given here")]
+    assert notes(tmp_path, "INE001") == [("inertials.yaml", 11, 9, "value is defined here")]
 
 
 def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:

@@ -87,7 +87,7 @@ def test_arguments_of_the_command_line_are_those_that_count(package: Path) -> No
     file.write_text(
         '[[robot]]\nfile = "arm.xacro"\nvariants.one.kind = "1"\nvariants.two.kind = "2"\n'
     )
-    config = load(file)
+    config = load(str(file))
     for what in (package, package / "arm.xacro"):
         assert len(types(check(what, config=config))) == 1
         assert types(check(what, config=config, options=Options(variant="one"))) == []
@@ -148,3 +148,14 @@ def test_show_files_lists_the_sets_and_what_none_of_them_includes(
         "launch/bad.launch",
         "not checked: never.xacro: included, but not with these arguments",
     ]
+
+
+def test_a_set_that_does_not_expand_next_to_one_that_does(package: Path) -> None:
+    """The defaults of a robot may be for nobody, but not what a launch file starts it with."""
+    robot = ROBOT.replace('default="good"', 'default="bad"').replace("'revolut'", "missing")
+    (package / "arm.xacro").write_text(robot)
+    start(package, "good", "kind:=good")
+    (found,) = check(package, select=["XAC001"]).diagnostics
+    assert "missing" in found.message
+    (package / "launch" / "bad.launch").unlink()
+    assert check(package, select=["XAC001"]).diagnostics == ()

@@ -176,6 +176,13 @@ def test_the_default_of_an_include_that_is_not_reached(package: Path) -> None:
     assert taken(check(package)) == [({"side": "left"}, "defaults.xacro")]
 
 
+def test_the_default_of_an_include_below_the_use(package: Path) -> None:
+    write(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
+    include = '<xacro:include filename="defaults.xacro"/>'
+    write(package / "arm.xacro", f'{HEAD}<link name="$(arg side)_base"/>{include}</robot>')
+    assert taken(check(package)) == [({"side": "left"}, "defaults.xacro")]
+
+
 def test_arguments_from_different_places(package: Path) -> None:
     kinds(package, big=2, small=3)
     robot = package / "arm.xacro"

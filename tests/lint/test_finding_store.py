@@ -96,7 +96,8 @@ def test_one_element_with_other_names_has_one_finding(tmp_path: Path) -> None:
         (tmp_path / f"r{number}.xacro").write_text(xacro(f'{head}<link name="base"/>{call}'))
     sides = "".join(f'variants.{side} = {{ side = "{side}" }}\n' for side in ("left", "right"))
     (tmp_path / "urdfkit.toml").write_text(f'[[robot]]\nfile = "r0.xacro"\n{sides}')
-    robots, config = (tmp_path / "r0.xacro", tmp_path / "r1.xacro"), load(tmp_path / "urdfkit.toml")
+    robots = (tmp_path / "r0.xacro", tmp_path / "r1.xacro")
+    config = load(str(tmp_path / "urdfkit.toml"))
     (found,) = check(*robots, select=["JNT001"], config=config).diagnostics
     names = [call.message.split("'")[1] for call in found.calls]
     assert names == ["left_0_j", "right_0_j", "left_1_j"]
@@ -110,6 +111,6 @@ def test_findings_at_one_place_that_differ_by_more_than_names(tmp_path: Path) ->
     (tmp_path / "r.xacro").write_text(xacro(source))
     kinds = "".join(f'variants.{kind} = {{ kind = "{kind}" }}\n' for kind in "ab")
     (tmp_path / "urdfkit.toml").write_text(f'[[robot]]\nfile = "r.xacro"\n{kinds}')
-    config = load(tmp_path / "urdfkit.toml")
+    config = load(str(tmp_path / "urdfkit.toml"))
     found = check(tmp_path / "r.xacro", select=["MSH001"], config=config).diagnostics
     assert [one.variants for one in found] == [("a",), ("b",)]

@@ -150,7 +150,7 @@ def test_a_generated_file_is_refused_unless_forced(tmp_path: Path, comment: str)
     file = write(tmp_path, "r.urdf", f"<!-- {comment} -->\n{FIXED_JOINT}")
     assert fix(file).files == ()
     assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
-        "the file is generated: fix what it is made from"
+        "the file is generated: fix the file that it is generated from"
     }
     assert len(fix(file, force=True).files) == 1
 
@@ -179,7 +179,7 @@ def test_ignored_files_and_those_outside_are_refused(tmp_path: Path) -> None:
     assert len(fix(file, packages=packages, force=True).files) == 1
     (repository / ".gitignore").write_text("part.xacro\n")
     reasons = {left.reason for left in fix(repository / "part.xacro").left} - {""}
-    assert reasons == {"git ignores the file, as it does what programs make"}
+    assert reasons == {"git ignores the file, so it is probably generated"}
 
 
 def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:

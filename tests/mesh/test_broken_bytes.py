@@ -151,6 +151,6 @@ def test_what_a_file_claims_takes_no_memory(name: str, tmp_path: Path) -> None:
             assert is_sound(read(tmp_path / name))
         except UnloadableMesh as error:
             assert error.reason  # noqa: PT017 - either is right
-    grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before  # in KiB
-    assert grown < 100_000
+    grow_pieces = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before  # in KiB
+    assert grow_pieces < 100_000
     assert sniff(GREEDY[name], "." + name.rpartition(".")[2]).size == len(GREEDY[name])

@@ -10,7 +10,7 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 from tests.mesh.shapes_made import as_mesh
-from urdfkit.mesh.containment import _halved, grown, missing, protrusion
+from urdfkit.mesh.containment import _halved, grow_pieces, missing, protrusion
 from urdfkit.mesh.convex_decomposition import decompose
 from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.fitting import fit
@@ -55,7 +55,7 @@ def test_pieces_grow_around_any_surface(seed: int) -> None:
     random = np.random.default_rng(seed)
     shape = trimesh.Trimesh(random.random((30, 3)), random.integers(0, 30, (40, 3)))
     pieces = [0.2 * random.random((8, 3)) + random.random(3) for _ in range(3)]
-    found = grown(pieces, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
+    found = grow_pieces(pieces, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
     parts = tuple(MeshPart(corners, np.arange(len(corners)).reshape(1, -1)) for corners in found)
     assert outside(Mesh(parts), shape) < 1e-8
     for before, after in zip(pieces, found, strict=True):
@@ -70,7 +70,7 @@ def test_pieces_that_contain_it_do_not_grow() -> None:
         for x in (-0.5, 0.5)
     ]
     shape = trimesh.creation.box((2, 1, 1))
-    found = grown(halves, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
+    found = grow_pieces(halves, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
     for before, after in zip(halves, found, strict=True):
         assert ConvexHull(after).volume == pytest.approx(ConvexHull(before).volume, rel=0.02)
 
@@ -82,7 +82,9 @@ def test_a_sliver_in_two_pieces_is_cut_where_they_meet() -> None:
         for x in (-0.5, 0.5)
     ]
     sliver = np.array([(-0.9, 0, 0), (0.9, 0, 0), (0.9, 0.01, 0)])
-    for before, after in zip(halves, grown(halves, sliver, np.array([(0, 1, 2)])), strict=True):
+    for before, after in zip(
+        halves, grow_pieces(halves, sliver, np.array([(0, 1, 2)])), strict=True
+    ):
         assert ConvexHull(after).volume == pytest.approx(ConvexHull(before).volume, rel=0.02)
 
 

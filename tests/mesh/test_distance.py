@@ -9,7 +9,7 @@ import numpy as np
 import trimesh
 
 from urdfkit.mesh import distance as module
-from urdfkit.mesh.distance import distance, one_way
+from urdfkit.mesh.distance import directed_distance, distance
 
 
 def apart(one: trimesh.Trimesh, other: trimesh.Trimesh) -> float:
@@ -17,7 +17,7 @@ def apart(one: trimesh.Trimesh, other: trimesh.Trimesh) -> float:
 
 
 def from_to(one: trimesh.Trimesh, other: trimesh.Trimesh) -> float:
-    return one_way(one.vertices, one.faces, other.vertices, other.faces)
+    return directed_distance(one.vertices, one.faces, other.vertices, other.faces)
 
 
 BALL = trimesh.creation.icosphere(4, 1.0)
@@ -55,7 +55,9 @@ def test_points_within_faces_alone_may_count() -> None:
     def are_inner(points: np.ndarray) -> np.ndarray:
         return np.abs(points).max(axis=1) < 0.9
 
-    assert one_way(corners, faces, np.add(corners, (0, 0, 3)), faces, are_inner) == pytest.approx(3)
+    assert directed_distance(
+        corners, faces, np.add(corners, (0, 0, 3)), faces, are_inner
+    ) == pytest.approx(3)
 
 
 def test_points_far_and_near_against_trimesh() -> None:
@@ -78,7 +80,7 @@ def test_points_far_and_near_against_trimesh() -> None:
 def test_triangles_without_area() -> None:
     line = np.array([[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[5, 5, 5]] * 3], dtype=float)
     assert module._Surface(line).farthest(np.array([[0.0, 3, 4]])) == pytest.approx(5)
-    assert one_way(line.reshape(-1, 3), np.arange(6).reshape(2, 3), *cube()) < 10
+    assert directed_distance(line.reshape(-1, 3), np.arange(6).reshape(2, 3), *cube()) < 10
 
 
 def cube() -> tuple[np.ndarray, np.ndarray]:

@@ -11,10 +11,10 @@ import trimesh
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
 from urdfkit.core.spatial import Transform, from_rpy, rotate
 from urdfkit.mesh import solids
-from urdfkit.mesh.distance import one_way
+from urdfkit.mesh.distance import directed_distance
 from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.solids import beyond
+from urdfkit.mesh.solids import subtract_mesh
 from urdfkit.mesh.transforms import moved
 
 TURNED = Transform(from_rpy(0.4, -0.7, 1.1), (0.1, -0.2, 0.3))
@@ -69,15 +69,15 @@ def test_what_lies_inside_does_not_stick_out() -> None:
             for x in (-0.255, 0.255)
         )
     )
-    outside = beyond(halves, block)
+    outside = subtract_mesh(halves, block)
     assert len(outside.faces) == 0
     halves = halves._replace(
         parts=tuple(p._replace(vertices=p.vertices * 1.1) for p in halves.parts)
     )
-    outside = beyond(halves, block)
-    assert one_way(outside.vertices, outside.faces, block.vertices, block.faces) == pytest.approx(
-        0.05 * 3**0.5
-    )
+    outside = subtract_mesh(halves, block)
+    assert directed_distance(
+        outside.vertices, outside.faces, block.vertices, block.faces
+    ) == pytest.approx(0.05 * 3**0.5)
 
 
 def test_what_is_not_convex_is_cut_into_no_more_pieces_than_it_takes() -> None:

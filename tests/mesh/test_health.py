@@ -10,7 +10,7 @@ import trimesh
 
 from tests.mesh.defects import shapes
 from tests.mesh.shapes_made import as_part
-from urdfkit.mesh.components import contains, take_apart
+from urdfkit.mesh.components import contains, split_pieces
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.health import examine, examine_mesh
@@ -80,4 +80,4 @@ def test_welding_and_volumes() -> None:
     loose = box.vertices[box.faces].reshape(-1, 3)
     points, faces = weld(loose, np.arange(36).reshape(-1, 3))
     assert len(points) == 8
-    assert take_apart(points, Edges(faces)).volumes == pytest.approx([6])
+    assert split_pieces(points, Edges(faces)).volumes == pytest.approx([6])

@@ -88,9 +88,9 @@ def test_the_reason_of_an_unloadable_mesh_is_kept(
     mesh: Path, cache: Path, forbid: Callable[[], None]
 ) -> None:
     mesh.write_bytes(b"ISO-10303-21;")
-    assert measured(cache, mesh) == "is STEP, which is not read"
+    assert measured(cache, mesh) == "is STEP, which is not supported"
     forbid()
-    assert measured(cache, mesh) == "is STEP, which is not read"
+    assert measured(cache, mesh) == "is STEP, which is not supported"
 
 
 @pytest.mark.parametrize(

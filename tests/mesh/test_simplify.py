@@ -80,7 +80,7 @@ def test_the_search_goes_down_to_an_eighth_in_five_steps(monkeypatch: pytest.Mon
     for name, stub in (
         ("within_tolerances", lambda *_: ()),
         ("with_fewer", with_fewer),
-        ("one_way", lambda *_: 0.0),
+        ("directed_distance", lambda *_: 0.0),
     ):
         monkeypatch.setattr(module, name, stub)
     found = to_error(BALL, 0.1)

@@ -69,12 +69,12 @@ def test_a_position(robot: Context, joint: str, text: str | float, position: flo
         ({"turn": "fast"}, "joint 'turn': 'fast' is not a position; write 1.57, 90deg or 0.1"),
         ({"turn": "nan"}, "joint 'turn': 'nan' is not a position; write 1.57, 90deg or 0.1"),
         ({"turn": "deg"}, "joint 'turn': 'deg' is not a position; write 1.57, 90deg or 0.1"),
-        ({"slide": "5deg"}, "joint 'slide' slides; write its position in m, not in degrees"),
-        ({"follower": "1"}, "joint 'follower' follows 'turn'; give the position of that one"),
+        ({"slide": "5deg"}, "joint 'slide' is prismatic; write its position in m, not in degrees"),
+        ({"follower": "1"}, "joint 'follower' mimics 'turn'; set 'turn' instead"),
         ({"weld": "1"}, "joint 'weld' is fixed: it does not move"),
         (
             {"free": "1"},
-            "joint 'free' is floating: it takes several numbers, and stays at its origin",
+            "joint 'free' is floating: it has several degrees of freedom and cannot be set",
         ),
     ],
 )
@@ -104,20 +104,20 @@ def test_a_file(robot: Context, tmp_path: Path, text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "reported"),
     [
-        ("", "it must hold one 'joint: position' a line, as YAML or JSON"),
-        ("- 1\n", "it must hold one 'joint: position' a line, as YAML or JSON"),
+        ("", "not a YAML or JSON mapping of joints to positions"),
+        ("- 1\n", "not a YAML or JSON mapping of joints to positions"),
         ("a: [", "neither YAML nor JSON"),
         ("turn: [1]\n", "joint 'turn': 'a sequence' is not a position"),
         ("turn: 0x" + 5000 * "f", f"joint 'turn': '0x{38 * 'f'}...' is not a position"),
         (BOMB, "joint 'turn': 'a sequence' is not a position"),
         ("turn: true\n", "joint 'turn': 'true' is not a position"),
         ("turn:\n", "joint 'turn': '' is not a position"),
-        ("? [a, b]\n: 1\n", "it must hold one 'joint: position' a line"),
+        ("? [a, b]\n: 1\n", "not a YAML or JSON mapping of joints to positions"),
         ("[" * 20_000, "nested too deeply"),
         ("turn: 2001-02-30", "joint 'turn': '2001-02-30' is not a position"),
         ("#" * 1_100_000, "larger than 1 MiB"),
-        ("elbow: 1\nshoulder: 0\nelbow: 2\n", "joint 'elbow' is given twice"),
-        ('{"elbow": 1, "elbow": 2}', "joint 'elbow' is given twice"),
+        ("elbow: 1\nshoulder: 0\nelbow: 2\n", "joint 'elbow' is defined twice"),
+        ('{"elbow": 1, "elbow": 2}', "joint 'elbow' is defined twice"),
     ],
 )
 def test_a_file_that_is_no_pose_is_reported(

@@ -249,10 +249,10 @@ def test_a_layer_that_is_not_there_is_named() -> None:
 @pytest.mark.parametrize(
     ("layer", "note"),
     [
-        ("mass", "nothing is drawn of 'mass': no link has a mass"),
-        ("inertia", "nothing is drawn of 'inertia': no link has a mass"),
-        ("contacts", "nothing is drawn of 'contacts': no links overlap"),
-        ("joints", "nothing is drawn of 'joints': no joint moves"),
+        ("mass", "layer 'mass' is empty: no link has a mass"),
+        ("inertia", "layer 'inertia' is empty: no link has a mass"),
+        ("contacts", "layer 'contacts' is empty: no links overlap"),
+        ("joints", "layer 'joints' is empty: no joint moves"),
     ],
 )
 def test_a_layer_that_has_nothing_to_draw_says_why(layer: str, note: str) -> None:

@@ -296,5 +296,5 @@ def test_roots_that_share_a_place_are_reported() -> None:
         return build(read(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()))).notes
 
     (note,) = notes(two)
-    assert note.startswith("2 roots are drawn in one place")
+    assert note.startswith("2 roots are drawn at the same position")
     assert notes(two.replace(ball, "", 1)) == ()

@@ -1,15 +1,17 @@
 """What the sources of a scan stand for."""
 
+import errno
+import re
 import shutil
 import tarfile
 import zipfile
-from contextlib import suppress
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
-from urdfkit.errors import UnreadableFile
-from urdfkit.scan.models import Extraction, models
+from urdfkit.errors import UnreadableFile, UnwritableFile
+from urdfkit.scan.models import Extraction, models, require_sources
 
 
 @pytest.fixture
@@ -23,6 +25,13 @@ def zoo(tmp_path: Path) -> Path:
 
 def names(*sources: Path | str, below: Path) -> list[str]:
     return [model.name.removeprefix(f"{below}/") for model in models(map(str, sources))]
+
+
+def problem(source: Path) -> str:
+    """Why a source cannot be read."""
+    (model,) = models([str(source)])
+    assert model.name == str(source) or "names itself" in model.problem
+    return model.problem
 
 
 def test_a_directory_stands_for_its_descriptions(zoo: Path) -> None:
@@ -96,8 +105,15 @@ def test_an_archive_names_no_file_outside_of_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", ["some.txt\n", "*.txt\n", "a\0b\n"])
 def test_a_list_that_has_no_end_or_is_none(zoo: Path, text: str) -> None:
     (zoo / "some.txt").write_text(text)
-    with pytest.raises(UnreadableFile, match=r"contains itself|not a list"):
-        list(models([str(zoo / "some.txt")]))
+    assert re.search("names itself|not a list", problem(zoo / "some.txt"))
+
+
+def test_entries_of_a_list_that_cannot_be_read_are_rows(zoo: Path) -> None:
+    (zoo / "some.txt").write_text("none.urdf\nnone*\nb/x.urdf\n")
+    missing, no_match, model = models([str(zoo / "some.txt")])
+    assert "file not found" in missing.problem
+    assert "no file matches" in no_match.problem
+    assert (model.path, model.problem) == (str(zoo / "b" / "x.urdf"), "")
 
 
 @pytest.mark.parametrize("suffix", [".zip", ".tar.gz"])
@@ -113,8 +129,7 @@ def test_a_bomb_is_not_extracted(
     else:
         with tarfile.open(archive, "w:gz") as tar:
             tar.add(tmp_path / "zeros")
-    with pytest.raises(UnreadableFile, match="over 100 times"):
-        list(models([str(archive)]))
+    assert "over 100 times" in problem(archive)
 
 
 def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
@@ -127,8 +142,7 @@ def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
     }  # fmt: skip
     with tarfile.open(tmp_path / "sparse.tar", "w", format=tarfile.PAX_FORMAT) as tar:
         tar.addfile(header)
-    with pytest.raises(UnreadableFile, match=r"more than 2\.0 GB when extracted"):
-        list(models([str(tmp_path / "sparse.tar")]))
+    assert "more than 2.0 GB when extracted" in problem(tmp_path / "sparse.tar")
 
 
 def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
@@ -147,21 +161,37 @@ def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
     for name in ("a.tar", "a.zip"):
         with Extraction() as extraction:
             found = list(models([str(tmp_path / name)]))
-            with suppress(UnreadableFile):
-                for model in found:
-                    extraction.on_disk(model)
+            for model in found:
+                extraction.on_disk(model)
     assert list(outside.iterdir()) == []
 
 
-def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:
+def test_a_damaged_archive_is_a_model_with_a_problem(tmp_path: Path) -> None:
     (tmp_path / "a.zip").write_bytes(b"PK\3\4 no archive")
-    with pytest.raises(UnreadableFile, match="not a readable archive"):
-        list(models([str(tmp_path / "a.zip")]))
+    assert "not a readable archive" in problem(tmp_path / "a.zip")
 
 
 def test_a_missing_source_is_an_error(zoo: Path) -> None:
+    require_sources([str(zoo), str(zoo / "b" / "x.urdf"), f"{zoo}/*"])
     with pytest.raises(UnreadableFile, match=r"file not found; did you mean 'x\.urdf'"):
-        list(models([str(zoo / "b" / "xx.urdf")]))
+        require_sources([str(zoo / "b" / "xx.urdf")])
+    with pytest.raises(UnreadableFile, match="no file matches"):
+        require_sources([f"{zoo}/none*"])
+
+
+@pytest.mark.parametrize("full", [True, False], ids=["too large", "full meanwhile"])
+def test_a_full_disk_ends_the_scan(zoo: Path, full: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A row would be kept, and the archive not checked when there is room."""
+    archive = shutil.make_archive(str(zoo), "zip", zoo)
+    model, *_ = models([archive])
+
+    def extract(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "no space left")
+
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=0 if full else 10**9))
+    monkeypatch.setattr("zipfile.ZipFile.extractall", extract)
+    with Extraction() as extraction, pytest.raises(UnwritableFile, match=r"are free|no space"):
+        extraction.on_disk(model)
 
 
 @pytest.mark.parametrize("kind", [tarfile.GNUTYPE_LONGNAME, tarfile.XHDTYPE])
@@ -170,8 +200,7 @@ def test_headers_of_a_tar_do_not_fill_the_memory(kind: bytes, tmp_path: Path) ->
     header.type, header.size = kind, 2**20 + 1
     archive = tmp_path / "a.tar"
     archive.write_bytes(header.tobuf(tarfile.GNU_FORMAT) + bytes(2**21))
-    with pytest.raises(UnreadableFile, match="it has a header of 1,048,577 bytes"):
-        list(models([str(archive)]))
+    assert "it has a header of 1,048,577 bytes" in problem(archive)
 
 
 def test_a_name_with_a_nul_is_not_extracted(tmp_path: Path) -> None:
@@ -196,5 +225,5 @@ def test_damaged_lzma_is_an_error(tmp_path: Path) -> None:
 def _cannot_be_extracted(archive: Path) -> None:
     with Extraction() as extraction:
         first, *_ = models([str(archive)])
-        with pytest.raises(UnreadableFile, match="cannot be extracted"):
-            extraction.on_disk(first)
+        for _ in range(2):  # it is not tried again
+            assert "cannot be extracted" in extraction.on_disk(first).problem

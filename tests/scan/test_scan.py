@@ -15,8 +15,9 @@ from urdfkit.errors import UnreadableFile, UnwritableFile, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal
+from urdfkit.scan.engines import BATCH
 from urdfkit.scan.isolated import Settings
-from urdfkit.scan.run import BATCH, scan
+from urdfkit.scan.run import scan
 
 ROBOT = """<robot name="r{0}"><link name="base"><inertial><mass value="{0}"/>
 <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
@@ -133,7 +134,7 @@ def test_several_processes_give_the_same_rows(tmp_path: Path) -> None:
 def test_two_sources_name_a_model_once(tmp_path: Path) -> None:
     zoo = write(tmp_path / "zoo", 3)
     sources = [str(zoo), str(zoo / "0002.urdf")]
-    assert scan(sources, str(tmp_path / "out"), Settings(Options())) == 3
+    assert scan(sources, str(tmp_path / "out"), Settings(Options())).models == 3
 
 
 def test_a_run_goes_on_behind_the_last_whole_line(tmp_path: Path) -> None:
@@ -142,9 +143,9 @@ def test_a_run_goes_on_behind_the_last_whole_line(tmp_path: Path) -> None:
     results = out / journal.RESULTS
     lines = results.read_bytes().splitlines(keepends=True)
     results.write_bytes(b"".join(lines[:2]) + lines[2][:40])
-    assert scan([str(zoo)], str(out), Settings(Options())) == 3
+    assert scan([str(zoo)], str(out), Settings(Options())).models == 3
     assert rows(out) == expected
-    assert scan([str(zoo)], str(out), Settings(Options())) == 0
+    assert scan([str(zoo)], str(out), Settings(Options())).models == 0
 
 
 @pytest.mark.parametrize("line", ["x", "[1]", "[" * 100_000, '{"model": "a"}'])
@@ -211,6 +212,29 @@ def test_two_scans_do_not_write_one_directory(tmp_path: Path) -> None:
 def test_a_wrong_option_stops_it(tmp_path: Path) -> None:
     with pytest.raises(UrdfkitError, match="NOSUCH"):
         scan([str(tmp_path)], str(tmp_path / "out"), Settings(Options(select=("NOSUCH",))))
+
+
+@pytest.mark.parametrize("source", ["empty", "zoo/none*", "none.urdf"])
+def test_no_model_is_an_error(
+    tmp_path: Path, source: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "empty").mkdir()
+    assert main(["scan", str(tmp_path / source), "-o", str(tmp_path / "out")]) == 2
+    assert source.rpartition("/")[2] in capsys.readouterr().err
+
+
+def test_a_damaged_archive_is_a_row_and_the_scan_goes_on(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    zoo, out, archive = write(tmp_path / "zoo", 1), tmp_path / "out", tmp_path / "a.zip"
+    archive.write_bytes(b"no archive")
+    for _ in range(2):  # the second time nothing is left to check
+        assert main(["scan", str(archive), str(zoo), "-o", str(out)]) == 2
+        assert f"{archive}: not a readable archive" in capsys.readouterr().err
+    found = rows(out)
+    assert found.keys() == {str(archive), str(zoo / "0001.urdf")}
+    assert found[str(archive)]["status"] == "unreadable"
+    assert found[str(zoo / "0001.urdf")]["status"] == "ok"
 
 
 def test_parquet_has_the_rows(tmp_path: Path) -> None:

@@ -3,13 +3,13 @@ from pathlib import Path
 import pytest
 
 from urdfkit.text.source import Source
-from urdfkit.workspace.package_references import mentions, of_package
+from urdfkit.workspace.package_references import package_references, references_of_package
 from urdfkit.workspace.resolve import Resolver
 
 
 def found(text: str) -> list[tuple[str, str, str]]:
     source = Source("r.xacro", text.encode())
-    return [(one.package, one.relative, one.span.text) for one in mentions(source)]
+    return [(one.package, one.relative, one.span.text) for one in package_references(source)]
 
 
 @pytest.mark.parametrize(
@@ -52,5 +52,5 @@ def test_only_the_texts_of_the_own_package_count(tmp_path: Path) -> None:
         Source(str(hand / "h.xacro"), b"$(find motors)/m.xacro"),
     )
     packages = Resolver(environment={}).packages
-    assert [one.package for one in of_package(sources, packages)] == ["hand"]
-    assert [one.package for one in of_package(sources[1:], packages)] == ["motors"]
+    assert [one.package for one in references_of_package(sources, packages)] == ["hand"]
+    assert [one.package for one in references_of_package(sources[1:], packages)] == ["motors"]

@@ -75,4 +75,4 @@ def test_a_pipe_in_place_of_a_file_of_git_ends_the_question(
 ) -> None:
     monkeypatch.setattr(revisions, "MAX_SECONDS_IGNORED", 0.2)
     os.mkfifo(repository / ".gitignore")
-    assert not revisions.is_ignored(str(repository / "robot.urdf"))
+    assert not revisions.check_ignore(str(repository / "robot.urdf"))

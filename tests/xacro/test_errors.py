@@ -56,13 +56,13 @@ def test_tags_that_fail_cost_no_further_expansion(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     runs: list[ExpansionRun] = []
-    once = recovery._once
+    once = recovery._expand_once
 
     def counted(run: ExpansionRun) -> BaseException | None:
         runs.append(run)
         return once(run)
 
-    monkeypatch.setattr(recovery, "_once", counted)
+    monkeypatch.setattr(recovery, "_expand_once", counted)
     xacro = run(
         tmp_path,
         '<xacro:macro name="m"><xacro:n/></xacro:macro>\n<xacro:m/>\n<xacro:m/>\n'
@@ -212,7 +212,7 @@ def test_a_package_that_is_not_found(tmp_path: Path) -> None:
         f"package 'nowhere' is not found; searched: {directory} and its parent directories, "
         "AMENT_PREFIX_PATH (not set), ROS_PACKAGE_PATH (not set)"
     )
-    assert problem.help == "name its directory: --package nowhere=DIR"
+    assert problem.help == "pass its directory: --package nowhere=DIR"
 
 
 def test_an_argument_without_a_value(tmp_path: Path) -> None:
@@ -227,7 +227,7 @@ def test_an_argument_without_a_value(tmp_path: Path) -> None:
     assert (first.code, second.code) == ("XAC010", "XAC010")
     assert brief(first) == "robot.xacro:5:7 $(arg c)"
     assert first.message == "argument 'c' has no value and no default"
-    assert first.help == "pass it: c:=VALUE; the others: a (default 1), b (default two)"
+    assert first.help == "pass it: c:=VALUE; other arguments: a (default 1), b (default two)"
     assert related(first) == ["6:7 needed here"]
     assert brief(second) == "robot.xacro:6:24 $(arg d)"
 
@@ -284,7 +284,7 @@ def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path)
     body = '<xacro:property name="arm" value="NONE"/><xacro:include filename="${arm}/arm.xacro"/>'
     (problem,) = run(tmp_path, body).problems
     assert problem.help == (
-        f"directory 'NONE' not found in {tmp_path}; there are seven_axes, six_axes"
+        f"directory 'NONE' not found in {tmp_path}; available: seven_axes, six_axes"
     )
 
 
@@ -322,4 +322,4 @@ def test_a_property_without_prefix_is_one_problem(tmp_path: Path) -> None:
 
 def test_a_key_that_is_not_there(tmp_path: Path) -> None:
     (problem,) = run(tmp_path, "<a b=\"${dict(left=1)['']}\"/>").problems
-    assert problem.message == "there is no key '' in ${dict(left=1)['']}"
+    assert problem.message == "key '' does not exist in ${dict(left=1)['']}"

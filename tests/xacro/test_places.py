@@ -22,7 +22,7 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import expand
 
-PLACE = "urdfkit_place"
+PLACE = "urdfkit_location"
 WAY = "urdfkit_way"
 
 XACRO_TAGS = frozenset(

@@ -4,7 +4,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from urdfkit import expand
+from urdfkit.cli import main
 
 OUTER = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -30,3 +33,11 @@ def test_macros_and_files(tmp_path: Path) -> None:
     found = expand(path)
     assert "".join(f"{message.text}\n" for message in found.messages) == stock.stderr
     assert stock.stderr.startswith("when instantiating macro: inner (")
+
+
+def test_the_command_keeps_its_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "inner.xacro").write_text(INNER, encoding="utf-8")
+    path = tmp_path / "outer.xacro"
+    path.write_text(OUTER, encoding="utf-8")
+    assert main(["expand", str(path)]) == 0
+    assert capsys.readouterr().err.splitlines() == [one.text for one in expand(path).messages]

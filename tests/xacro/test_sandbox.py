@@ -175,7 +175,14 @@ def test_variables_of_the_environment(workspace: Path, monkeypatch: pytest.Monke
     body = '<a b="$(optenv MY_CI_TOKEN none)" c="$(env ROS_DISTRO)" d="$(optenv ROS_DISTRO)"/>'
     xacro = run(workspace, body)
     assert '<a b="none" c="jazzy" d="jazzy"/>' in xacro.text()
-    assert f'b="{SECRET}"' in run(workspace, body, trust=True).text()
+    (warning,) = xacro.problems
+    assert (warning.code, SECRET in str(warning)) == ("XAC017", False)
+    assert "'MY_CI_TOKEN' is set, but not on the allow-list" in warning.message
+    trusted = run(workspace, body, trust=True)
+    assert f'b="{SECRET}"' in trusted.text()
+    assert trusted.problems == ()
+    monkeypatch.delenv("MY_CI_TOKEN")
+    assert run(workspace, body).problems == ()
 
 
 FILES: dict[str, Callable[[Path], str]] = {

@@ -13,7 +13,7 @@ from urdfkit.xacro import sandbox as module
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression, extent
 from urdfkit.xacro.budget import Budget, deadline
 from urdfkit.xacro.dom_builder import parse
-from urdfkit.xacro.sandbox import Sandbox, _within_bounds
+from urdfkit.xacro.sandbox import Sandbox, _checked_arguments
 
 
 def sandbox() -> Sandbox:
@@ -71,9 +71,9 @@ def test_a_value_as_large_as_allowed(what: str) -> None:
 
 @pytest.mark.parametrize("method", ["center", "ljust", "rjust", "zfill"])
 def test_padding_is_refused_before_it_is_made(method: str) -> None:
-    assert _within_bounds("a", method, (1_000_000,)) == (1_000_000,)
+    assert _checked_arguments("a", method, (1_000_000,)) == (1_000_000,)
     with pytest.raises(TooLarge):
-        _within_bounds("a", method, (1_000_001,))
+        _checked_arguments("a", method, (1_000_001,))
 
 
 class Unasked(int):
@@ -101,7 +101,7 @@ def test_a_method_of_a_class_has_the_bounds_of_its_object(monkeypatch: pytest.Mo
         asked.append(call)
         return call[2]
 
-    monkeypatch.setattr(module, "_within_bounds", within_bounds)
+    monkeypatch.setattr(module, "_checked_arguments", within_bounds)
     assert sandbox().call(str.ljust, "a", 3) == "a  "
     assert asked == [("a", "ljust", (3,))]
 

@@ -30,7 +30,7 @@ def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     ros, OUT is a package and they begin with package://.
 
     Exit codes: 0 done, 1 the program will reject the robot all the same, 2 a file is missing or
-    cannot be read or written.
+    cannot be read or written, or FILE is a part of a robot.
 
     Examples:
         urdfkit bundle robot.urdf.xacro -o robot_bundle

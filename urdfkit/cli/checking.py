@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import reader
 from urdfkit.lint.config import Config
@@ -55,7 +55,7 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
     outputs = options.outputs(values, fail_on(values, chosen).value)
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
-        from urdfkit.lint.fix import counted
+        from urdfkit.lint.fixable import counted
 
         fixes = apply_fixes(values, chosen)
         if values["diff"]:
@@ -71,6 +71,9 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
         if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
     _show_crashes(report)
+    if not any(name in _FOR_PEOPLE and not file for name, file in outputs):
+        for typo in report.argument_typos:
+            options.warn(typo)
     written = _write(report, outputs, values)
     code = report.exit_code(fail_on(values, chosen))
     code = 0 if code == 1 and values["exit_zero"] else code
@@ -227,7 +230,7 @@ def _standard_input(name: str) -> Source:
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
     """The report with what ``--fix`` would do; of standard input nothing can be fixed in place."""
-    from urdfkit.lint.fix import fixable
+    from urdfkit.lint.fixable import fixable
 
     files = options.files(values)
     return report if "-" in files else report._replace(fixable=fixable(report, chosen, files))

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
 from urdfkit.workspace.config_file import nearest

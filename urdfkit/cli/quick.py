@@ -1,9 +1,9 @@
 """Reads the ordinary ``check`` command line without click, which costs 27 ms to import."""
 
 from collections.abc import Sequence
-from typing import Any
 
 from urdfkit.cli.options import CHECK, FILES
+from urdfkit.core.static_typing import Any
 
 
 def parse(words: Sequence[str]) -> dict[str, Any] | None:

@@ -12,11 +12,14 @@ This module runs before anything else is imported, and imports next to nothing.
 import os
 import sys
 import time
+from zlib import crc32
 
 from urdfkit import __version__
 from urdfkit.cli.result_entry import ResultEntry, decode, directory, path_of
 from urdfkit.core import file_log
+from urdfkit.core.regular_file import opened
 
+_STANDARD_LIBRARY = os.path.dirname(os.__file__)
 #: Variables that decide how a result is printed.
 _OF_THE_TERMINAL = ("COLUMNS", "FORCE_COLOR", "NO_COLOR", "TERM", "URDFKIT_DEBUG")
 
@@ -35,10 +38,27 @@ def question(words: list[str]) -> bytes | None:
     except OSError:  # the current directory is gone
         return None
     parts = [__version__, __file__, sys.version, here, str(len(words)), *words, *_terminal()]
-    # They change with every package that is installed, removed or replaced.
-    installed = [place for place in sys.path if place.endswith("-packages")]
-    parts += [f"{at} {os.stat(at).st_mtime_ns}" for at in installed if os.path.isdir(at)]
+    parts += [f"{place} {_installed(place or os.curdir)}" for place in sys.path]
     return b"\0".join(map(os.fsencode, parts))
+
+
+def _installed(place: str) -> int:
+    """What changes with every package that is installed, removed or replaced in a place."""
+    try:
+        time_of_change = os.stat(place).st_mtime_ns
+        if place.endswith("-packages") or place.startswith(_STANDARD_LIBRARY):
+            return time_of_change
+        # Other directories hold more than packages: a checkout, scripts, the working directory.
+        names = sorted(filter(_is_of_package, os.listdir(place)))
+    except NotADirectoryError:  # an archive
+        return time_of_change
+    except OSError:
+        return 0
+    return crc32("\0".join(names).encode("utf-8", "surrogateescape"))
+
+
+def _is_of_package(name: str) -> bool:
+    return "." not in name or name.endswith((".py", ".so", ".pyd", "-info"))
 
 
 def _terminal() -> list[str]:
@@ -59,7 +79,7 @@ def replay(words: list[str]) -> int | None:
     if asked is None or sys.stdout is None:
         return None
     try:
-        with open(path_of(asked), "rb") as file:
+        with opened(path_of(asked)) as file:
             entry = decode(file.read())
     except (OSError, ValueError):
         return None

@@ -9,7 +9,7 @@ from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
 #: Goes up when the layout of entries changes, or what answers mean.
-_LAYOUT = b"urdfkit result 1"
+_LAYOUT = b"urdfkit result 2"
 
 
 class ResultEntry(Record):

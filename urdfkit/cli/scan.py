@@ -12,6 +12,7 @@ from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
 from urdfkit.core.words import counted
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal, page
 from urdfkit.scan.isolated import Settings
@@ -67,9 +68,11 @@ def command(
     pyarrow is installed, models.parquet and findings.parquet at the end. The same command again
     goes on where the last run ended. 'urdfkit scan summary DIR' summarises DIR.
 
-    A model that crashes, hangs or takes too much memory gets a row that says so.
+    A model that crashes, hangs or takes too much memory gets a row that says so, and so does an
+    archive or a list that cannot be read.
 
-    Exit codes: 0 done, 2 usage or input error, 130 stopped by Ctrl-C.
+    Exit codes: 0 done, 2 usage error, or a source that has no model or cannot be read, 130 stopped
+    by Ctrl-C.
 
     Examples:
         urdfkit scan partnet-mobility/ -o results
@@ -86,7 +89,7 @@ def command(
     if address and engine != "dask":
         raise options.UsageError("--address needs --engine dask")
     with progress_bar("models", rated=True) as bar:
-        count = scan(
+        scanned = scan(
             sources,
             directory,
             Settings(chosen, timeout, int(memory * 2**30)),
@@ -103,9 +106,11 @@ def command(
         options.warn(f"no Parquet files without pyarrow: {install_command('scan')}")
     output.page(
         output.indented(
-            f"{counted(count, 'model')} checked; {directory} has {', '.join(files)}", ""
+            f"{counted(scanned.models, 'model')} checked; {directory} has {', '.join(files)}", ""
         )
     )
+    if scanned.unreadable:
+        raise UnreadableFile("; ".join(scanned.unreadable.values()))
     return 0
 
 

@@ -107,6 +107,8 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     if not found.searched:
         poses = f"zero pose only: {len(found.loads)} joints are too many to search for the worst"
     yield f"gravity on {found.mass:.6g} kg{carried}, {poses}"
+    if found.weightless:
+        yield from output.wrapped(f"not on {', '.join(found.weightless)}: it is off in Gazebo")
     if not found.loads:
         yield "no actuated joint"
         return
@@ -164,6 +166,7 @@ def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
         "mass": found.mass,
         "payload": found.payload,
         "poses": found.poses,
+        "weightless": found.weightless,
         "searched": found.searched,
         "joints": [
             {**load._asdict(), "used": load.used, "exceeded": load.is_exceeded}

@@ -7,9 +7,9 @@ import time
 import zlib
 from collections.abc import Iterable
 from errno import EEXIST, ENXIO, EWOULDBLOCK
-from typing import BinaryIO
 
 from urdfkit.core import disk, limits
+from urdfkit.core.static_typing import BinaryIO
 from urdfkit.errors import FileChanged, UnwritableFile
 
 if sys.platform != "win32":

@@ -145,21 +145,28 @@ def entries(directory: str) -> list[os.DirEntry[str]]:
             _log.listed(directory, None)
         raise
     if _log is not None:
-        _log.listed(directory, [entry.name for entry in inside])
+        _log.listed(directory, inside)
     return inside
 
 
 def walk(directory: str) -> Iterator[tuple[str, list[str], list[str]]]:
     """Like ``os.walk``: directories from the top, with the directories and files in each."""
-    for parent, directories, inside in os.walk(directory, onerror=_log_unreadable):
-        if _log is not None:
-            _log.listed(parent, [*directories, *inside])
-        yield parent, directories, inside
-
-
-def _log_unreadable(error: OSError) -> None:
-    if _log is not None:
-        _log.listed(error.filename, None)
+    waiting = [directory]
+    while waiting:
+        parent = waiting.pop()
+        try:
+            inside = entries(parent)
+        except OSError:
+            continue
+        links = {entry.name for entry in inside if entry.is_symlink()}
+        directories: list[str] = []
+        files: list[str] = []
+        for entry in inside:
+            is_inner = is_directory(entry.path) if entry.name in links else entry.is_dir()
+            (directories if is_inner else files).append(entry.name)
+        yield parent, directories, files
+        inner = (name for name in reversed(directories) if name not in links)
+        waiting += (os.path.join(parent, name) for name in inner)
 
 
 def real(path: str) -> str:
@@ -192,7 +199,7 @@ def _mode(path: str) -> int:
     except (OSError, ValueError):
         found = None
     if _log is not None:
-        _log.kind(path, found)
+        _log.mode(path, found)
     return found.st_mode if found is not None else 0
 
 

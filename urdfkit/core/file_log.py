@@ -1,14 +1,14 @@
 """Log of a run's queries to the file system and the environment, and whether they changed since.
 
-Answers are strings. The answer for a directory or a file that was read begins with its
-modification time, size and inode: as long as these are unchanged and older than the answer, so is
-the content. Otherwise the hash of the content is compared.
+Answers are strings. The answer for a directory or a file that was read begins with its times of
+change, size and inode: as long as these are unchanged and older than the answer, so is the
+content. Otherwise the hash of the content is compared.
 """
 
 from __future__ import annotations
 
 import os
-from stat import S_IFMT, S_ISLNK
+from stat import S_ISLNK, S_ISREG
 
 from urdfkit.core.regular_file import opened
 
@@ -33,8 +33,8 @@ class FileLog:
 
     def __init__(self) -> None:
         #: By kind of query and path. ``r``: contents of a file, followed by the number of bytes if
-        #: only a part was read; ``t``: modification time; ``s``: type and size; ``k``: type;
-        #: ``l``: whether it is a link; ``d``: names in a directory; ``p``: resolved path;
+        #: only a part was read; ``t``: times of change; ``s``: mode and size; ``k``: mode;
+        #: ``l``: whether it is a link; ``d``: names and types in a directory; ``p``: resolved path;
         #: ``v``: environment variable.
         self.answers: dict[tuple[str, str], str] = {}
         #: False if the result depends on anything else, or a file changed during the run.
@@ -47,36 +47,37 @@ class FileLog:
         if data is None or state is None:
             self._add(f"r{most}", path, NOTHING)
             return
+        if not S_ISREG(state.st_mode):  # a pipe, which can be read once
+            self.is_complete = False
         kind = "r" if len(data) == state.st_size else f"r{most}"
         known = self.answers.get((kind, path), NOTHING)
         if not known.startswith(f"{_time(state)} "):  # otherwise it has been hashed
             self._add(kind, path, f"{_time(state)} {_digest(data)}")
 
     def time(self, path: str) -> None:
-        """Log the modification time of a file, which stands for its contents."""
+        """Log the times of change of a file, which stand for its contents."""
         self._add("t", path, _time(_state(path)))
 
     def state(self, path: str, state: os.stat_result | None) -> None:
-        """Log type and size of a file."""
+        """Log type, permissions and size of a file."""
         self._add("s", path, _size(state))
 
-    def kind(self, path: str, state: os.stat_result | None) -> None:
-        """Log the type of a file."""
-        self._add("k", path, _type(state))
+    def mode(self, path: str, state: os.stat_result | None) -> None:
+        """Log type and permissions of a file."""
+        self._add("k", path, _mode(state))
 
     def link(self, path: str, state: os.stat_result | None) -> None:
         """Log whether a file is a link."""
         self._add("l", path, _link(state))
 
-    def listed(self, directory: str, names: Iterable[str] | None) -> None:
-        """Log the names in a directory."""
+    def listed(self, directory: str, entries: Iterable[os.DirEntry[str]] | None) -> None:
+        """Log the names and types in a directory."""
         try:
             state = os.stat(directory)
         except (OSError, ValueError):
-            names = None
-        self._add(
-            "d", directory, NOTHING if names is None else f"{_time(state)} {_names_digest(names)}"
-        )
+            entries = None
+        answer = NOTHING if entries is None else f"{_time(state)} {_entries_digest(entries)}"
+        self._add("d", directory, answer)
 
     def real(self, path: str, real: str) -> None:
         """Log the resolved path of a path that contains a link."""
@@ -138,18 +139,19 @@ def present_answer(kind: str, path: str, answer: str, since: int) -> str | None:
     elif kind == "t":
         now = _time(_state(path))
     else:
-        now = (_size if kind == "s" else _type)(_state(path))
+        now = (_size if kind == "s" else _mode)(_state(path))
     return answer if now == answer else None
 
 
 def _present_content(kind: str, path: str, answer: str, since: int) -> str | None:
     state = _state(path)
     time = _time(state)
-    if state is not None and answer.startswith(f"{time} ") and state.st_mtime_ns + _RACE_NS < since:
+    if state and answer.startswith(f"{time} ") and _last_change(state) + _RACE_NS < since:
         return answer
     try:
         if kind == "d":
-            digest = _names_digest(os.listdir(path))
+            with os.scandir(path) as entries:
+                digest = _entries_digest(entries)
         else:
             with opened(path) as file:
                 digest = _digest(file.read(int(kind[1:] or -1)))
@@ -166,15 +168,23 @@ def _state(path: str, *, follow: bool = True) -> os.stat_result | None:
 
 
 def _time(state: os.stat_result | None) -> str:
-    return NOTHING if state is None else f"{state.st_mtime_ns} {state.st_size} {state.st_ino}"
+    """Times of change, size and inode; a program can set back ``mtime``, but not ``ctime``."""
+    if state is None:
+        return NOTHING
+    return f"{state.st_mtime_ns} {state.st_ctime_ns} {state.st_size} {state.st_ino}"
 
 
-def _type(state: os.stat_result | None) -> str:
-    return NOTHING if state is None else f"{S_IFMT(state.st_mode):o}"
+def _last_change(state: os.stat_result) -> int:
+    """When content, permissions or names of a file last changed, in ns since the epoch."""
+    return max(state.st_mtime_ns, state.st_ctime_ns)
+
+
+def _mode(state: os.stat_result | None) -> str:
+    return NOTHING if state is None else f"{state.st_mode:o}"
 
 
 def _size(state: os.stat_result | None) -> str:
-    return NOTHING if state is None else f"{_type(state)} {state.st_size}"
+    return NOTHING if state is None else f"{_mode(state)} {state.st_size}"
 
 
 def _link(state: os.stat_result | None) -> str:
@@ -185,8 +195,16 @@ def _variable(value: str | None) -> str:
     return NOTHING if value is None else f"={value}"
 
 
-def _names_digest(names: Iterable[str]) -> str:
-    return _digest(b"\0".join(sorted(map(os.fsencode, names))))
+def _entries_digest(entries: Iterable[os.DirEntry[str]]) -> str:
+    return _digest(b"\0".join(sorted(os.fsencode(_type(entry) + entry.name) for entry in entries)))
+
+
+def _type(entry: os.DirEntry[str]) -> str:
+    if entry.is_symlink():
+        return "l"
+    if entry.is_dir(follow_symlinks=False):
+        return "d"
+    return "f" if entry.is_file(follow_symlinks=False) else "o"
 
 
 def _digest(data: bytes) -> str:

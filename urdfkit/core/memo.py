@@ -1,6 +1,6 @@
 """A dictionary of bounded size, for memoised results."""
 
-from typing import TypeVar
+from urdfkit.core.static_typing import TypeVar
 
 #: Most results; more than a robot needs repeatedly.
 LIMIT = 1024

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
+from urdfkit.workspace.launch_files import has_launch_files
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,7 +40,7 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     job = job._replace(started=())  # what the report needs of it goes to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
-    return _with_other_robots(job, read, context, sets)
+    return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
 def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
@@ -48,11 +49,8 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     Args:
         names: of the arguments that it lacks.
     """
-    from urdfkit.ros.launch.robot_arguments import given
-
     sets: dict[object, RobotArguments] = {}
-    own = () if job.frame and not names else given(job.path, names, context.resolver)
-    for one in (*own, *job.started):
+    for one in (*_given(job, names, context), *job.started):
         if one.arguments.keys() >= set(names):
             files = (file.path for file in one.parameters)
             sets.setdefault((frozenset(one.arguments.items()), *files), one)
@@ -63,6 +61,15 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
         (rest if one.arguments.items() <= seen else new).append(one)
         seen.update(one.arguments.items())
     return new + rest
+
+
+def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+    if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
+        return []
+    from urdfkit.ros.launch.robot_arguments import given  # for robots with launch files
+
+    no_arguments = context.reading.document is not None and not _defaults(context)
+    return given(job.path, names, context.resolver, only_parameters=no_arguments)
 
 
 def _with_missing(
@@ -97,13 +104,20 @@ def _needs_more_than_defaults(context: Context) -> bool:
 def _with_more_than_defaults(
     job: Job, read: Callable[[Job], Context], sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
-    """A job with each set of arguments with which it expands."""
+    """A job with the sets of arguments of launch files, if it expands with one of them.
+
+    Without a set with which it does not expand, unless a launch file starts it so.
+    """
     given = [one for one in sets if one.arguments]
     tried = [(now, read(now)) for now in _started(job, given[:MAX_GIVEN])]
-    found = [pair for pair in tried if pair[1].reading.document is not None]
-    if found:
-        left = [one.arguments for one in given[MAX_GIVEN:]]
-        found[0][1].unchecked = _unchecked(left, tried, {})
+    if all(context.reading.document is None for _, context in tried):
+        return []
+    found = [
+        (now, context)
+        for now, context in tried
+        if context.reading.document is not None or (now.frame and not now.found)
+    ]
+    found[0][1].unchecked = _unchecked([one.arguments for one in given[MAX_GIVEN:]], tried, {})
     return found
 
 
@@ -111,8 +125,7 @@ def _with_other_robots(
     job: Job, read: Callable[[Job], Context], context: Context, sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
     """A job, and the sets of arguments that make it another robot or come with parameter files."""
-    xacro = context.reading.xacro
-    own = {**xacro.defaults, **job.arguments} if xacro else {}
+    own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
     base = job._replace(name="", arguments=dict(job.shared or {}))
     others: list[Job] = []
     same: dict[object, Job] = {}  # by parameter files
@@ -134,6 +147,11 @@ def _with_other_robots(
     left = [_changes(now.arguments, own) for now in others[MAX_GIVEN:]]
     context.unchecked = _unchecked(left, [(job, context), *tried], {})
     return found
+
+
+def _defaults(context: Context) -> Mapping[str, str]:
+    """The arguments that a description declares, with their defaults."""
+    return context.reading.xacro.defaults if context.reading.xacro else {}
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
@@ -187,14 +205,14 @@ def _unchecked(
     Args:
         failed: descriptions that do not expand, by their values in the order of the names.
     """
-    from urdfkit.lint.unchecked import why_unchecked
-
     known = {item for job, _ in checked for item in job.arguments.items()}
     left: dict[tuple[str, str], dict[str, None]] = {}
     for values in offered:
         context = failed.get(tuple(values.values()))
         why = f"only {MAX_GIVEN} sets of arguments are tried"
         if context is not None:
+            from urdfkit.lint.unchecked import why_unchecked
+
             why, _ = why_unchecked(context.reading, context.source, context.resolver)
         for name, value in values.items():
             if (name, value) not in known:

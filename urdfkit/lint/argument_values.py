@@ -99,12 +99,11 @@ def combinations(
 
 
 def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
-    """The default in an included file to which the expansion does not come."""
-    read = {disk.real(source.path) for source in xacro.sources}
+    """The default in a file that is included below the use of the argument, or was not reached."""
     for source in xacro.sources:
         for file in INCLUDE.findall(without_comments(source.data)):
             path = plain_path(file.decode("utf-8", "replace"), source, resolver)
-            if not path or disk.real(path) in read or not resolver.allows(path, source.path):
+            if not path or not resolver.allows(path, source.path):
                 continue
             default = _default(name, path, resolver)
             if default is not None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import gc
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import as_launched, unknown_arguments

@@ -34,7 +34,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
     Raises:
         ConfigError: there is none, or it cannot be understood.
     """
-    if not trusted and os.path.islink(path) and not _is_inside_repository(path):
+    if not trusted and disk.is_link(path) and not _is_inside_repository(path):
         raise ConfigError(
             f"{path}: a link to a file outside of the repository; name it by --config"
         )
@@ -47,9 +47,9 @@ def load(path: str, *, trusted: bool = True) -> Config:
 def _is_inside_repository(link: str) -> bool:
     """True if a link's target is in the repository, or else the directory, of the link."""
     directory = os.path.dirname(os.path.abspath(link))
-    repositories = (up for up in upwards(directory) if os.path.exists(os.path.join(up, ".git")))
+    repositories = (up for up in upwards(directory) if disk.exists(os.path.join(up, ".git")))
     repository = next(repositories, directory)
-    return is_within(os.path.realpath(link), os.path.realpath(repository))
+    return is_within(disk.real(link), disk.real(repository))
 
 
 def _table(path: str) -> dict[str, Any] | None:

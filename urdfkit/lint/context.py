@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.lint.description_file import DescriptionFile, Reading
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
+    from urdfkit.robot.stability import Stability
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import SdfConversion
@@ -183,6 +184,13 @@ class Context(DescriptionFile):
         return self.reading.document is None or not self.mujoco.drops_visuals
 
     @cached_property
+    def standing_on_primitives(self) -> Stability | None:
+        """How the robot stands with all joints at 0 and without its meshes."""
+        from urdfkit.robot.stability import stand
+
+        return stand(self, meshes=False)
+
+    @cached_property
     def symmetric_joints(self) -> list[tuple[Joint, Joint]]:
         """The moving joints of the left and of the right that are made to be mirror images."""
         from urdfkit.robot.symmetry import joint_pairs
@@ -277,6 +285,11 @@ class Context(DescriptionFile):
             self._other_robots[path, given] = robot
         return self._other_robots[path, given]
 
+    def names_in_robot(self, path: str) -> frozenset[str]:
+        """Names of the links and joints of another description, read with the same arguments."""
+        source, given = self.resolver.read(path), tuple(sorted(self.arguments.items()))
+        return _names_in_robot(source, self.resolver, given, self.trust)
+
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that the launch file describes and that can be expanded."""
@@ -367,3 +380,13 @@ def _robot(
     cache: bool,
 ) -> Context:
     return Context(source, resolver, dict(arguments), trust=trust, cache=cache)
+
+
+@lru_cache(maxsize=64)  # the robots of a package that share its SRDFs are read for each of them
+def _names_in_robot(
+    source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
+) -> frozenset[str]:
+    robot = Context(source, resolver, dict(arguments), trust=trust)
+    if not robot.is_readable:
+        return frozenset()
+    return frozenset({*robot.model.links_by_name, *robot.model.joints_by_name})

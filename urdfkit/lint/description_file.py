@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag

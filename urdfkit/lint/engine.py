@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, limits
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import (

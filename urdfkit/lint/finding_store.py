@@ -3,10 +3,10 @@
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
-from typing import IO, overload
 
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
+from urdfkit.core.static_typing import IO, overload
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
 

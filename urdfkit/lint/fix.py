@@ -7,7 +7,6 @@ at the end, or not at all.
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
@@ -17,9 +16,8 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
 from urdfkit.lint.fix_guard import Checker, real_path
-from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
+from urdfkit.lint.fix_session import Fixes, FixSession
 from urdfkit.lint.options import Options, choose, external_codes, words
-from urdfkit.lint.report import Fixable, Report
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
 if TYPE_CHECKING:
@@ -79,7 +77,7 @@ def fix(
         trust=trust,
         config=config,
     )
-    fixes = _session(files, given, unsafe=unsafe, force=force).run()
+    fixes = session(files, given, unsafe=unsafe, force=force).run()
     if not generate_meshes:
         return fixes
     texts = {**given.texts, **{file.path: file.after for file in fixes.files}}
@@ -100,12 +98,17 @@ def changes(
     Raises:
         UrdfkitError: as of ``check``.
     """
-    return _session(files, options, unsafe=unsafe, force=force).run(only_files=True)
+    return session(files, options, unsafe=unsafe, force=force).run(only_files=True)
 
 
-def _session(
+def session(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> FixSession:
+    """The rounds of ``fix``.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
     resolved = options.resolved()
     codes = {*resolved.select, *choose((), (), options.config, external_codes(options))}
     checker = Checker(files, options._replace(preview=resolved.preview), codes)
@@ -150,33 +153,3 @@ def _generated_meshes(
             may_write = force or ours.owns(one.path)
             found[disk.real(one.path)] = one if may_write else one.not_written(OUTSIDE)
     return placeholder_meshes.GeneratedMeshes.of(list(found.values()))
-
-
-def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[str]]) -> Fixable:
-    """What ``fix`` would do about the findings of a check with the same options.
-
-    Safe fixes are tried, as ``fix`` does; how many of the others hold is known only then.
-
-    Raises:
-        UrdfkitError: as of ``check``.
-    """
-    if not any(one.fix for one in report.diagnostics):
-        return Fixable(0, 0, (), ())
-    session = _session(files, options, unsafe=False, force=False)
-    left = session.reasons(report)
-    if any(one.diagnostic.fix and not one.reason for one in left):
-        fixes = session.run()
-        return counted(fixes.left)._replace(safe=len(fixes.applied))
-    return counted(left)
-
-
-def counted(left: Iterable[UnappliedFix]) -> Fixable:
-    """What could be done about findings that are left."""
-    with_fix = [one for one in left if one.diagnostic.fix]
-    reasons = Counter(one.reason for one in with_fix)
-    return Fixable(
-        reasons.pop("", 0),
-        reasons.pop("unsafe", 0),
-        tuple(sorted({one.diagnostic.code for one in with_fix if one.reason == "info"})),
-        tuple(sorted(item for item in reasons.items() if item[0] != "info")),
-    )

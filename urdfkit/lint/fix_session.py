@@ -18,14 +18,13 @@ from urdfkit.lint.fix_guard import (
     real_path,
     regression,
 )
+from urdfkit.lint.fix_reasons import FixReasons, UnappliedFix, encoded_as
 from urdfkit.lint.report import Report
 from urdfkit.lint.rules import Rule
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing import rewriting
-from urdfkit.text.editing.apply import apply_edits, encoded
-from urdfkit.text.editing.rewriting import Rewrite, on_disk
-from urdfkit.text.source import Source, shown
-from urdfkit.workspace.ownership import Ownership
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.editing.rewriting import Rewrite
 
 if TYPE_CHECKING:
     from urdfkit.robot.assets.placeholder_meshes import GeneratedMesh, NotGenerated
@@ -36,14 +35,6 @@ MAX_ROUNDS = 10
 _CONFLICTING = "skipped: another robot uses this text and is correct as it is"
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
-
-
-class UnappliedFix(Record):
-    """A finding that is not fixed, and why."""
-
-    diagnostic: Diagnostic  # as the last check found it
-    #: Why its fix was not applied, ``unsafe``, ``info`` or a sentence; empty if it has none.
-    reason: str
 
 
 class Fixes(Record):
@@ -103,17 +94,10 @@ class FixSession:
         self._named = frozenset(named)
         self._unsafe = unsafe
         self._force = force
-        self._ownership = Ownership((), checker.resolver)
-        self._protected: dict[Source, str] = {}
-        self._originals: dict[str, Rewrite] = {}
+        self._reasons = self._reasons_for(())
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[FindingKey, str] = {}
         self._applied: list[Diagnostic] = []
-
-    def reasons(self, report: Report) -> tuple[UnappliedFix, ...]:
-        """The findings of a report, and why their fixes are not applied."""
-        self._ownership = Ownership(report.files, self._checker.resolver)
-        return tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
 
     def run(self, *, only_files: bool = False) -> Fixes:
         """Apply what can be applied.
@@ -138,7 +122,7 @@ class FixSession:
             report = self._checker.report(self._texts)
         changed = [
             original._replace(after=self._texts[real])
-            for real, original in self._originals.items()
+            for real, original in self._reasons.originals.items()
             if self._texts.get(real, original.before) != original.before
         ]
         left = tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
@@ -147,13 +131,18 @@ class FixSession:
     def _fix(self, *, is_careful: bool) -> Report:
         """Round after round, as long as there is something to fix; the last report."""
         report = self._checker.guard({})
-        self._ownership = Ownership(report.files, self._checker.resolver)
+        self._reasons = self._reasons_for(report.files)
         for _ in range(MAX_ROUNDS):
             chosen = self._chosen(report)
             if not chosen:
                 break
             report = self._round(report, chosen, is_careful=is_careful)
         return report
+
+    def _reasons_for(self, files: Iterable[str]) -> FixReasons:
+        return FixReasons(
+            files, self._checker.resolver, self._named, unsafe=self._unsafe, force=self._force
+        )
 
     def _chosen(self, report: Report) -> list[Diagnostic]:
         """The findings to fix in one round: of fixes that overlap, the first."""
@@ -175,38 +164,9 @@ class FixSession:
 
     def _reason(self, diagnostic: Diagnostic) -> str:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
-        if diagnostic.fix is None:
-            return ""
-        reasons = (self._why_protected(edit.span.source) for edit in diagnostic.fix.edits)
-        if reason := next(filter(None, reasons), ""):
-            return reason
-        if diagnostic.severity is Severity.INFO and diagnostic.code not in self._named:
-            return "info"
-        if not (diagnostic.fix.safe or self._unsafe):
-            return "unsafe"
-        return self._dropped.get(key_of(diagnostic), "")
-
-    def _why_protected(self, source: Source) -> str:
-        """Why a file is not edited; empty if it may be."""
-        if source not in self._protected:
-            self._protected[source] = self._find_protection(source)
-        return self._protected[source]
-
-    def _find_protection(self, source: Source) -> str:
-        real = real_path(source)
-        if real not in self._originals:
-            before = self._checker.resolver.text(source.path)
-            before = on_disk(source.path) if before is None else before
-            if before is None:
-                return "file not found"
-            self._originals[real] = Rewrite(shown(source.path), before, before)
-        if source.undecodable is not None:
-            return "the file is not valid text"
-        original = self._originals[real].before
-        now = self._texts.get(real, original)
-        if _encoded(source.data, source, original) != now:
-            return f"its encoding, {source.encoding}, cannot be kept"
-        return "" if self._force else self._ownership.why_protected(source)
+        return self._reasons.of(diagnostic, self._texts) or self._dropped.get(
+            key_of(diagnostic), ""
+        )
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply all fixes without a regression; the report on the texts after them."""
@@ -254,7 +214,8 @@ class FixSession:
         for real, parts in edits.items():
             source = next(iter(parts.values())).span.source
             data = apply_edits(source.data, parts.values())
-            texts[real] = _encoded(data, source, self._originals[real].before) or source.data
+            original = self._reasons.originals[real].before
+            texts[real] = encoded_as(source, data, original) or source.data
         return texts
 
 
@@ -285,11 +246,3 @@ def _piece(edit: Edit) -> _Piece:
 def _edits(diagnostic: Diagnostic) -> tuple[Edit, ...]:
     assert diagnostic.fix is not None
     return diagnostic.fix.edits
-
-
-def _encoded(text: bytes, source: Source, original: bytes) -> bytes | None:
-    """A text in the encoding of its file; None if that lacks a character, or is no encoding."""
-    try:
-        return encoded(text, source.encoding, original)
-    except (UnicodeError, LookupError):
-        return None

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.finding_store import FindingStore
 from urdfkit.lint.plan import Job, Plan
 from urdfkit.lint.report import Launched, Report, Superseded

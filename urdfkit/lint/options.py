@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.text.diagnostic import Confidence

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import ConfigError, matches
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
@@ -136,7 +136,7 @@ class Plan:
                 except UnreadableFile:  # a link that leads outside
                     self._add_closed(path)
         else:
-            self._add_source(self.resolver.given(os.fspath(file)))
+            self._add_source(self.resolver.admit_and_read(os.fspath(file)))
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from urdfkit.core import limits
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotEnoughMemory
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
@@ -124,6 +124,15 @@ class Report(Record):
         if isinstance(self.diagnostics, StoredFindings):
             return self.diagnostics.counts[severity]
         return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
+
+    @property
+    def argument_typos(self) -> tuple[str, ...]:
+        """The arguments that no description has, in words: a robot is not the one that is meant."""
+        unknown = (("No robot here has an", *one) for one in self.unknown_arguments)
+        return tuple(
+            f"{which} argument '{name}'" + (f"; did you mean '{meant}'?" if meant else "")
+            for which, name, meant in (*unknown, *self.unknown_in_config)
+        )
 
     @property
     def ok(self) -> bool:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 
 if TYPE_CHECKING:

@@ -7,9 +7,12 @@ rule, and a rule is imported only when it may have something to report.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib import import_module
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from types import ModuleType
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
@@ -135,9 +138,21 @@ def get(code: str) -> Rule:
     module = _known()[code]
     if code in _external:
         return _external_rule(code, module)
-    found = import_module(module).check
+    found = _module(module).check
     assert isinstance(found, Rule)
     return found
+
+
+def _module(name: str) -> ModuleType:
+    """The module of a rule of urdfkit; its file is known, which spares Python the search."""
+    if name not in sys.modules:
+        package, _, stem = name.rpartition(".")
+        path = os.path.join(_CHECKS, *name.split(".")[2:]) + ".py"
+        module, loader = ModuleType(name), SourceFileLoader(name, path)
+        module.__spec__, module.__file__ = ModuleSpec(name, loader, origin=path), path
+        loader.exec_module(module)
+        setattr(import_module(package), stem, sys.modules.setdefault(name, module))
+    return import_module(name)  # waits if another thread is importing it
 
 
 def _external_rule(code: str, module: str) -> Rule:

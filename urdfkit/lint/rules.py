@@ -11,9 +11,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import RuleError
 from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
@@ -269,7 +269,7 @@ def rule(
         code = code_of(module)
         if code is None:
             raise RuleError(f"{module}: the module of a rule is named as abc123_some_defect")
-        examples = vars(sys.modules[module])
+        examples = check.__globals__
         return Rule(
             code,
             name_of(module),

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, TypeVar
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, RunState

@@ -29,7 +29,9 @@ class OpenRobot:
         self.path = entry.file
         self.resolver = resolver
         arguments = {**config.arguments, **entry.arguments}
-        self.context = Context(resolver.given(entry.file), resolver, arguments, trust=config.trust)
+        self.context = Context(
+            resolver.admit_and_read(entry.file), resolver, arguments, trust=config.trust
+        )
         if before is not None and before.document is None:
             before = before.before
         self.before: OpenRobot | None = before if self.document is None else None

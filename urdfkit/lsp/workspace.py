@@ -128,7 +128,7 @@ class Workspace:
         resolver = self._resolver(config)
 
         def read(job: Job) -> Context:
-            return Context(resolver.given(job.path), resolver, job.arguments)
+            return Context(resolver.admit_and_read(job.path), resolver, job.arguments)
 
         try:
             (job, _), *_ = as_launched(

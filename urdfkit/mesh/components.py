@@ -1,4 +1,4 @@
-"""The pieces of a mesh: what each encloses, which are flat, and which look inwards."""
+"""The connected pieces of a mesh: their volumes, which are flat, and which face inwards."""
 
 from typing import NamedTuple
 
@@ -7,23 +7,23 @@ import numpy as np
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 
-#: A volume that is so small against the cube of a piece's diagonal is none.
+#: Volume, relative to the cube of a piece's diagonal, that counts as zero.
 ROUNDING = 1e-7
 
 
 class Pieces(NamedTuple):
-    """The pieces of a mesh that edges hold together."""
+    """The edge-connected pieces of a mesh."""
 
-    of_face: Integers  # (m,), the number of the piece that each triangle belongs to
-    volumes: Floats  # (p,), signed; without meaning for one that is open
-    #: low and high: (p, 3), the corners of the bounding box of each.
+    of_face: Integers  # (m,), number of the piece that each triangle belongs to
+    volumes: Floats  # (p,), signed; meaningless for an open piece
+    #: low and high: (p, 3), corners of the bounding boxes.
     low: Floats
     high: Floats
-    is_closed: Flags  # (p,), True where every edge has as many triangles one way as the other
+    is_closed: Flags  # (p,), True if every edge has as many triangles in one direction as the other
 
     @property
     def is_hollow(self) -> Flags:
-        """(p,), True for a closed piece that encloses nothing, such as a sheet with two sides."""
+        """(p,), True for a closed piece without volume, such as a two-sided sheet."""
         size = np.linalg.norm(self.high - self.low, axis=1)
         return np.asarray(self.is_closed & (np.abs(self.volumes) <= ROUNDING * size**3))
 
@@ -33,12 +33,12 @@ class Pieces(NamedTuple):
         return np.asarray(places[faces[first, 0]])
 
 
-def take_apart(places: Floats, edges: Edges) -> Pieces:
+def split_pieces(places: Floats, edges: Edges) -> Pieces:
     """Split a mesh into its connected pieces.
 
     Args:
         places: (n, 3), welded.
-        edges: of faces that have three corners each.
+        edges: of faces with three distinct corners.
     """
     faces, of_face = edges.faces, edges.bodies
     number = int(of_face.max(initial=-1)) + 1
@@ -53,17 +53,17 @@ def take_apart(places: Floats, edges: Edges) -> Pieces:
 
 
 def _extents(corners: Floats, of_face: Integers, number: int) -> tuple[Floats, Floats]:
-    """The bounding boxes of pieces with corners of faces, (3, m, 3)."""
+    """Bounding boxes of pieces from the corners of their faces, (3, m, 3)."""
     low, high = np.full((number, 3), np.inf), np.full((number, 3), -np.inf)
     least, most = corners.min(axis=0), corners.max(axis=0)
-    for axis in range(3):  # all at once takes numpy four times as long
+    for axis in range(3):  # four times as fast as all axes at once
         np.minimum.at(low[:, axis], of_face, least[:, axis])
         np.maximum.at(high[:, axis], of_face, most[:, axis])
     return low, high
 
 
 def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) -> Flags:
-    """(p,), whether each piece lies in a plane: that of its largest triangle."""
+    """(p,), True for pieces that lie in the plane of their largest triangle."""
     of_face, number = pieces.of_face, len(pieces.volumes)
     corners = places[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -72,42 +72,41 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
     largest = order[np.searchsorted(of_face[order], np.arange(number), side="right") - 1]
     length = np.sqrt(areas[largest])
     normal = normals[largest] / np.where(length > 0, length, 1)[:, None]
-    away = np.abs(
+    distances = np.abs(
         np.einsum("fcj,fj->fc", corners - corners[largest, 0][of_face][:, None], normal[of_face])
     )
     farthest = np.zeros(number)
-    np.maximum.at(farthest, of_face, away.max(axis=1))
-    flat: Flags = farthest <= thickness
-    return flat
+    np.maximum.at(farthest, of_face, distances.max(axis=1))
+    return np.asarray(farthest <= thickness)
 
 
 def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0.0) -> Flags:
-    """(p,), whether a closed piece looks inwards and lies in no other closed one.
+    """(p,), True for closed pieces that face inwards and do not lie in another closed piece.
 
-    A piece in another one may be a hole in it, whose normals point inwards. A surface that is
-    drawn from both sides, as SketchUp does, encloses nothing, and looks nowhere.
+    A piece inside another may be a cavity, whose normals point inwards. A two-sided surface, as
+    from SketchUp, has no volume and no inside.
 
     Args:
         places: (n, 3).
         faces: (m, 3).
-        least: the volume up to which a piece does not matter.
+        least: volume up to which a piece is ignored.
     """
-    found = np.zeros(len(pieces.volumes), dtype=bool)
+    is_inverted = np.zeros(len(pieces.volumes), dtype=bool)
     corners = pieces.corners(places, faces)
     rounding = ROUNDING * np.linalg.norm(pieces.high - pieces.low, axis=1) ** 3
     for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -np.maximum(least, rounding))):
         around = ~pieces.is_closed | (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
         around &= (pieces.low <= pieces.low[piece]).all(axis=1)
         around &= (pieces.high >= pieces.high[piece]).all(axis=1)
-        found[piece] = not any(
+        is_inverted[piece] = not any(
             contains(places, faces[pieces.of_face == other], corners[piece])
             for other in np.flatnonzero(around)
         )
-    return found
+    return is_inverted
 
 
 def contains(points: Floats, faces: Integers, point: Floats) -> bool:
-    """True if a closed surface goes around a point (its solid angle is not zero).
+    """True if a closed surface contains a point (its solid angle is not zero).
 
     Source: A. Van Oosterom, J. Strackee, "The solid angle of a plane triangle", IEEE Trans.
     Biomed. Eng. 30 (1983).

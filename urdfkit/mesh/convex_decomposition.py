@@ -1,10 +1,10 @@
-"""Meshes cut into convex pieces."""
+"""Convex decomposition of meshes."""
 
 import numpy as np
 
 from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
-from urdfkit.mesh.containment import grown
+from urdfkit.mesh.containment import grow_pieces
 from urdfkit.mesh.convex_hull import (
     MOST_CORNERS,
     NoHull,
@@ -13,29 +13,29 @@ from urdfkit.mesh.convex_hull import (
     points_only,
     with_few_corners,
 )
-from urdfkit.mesh.distance import one_way
+from urdfkit.mesh.distance import directed_distance
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.repair.soup import soup_of
 
-#: The engines that cut into convex pieces.
+#: Supported decomposition programs.
 ENGINES = ("vhacd", "coacd")
-#: A mesh is convex if its hull sticks out by no more than this part of the longest edge.
+#: A mesh is convex if its hull protrudes by no more than this part of the longest edge.
 _CONVEX = 1e-3
-#: The resolution of vhacd; four times as many voxels take four times as long.
+#: Resolution of vhacd; four times as many voxels take four times as long.
 _VOXELS = 50_000
 
 
 class NoEngine(UrdfkitError):
-    """A library is not installed."""
+    """A decomposition library is not installed."""
 
 
 def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     """Convex pieces that together contain the surface of a mesh, each a part.
 
-    Of a convex mesh, its hull.
+    The only piece of a convex mesh is its hull.
 
     Args:
-        most: pieces at most.
+        most: greatest number of pieces.
         engine: as for `cut`.
 
     Raises:
@@ -44,7 +44,7 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     """
     shell = hull(mesh)
     sound = soup_of(mesh)
-    beyond = one_way(shell.vertices, shell.faces, sound.points, sound.faces)
+    beyond = directed_distance(shell.vertices, shell.faces, sound.points, sound.faces)
     if most == 1 or beyond <= _CONVEX * np.ptp(shell.vertices, axis=0).max():
         return shell
     return cut(mesh, most=most, engine=engine)
@@ -53,12 +53,12 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
 def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     """A mesh cut into convex pieces that together contain its surface, each a part.
 
-    An engine does not say how far the surface may lie outside of what it cuts: where it does, the
-    pieces are grown.
+    The engines do not bound how far the surface lies outside of the pieces, so the pieces are grown
+    until they contain it.
 
     Args:
-        most: pieces at most.
-        engine: ``vhacd`` (K. Mamou's V-HACD 4), quick; or ``coacd`` (X. Wei et al., "Approximate
+        most: greatest number of pieces.
+        engine: ``vhacd`` (K. Mamou's V-HACD 4), fast; or ``coacd`` (X. Wei et al., "Approximate
             Convex Decomposition for 3D Meshes with Collision-Aware Concavity", 2022), which keeps
             openings better and takes longer.
 
@@ -66,13 +66,13 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoEngine: its library is not installed.
         NoHull: all points lie in a plane.
     """
-    shell = hull(mesh)  # raises where there is no volume
-    sound = soup_of(mesh)  # V-HACD does not end where a corner is not finite
+    shell = hull(mesh)  # raises NoHull before an engine starts
+    sound = soup_of(mesh)  # V-HACD does not terminate if a coordinate is not finite
     points, faces = sound.points, sound.faces
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
     pieces = [corners for corners in pieces if _has_inside(corners)]
     parts: list[MeshPart] = []
-    for corners in grown(pieces, points, faces):
+    for corners in grow_pieces(pieces, points, faces):
         part = with_few_corners(hull(points_only(corners))).parts[0]
         number, color = len(parts) + 1, _COLORS[len(parts) % len(_COLORS)]
         parts.append(part._replace(material=MeshMaterial(f"piece_{number}", color)))
@@ -80,7 +80,7 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
 
 
 def _has_inside(corners: Floats) -> bool:
-    """False for a film that was cut off a thin sheet."""
+    """False for a film that was cut from a thin sheet."""
     from scipy.spatial import QhullError
 
     try:
@@ -108,17 +108,17 @@ def _vhacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
         from vhacdx import compute_vhacd
     except ImportError as error:
         raise NoEngine(f"vhacd needs {error.name}: {install_command('meshes')}") from error
-    # It takes faces as VTK has them, each behind the number of its corners.
-    counted = np.column_stack([np.full(len(faces), 3), faces]).astype(np.uint32)
-    found = compute_vhacd(
+    # Faces in the format of VTK, each after its number of corners.
+    vtk_faces = np.column_stack([np.full(len(faces), 3), faces]).astype(np.uint32)
+    pieces = compute_vhacd(
         points,
-        counted,
+        vtk_faces,
         maxConvexHulls=most,
         resolution=_VOXELS,
         maxNumVerticesPerCH=MOST_CORNERS,
         asyncACD=False,
     )
-    return [np.asarray(corners, dtype=np.float64) for corners, _ in found]
+    return [np.asarray(corners, dtype=np.float64) for corners, _ in pieces]
 
 
 def _coacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
@@ -127,11 +127,11 @@ def _coacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
     except ImportError as error:
         raise NoEngine(f"coacd needs {error.name}: {install_command('decompose')}") from error
     coacd.set_log_level("error")
-    found = coacd.run_coacd(
+    pieces = coacd.run_coacd(
         coacd.Mesh(points, faces),
         max_convex_hull=most,
         max_ch_vertex=MOST_CORNERS,
         decimate=True,
         seed=0,
     )
-    return [np.asarray(corners, dtype=np.float64) for corners, _ in found]
+    return [np.asarray(corners, dtype=np.float64) for corners, _ in pieces]

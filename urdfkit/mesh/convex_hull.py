@@ -1,4 +1,4 @@
-"""Convex hulls: of meshes, of points, and with few corners."""
+"""Convex hulls of meshes and points, also with few corners."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from urdfkit.mesh.welding import finite
 if TYPE_CHECKING:
     from manifold3d import Manifold
 
-#: Corners of a hull or piece: what physics engines take.
+#: Most corners of a hull or convex piece, the limit of physics engines.
 MOST_CORNERS = 64
-#: Degrees between the faces of a hull with few corners; the first that leaves few enough is taken.
-_APART = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
-#: A volume that is so small against the cube of the longest edge is none.
+#: Angles in degrees between the faces of a hull with few corners; the first sufficient one is used.
+_ANGLES = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
+#: Volume, relative to the cube of the longest edge, below which a solid is flat.
 _ROUNDING = 1e-14
 
 
@@ -37,23 +37,23 @@ def hull(mesh: Mesh) -> Mesh:
     points = points[finite(points)]
     solid = Manifold.hull_points(points)
     if solid.is_empty() or not solid.volume() > _ROUNDING * np.ptp(points, axis=0).max() ** 3:
-        raise NoHull("all points lie in a plane, which has no hull")
+        raise NoHull("all points lie in a plane, so there is no convex hull")
     corners, faces = arrays_of(solid)
     return mesh._replace(parts=(MeshPart(corners, faces, _material(mesh)),))
 
 
 def arrays_of(solid: Manifold) -> tuple[Floats, Integers]:
-    """The vertices (n, 3) and the triangles (m, 3) of a solid of manifold3d."""
+    """Vertices (n, 3) and triangles (m, 3) of a manifold3d solid."""
     mesh = solid.to_mesh64()
-    vertices = np.array(mesh.vert_properties[:, :3], dtype=np.float64)  # its own are read-only
+    vertices = np.array(mesh.vert_properties[:, :3], dtype=np.float64)  # a copy: read-only there
     return vertices, np.asarray(mesh.tri_verts, dtype=np.int64)
 
 
 def with_few_corners(shell: Mesh) -> Mesh:
-    """A convex solid of at most `MOST_CORNERS` corners around another one, close to it.
+    """A convex solid of at most `MOST_CORNERS` corners that closely contains another one.
 
-    Of its faces the large ones stay, and of those that look nearly the same way one, moved outwards
-    until all lies behind it. Where that gives no fewer corners, the solid itself.
+    Of faces with similar normals the largest is kept and moved outwards until all points lie behind
+    it. Returns ``shell`` itself if that does not yield few enough corners.
 
     Args:
         shell: a convex hull.
@@ -65,19 +65,19 @@ def with_few_corners(shell: Mesh) -> Mesh:
         return shell
     size, middle = float(np.ptp(points, axis=0).max()), points.mean(axis=0)
     scaled = (points - middle) / size
-    every = _normals(scaled, shell.faces)
-    for degrees in _APART:
-        normals = _spread_out(every, degrees)
+    all_normals = _normals(scaled, shell.faces)
+    for degrees in _ANGLES:
+        normals = _spread_out(all_normals, degrees)
         reach = (normals @ scaled.T).max(axis=1)
         try:
             corners = HalfspaceIntersection(
                 np.column_stack([normals, -reach]), np.zeros(3)
             ).intersections
-        except QhullError:  # so flat that no inside is left
+        except QhullError:  # too flat: the intersection has no inside
             continue
-        around = hull(points_only(corners * size + middle))
-        if len(around.vertices) <= MOST_CORNERS:
-            return shell._replace(parts=(around.parts[0]._replace(material=_material(shell)),))
+        candidate = hull(points_only(corners * size + middle))
+        if len(candidate.vertices) <= MOST_CORNERS:
+            return shell._replace(parts=(candidate.parts[0]._replace(material=_material(shell)),))
     return shell
 
 
@@ -85,7 +85,7 @@ def half_spaces(corners: Floats) -> Floats:
     """(k, 4), outward unit normals and offsets of the convex hull of points (n, 3).
 
     Raises:
-        scipy.spatial.QhullError: it has no inside.
+        scipy.spatial.QhullError: the hull has no inside.
     """
     from scipy.spatial import ConvexHull
 
@@ -93,7 +93,7 @@ def half_spaces(corners: Floats) -> Floats:
 
 
 def hull_corners(points: Floats) -> Floats:
-    """Those of some points that are corners of their convex hull."""
+    """The points that are corners of their convex hull."""
     from scipy.spatial import ConvexHull
 
     corners: Floats = points[ConvexHull(points).vertices]
@@ -101,17 +101,17 @@ def hull_corners(points: Floats) -> Floats:
 
 
 def _normals(points: Floats, faces: Integers) -> Floats:
-    """Unit normals of triangles, those of the largest triangle first."""
+    """Unit normals of triangles, by decreasing area."""
     a, b, c = (points[faces[:, corner]] for corner in range(3))
     normals = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)
     order = np.argsort(-lengths[lengths > 0], kind="stable")
-    found: Floats = (normals[lengths > 0] / lengths[lengths > 0][:, None])[order]
-    return found
+    unit_normals: Floats = (normals[lengths > 0] / lengths[lengths > 0][:, None])[order]
+    return unit_normals
 
 
 def _spread_out(normals: Floats, degrees: float) -> Floats:
-    """The first of some normals, the next that is not near it, and so on."""
+    """The normals that differ from all earlier ones by at least an angle."""
     chosen: list[Floats] = []
     while len(normals):
         chosen.append(normals[0])
@@ -124,5 +124,5 @@ def _material(mesh: Mesh) -> MeshMaterial | None:
 
 
 def points_only(corners: Floats) -> Mesh:
-    """Points without a surface, to take the hull of."""
+    """A mesh of points without a surface, as input of `hull`."""
     return Mesh((MeshPart(corners, np.arange(len(corners)).reshape(1, -1)),))

@@ -1,71 +1,71 @@
-"""A mesh ever coarser: within tolerances that grow, or with fewer triangles."""
+"""Coarser versions of a mesh: within growing tolerances, or with fewer triangles."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
-from urdfkit.mesh.edges import three_cornered
+from urdfkit.mesh.edges import have_distinct_corners
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.manifolds import solid
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
 
-#: From one tolerance to the next.
+#: Factor from one tolerance to the next.
 _GROWTH = 1.5
-#: Cells, as a part of the diagonal: to one that holds all.
+#: Smallest and largest cell, as a part of the diagonal.
 _FIRST_CELL, _LAST_CELL = 1e-3, 1.0
-#: fast-simplification looks for edges to remove within errors that are numbers, the first of them
-#: of 1e-3: so the diagonal of what it gets is made so long that this is next to nothing.
+#: Diagonal of the meshes passed to fast-simplification. It removes edges within absolute errors, of
+#: which the first is 1e-3; at this size that is negligible.
 _LENGTH = 1000.0
 
-#: Of a part: its number, points and faces.
+#: Number, points and faces of a part.
 _Piece = tuple[int, Floats, Integers]
-#: From a tolerance, larger than that of the last call, to simpler pieces.
+#: Maps a tolerance, larger than in the last call, to simpler pieces.
 _Coarser = Callable[[float], list[_Piece]]
 
 
 def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
-    """A mesh within ever larger tolerances, each made from the one before, which is quick.
+    """Coarser meshes within growing tolerances, each made from the previous one, which is fast.
 
-    Solids go through manifold3d, which keeps them solids but lets thin walls vanish; of what is no
-    solid, near vertices become one.
+    Solids are simplified by manifold3d: they stay solids, but thin walls vanish. In other meshes,
+    near vertices are merged.
 
     Args:
-        first: tolerance, in the unit of the mesh.
+        first, last: tolerances in the unit of the mesh.
     """
     soup = soup_of(mesh)
     parts = _by_part(soup)
-    apart = len(parts) > 1 and all(map(_is_solid, parts))
-    pieces = [soup] if not apart and _is_solid(soup) else parts
+    are_separate = len(parts) > 1 and all(map(_is_solid, parts))
+    pieces = [soup] if not are_separate and _is_solid(soup) else parts
     return _coarser(mesh, list(map(_coarser_solid, pieces)), first, last)
 
 
 def in_cells(mesh: Mesh) -> Iterator[Mesh]:
-    """Ever simpler meshes: vertices in one cell of a growing grid are merged. Rough, but small."""
+    """Coarser meshes: vertices in one cell of a growing grid are merged. Rough, but small."""
     soup = soup_of(mesh)
     makers = list(map(_coarser_cells, _by_part(soup)))
     return _coarser(mesh, makers, _FIRST_CELL * soup.size, _LAST_CELL * soup.size)
 
 
 def with_fewer(mesh: Mesh, triangles: int) -> Mesh:
-    """A mesh of about so many triangles, each part by quadric error metrics for itself.
+    """A mesh of about so many triangles; each part is simplified by quadric error metrics.
 
-    Without any promise: where many triangles are slivers, far more are left.
+    The number is not guaranteed: if many triangles are slivers, far more remain.
     """
     from fast_simplification import simplify
 
     soup = soup_of(mesh)
     scale, share = _LENGTH / soup.size, triangles / len(soup.faces)
-    found: list[_Piece] = []
+    pieces: list[_Piece] = []
     for piece in _by_part(soup):
         number, points, faces = _compact(piece)
         target = max(4, int(len(faces) * share))
         if target < len(faces):
             points, faces = simplify(points * scale, faces, target_count=target)[:2]
             points = np.asarray(points, dtype=np.float64) / scale
-        found.append((number, points, np.asarray(faces, dtype=np.int64)))
-    return _mesh_of(mesh, found)
+        pieces.append((number, points, np.asarray(faces, dtype=np.int64)))
+    return _mesh_of(mesh, pieces)
 
 
 def _coarser(mesh: Mesh, makers: list[_Coarser], first: float, last: float) -> Iterator[Mesh]:
@@ -85,7 +85,7 @@ def _mesh_of(mesh: Mesh, pieces: list[_Piece]) -> Mesh:
 
 
 def _by_part(soup: TriangleSoup) -> list[TriangleSoup]:
-    return [soup.kept(soup.parts == number) for number in np.unique(soup.parts)]
+    return [soup.select(soup.parts == number) for number in np.unique(soup.parts)]
 
 
 def _is_solid(soup: TriangleSoup) -> bool:
@@ -93,7 +93,7 @@ def _is_solid(soup: TriangleSoup) -> bool:
 
 
 def _coarser_solid(soup: TriangleSoup) -> _Coarser:
-    """Simplify with manifold3d, which keeps the parts of a solid as runs of triangles."""
+    """Simplifies with manifold3d, which preserves the parts of a solid as runs of triangles."""
     from manifold3d import Manifold
 
     order = np.argsort(soup.parts, kind="stable")
@@ -102,7 +102,7 @@ def _coarser_solid(soup: TriangleSoup) -> _Coarser:
     bounds = np.append(3 * starts, 3 * len(order)).astype(np.uint64)
     ids = np.arange(first, first + len(numbers), dtype=np.uint32)
     body = solid(soup.points, soup.faces[order], runs=(bounds, ids))
-    if body.is_empty():  # no solid, or bodies that touch along an edge
+    if body.is_empty():  # not a solid, or bodies that touch along an edge
         return _coarser_cells(soup)
 
     def coarser(tolerance: float) -> list[_Piece]:
@@ -115,18 +115,18 @@ def _coarser_solid(soup: TriangleSoup) -> _Coarser:
 
 
 def _runs(mesh: Any) -> list[_Piece]:
-    """The runs of a manifold mesh: their ids, points and faces."""
+    """Ids, points and faces of the runs of a manifold3d mesh."""
     points = np.asarray(mesh.vert_properties[:, :3], dtype=np.float64)
     corners = np.asarray(mesh.tri_verts, dtype=np.int64)
     bounds = np.asarray(mesh.run_index, dtype=np.int64) // 3
-    found: dict[int, list[Integers]] = {}
+    runs: dict[int, list[Integers]] = {}
     for run, start, end in zip(mesh.run_original_id, bounds[:-1], bounds[1:], strict=True):
-        found.setdefault(int(run), []).append(corners[start:end])
-    return [(run, points, np.concatenate(faces)) for run, faces in found.items()]
+        runs.setdefault(int(run), []).append(corners[start:end])
+    return [(run, points, np.concatenate(faces)) for run, faces in runs.items()]
 
 
 def _coarser_cells(soup: TriangleSoup) -> _Coarser:
-    """Simplify on a grid: all points in one cell become their mean."""
+    """Simplifies on a grid: all points in one cell are replaced by their mean."""
     number, points, corners = _compact(soup)
 
     def coarser(tolerance: float) -> list[_Piece]:
@@ -136,7 +136,7 @@ def _coarser_cells(soup: TriangleSoup) -> _Coarser:
         np.add.at(sums, places, points)
         means = sums / np.bincount(places)[:, None]
         faces = places[corners]
-        faces = faces[three_cornered(faces)]
+        faces = faces[have_distinct_corners(faces)]
         _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
         return [(number, means, faces[np.sort(first)].astype(np.int64))]
 
@@ -144,7 +144,7 @@ def _coarser_cells(soup: TriangleSoup) -> _Coarser:
 
 
 def _compact(soup: TriangleSoup) -> _Piece:
-    """The number of a part, the points that it uses, and its faces."""
+    """The number, used points and faces of a part."""
     used, faces = np.unique(soup.faces, return_inverse=True)
     points = np.ascontiguousarray(soup.points[used])
     return int(soup.parts[0]), points, np.ascontiguousarray(faces.reshape(-1, 3).astype(np.int64))

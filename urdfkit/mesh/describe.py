@@ -1,4 +1,4 @@
-"""What a mesh file holds, for people and programs."""
+"""Description of a mesh file, for people and programs."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from urdfkit.mesh.transforms import in_metres
 
 
 class MeshDescription(Record):
-    """What is known about a mesh file."""
+    """Contents and state of a mesh file."""
 
-    path: str  # of the file
+    path: str
     format: str  # by content
-    bytes: int  # its size
-    defect: str  # what is wrong with the file; empty if it is whole
-    mesh: Mesh  # as the file has it
-    #: low and high: corners of the bounding box in m, its unit applied.
+    bytes: int  # file size
+    defect: str  # defect of the file; empty if it is intact
+    mesh: Mesh  # in the unit of the file
+    #: low and high: corners of the bounding box in m.
     low: Vector
     high: Vector
-    health: Health  # of its triangles, in m
+    health: Health  # of the triangles, in m
     area: float  # of the surface in m^2
 
     def as_json(self) -> dict[str, Any]:
@@ -54,10 +54,10 @@ class MeshDescription(Record):
 
 
 def describe(path: str) -> MeshDescription:
-    """What a mesh file holds.
+    """Describe a mesh file.
 
     Raises:
-        UnloadableMesh: no triangles.
+        UnloadableMesh: the file has no triangles.
     """
     mesh, defect = load_or_salvage(path)
     facts = sniff_file(path)

@@ -1,4 +1,4 @@
-"""How far two surfaces are apart."""
+"""Distances between surfaces."""
 
 from collections.abc import Callable
 
@@ -6,47 +6,46 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 
-#: Points of each surface from which the other one is measured: all over it, and where it seems
-#: farthest from the other one.
+#: Points of a surface whose distances are measured: vertices, samples of the whole surface, and
+#: points that seem farthest from the other surface.
 MAX_VERTICES, SAMPLES, FARTHEST = 1500, 1500, 3000
-#: Points among which these are looked for: a dent may take a thousandth of a surface.
+#: Points from which these are selected: a dent may cover a thousandth of a surface.
 _MANY_VERTICES, _MANY_SAMPLES = 100_000, 20_000
-#: Points of the other surface by which near triangles are found, and how many are looked at.
+#: Points of the other surface that lead to near triangles, and how many triangles are measured.
 _GUIDES, _NEAREST = 20_000, 8
 _SEED = 7
-#: Less is rounding, on surfaces about 1 large.
-_NOTHING = 1e-12
+#: Rounding error on surfaces of size 1.
+_ROUNDING = 1e-12
 
 
 def distance(
     vertices: Floats, faces: Integers, other_vertices: Floats, other_faces: Integers
 ) -> float:
-    """The greatest distance from a point of either surface to the other one, in their unit.
+    """The Hausdorff distance of two surfaces, in their unit.
 
-    That is the Hausdorff distance, over the vertices (of a large mesh, some of them) and points
-    spread over the faces by a fixed seed: never more than the true one, and rarely much less.
+    It is computed over the vertices (of a large mesh, some of them) and points spread over the
+    faces with a fixed seed: never more than the true distance, and rarely much less.
 
     Args:
         vertices: (n, 3).
         faces: (m, 3), indices of vertices.
     """
     return max(
-        one_way(vertices, faces, other_vertices, other_faces),
-        one_way(other_vertices, other_faces, vertices, faces),
+        directed_distance(vertices, faces, other_vertices, other_faces),
+        directed_distance(other_vertices, other_faces, vertices, faces),
     )
 
 
-def one_way(
+def directed_distance(
     vertices: Floats,
     faces: Integers,
     other_vertices: Floats,
     other_faces: Integers,
     counts: Callable[[Floats], Flags] | None = None,
 ) -> float:
-    """The greatest distance from a point of the first surface to the second one.
+    """The directed Hausdorff distance: greatest distance from the first surface to the second.
 
-    Arguments as for `distance`, and ``counts``: of points (n, 3), which of them count; all if not
-    given.
+    Arguments as for `distance`, and ``counts``: selects which of points (n, 3) are measured.
     """
     many = _evenly(vertices, _MANY_VERTICES)
     spread, _ = sample_surface(vertices[faces], _MANY_SAMPLES)
@@ -55,9 +54,9 @@ def one_way(
         if not len(many) + len(spread):
             return 0.0
     triangles = other_vertices[other_faces]
-    # trimesh knows what is small by its number, so the surfaces are made about 1 large.
-    every = np.concatenate([many, spread, triangles.reshape(-1, 3)])
-    low, high = every.min(axis=0), every.max(axis=0)
+    # trimesh uses absolute tolerances, so the surfaces are scaled to size 1.
+    all_points = np.concatenate([many, spread, triangles.reshape(-1, 3)])
+    low, high = all_points.min(axis=0), all_points.max(axis=0)
     size = float((high - low).max()) or 1.0
     many, spread, triangles = ((points - low) / size for points in (many, spread, triangles))
     other = _Surface(triangles)
@@ -67,9 +66,10 @@ def one_way(
 
 
 def to_surface(points: Floats, vertices: Floats, faces: Integers) -> Floats:
-    """(n,), how far points (n, 3) are from a surface, in their unit.
+    """(n,), distances of points (n, 3) from a surface, in their unit.
 
-    From triangles that are near by a sample of the surface: never less than it is, and rarely more.
+    Measured to triangles near samples of the surface: never less than the true distance, and rarely
+    more.
 
     Args:
         vertices: (k, 3).
@@ -80,16 +80,16 @@ def to_surface(points: Floats, vertices: Floats, faces: Integers) -> Floats:
     triangles = vertices[faces]
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     size = float((high - low).max()) or 1.0
-    return size * _Surface((triangles - low) / size).to_near_ones((points - low) / size)
+    return size * _Surface((triangles - low) / size).to_near_triangles((points - low) / size)
 
 
 def _evenly(points: Floats, number: int) -> Floats:
-    """About so many of some points, or all if they are fewer."""
+    """About so many of the points, evenly chosen; all if they are fewer."""
     return points[:: max(1, len(points) // number)]
 
 
 class _Surface:
-    """A surface about 1 large, to which distances are measured.
+    """A surface of size 1, to which distances are measured.
 
     Args:
         triangles: (m, 3, 3).
@@ -105,56 +105,53 @@ class _Surface:
         self._guides = cKDTree(np.concatenate([triangles.reshape(-1, 3), spread]))
 
     def far_from_guides(self, points: Floats, number: int) -> Floats:
-        """At most ``number`` of the points (n, 3): those that may be farthest away."""
+        """At most ``number`` of the points (n, 3), those that may be farthest away."""
         far, _ = self._guides.query(points)
         return points[np.argsort(far)[-number:]]
 
     def farthest(self, points: Floats) -> float:
         """The greatest distance of any of the points (n, 3).
 
-        For every point a distance to some near triangles is quick to have, and it bounds the true
-        one from above. Where it is the greatest, all triangles that may be nearer are looked at,
-        until no other point can be farther away.
+        The distance to some near triangles is fast to compute and an upper bound of the true
+        distance. In decreasing order of this bound, points are measured to all triangles that may
+        be nearer, until no other point can be farther away.
         """
-        bounds = self.to_near_ones(points)
+        bounds = self.to_near_triangles(points)
         low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
         farthest = 0.0
         for i in np.argsort(-bounds):
-            if bounds[i] <= farthest + _NOTHING:
+            if bounds[i] <= farthest + _ROUNDING:
                 break
             outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
             may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
             near = self._triangles[may_be_nearer]
-            found = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
-            farthest = max(farthest, float(found.min(initial=bounds[i])))
+            distances = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
+            farthest = max(farthest, float(distances.min(initial=bounds[i])))
         return farthest
 
-    def to_near_ones(self, points: Floats) -> Floats:
-        """(n,), from each point the distance to the nearest of a few near triangles."""
+    def to_near_triangles(self, points: Floats) -> Floats:
+        """(n,), distance from each point to the nearest of a few near triangles."""
         _, nearest = self._guides.query(points, k=min(_NEAREST, len(self._owner)))
         near = self._owner[nearest.reshape(len(points), -1)]
-        every = np.repeat(points, near.shape[1], axis=0)
-        found = _to_triangles(every, self._triangles[near.reshape(-1)])
-        bounds: Floats = found.reshape(near.shape).min(axis=1)
+        repeated = np.repeat(points, near.shape[1], axis=0)
+        distances = _to_triangles(repeated, self._triangles[near.reshape(-1)])
+        bounds: Floats = distances.reshape(near.shape).min(axis=1)
         return bounds
 
 
 def _to_triangles(points: Floats, triangles: Floats) -> Floats:
-    """(n,), from each point to its triangle; to a corner of one without area."""
+    """(n,), distance from each point to its triangle; to a corner of a triangle without area."""
     from trimesh.triangles import closest_point
 
     with np.errstate(invalid="ignore", divide="ignore"):
-        found = np.linalg.norm(closest_point(triangles, points) - points, axis=1)
+        to_faces = np.linalg.norm(closest_point(triangles, points) - points, axis=1)
     to_corners = np.linalg.norm(triangles - points[:, None], axis=2).min(axis=1)
-    distances: Floats = np.fmin(found, to_corners)
+    distances: Floats = np.fmin(to_faces, to_corners)
     return distances
 
 
 def sample_surface(triangles: Floats, number: int) -> tuple[Floats, Integers]:
-    """Points spread evenly over a surface, (n, 3), and the triangle that each is on.
-
-    None on one without area.
-    """
+    """Points spread evenly over a surface, (n, 3), and their triangles; empty without area."""
     areas = np.linalg.norm(np.cross(*(triangles[:, 1:] - triangles[:, :1]).swapaxes(0, 1)), axis=1)
     total = float(areas.sum())
     if not 0 < total < np.inf:

@@ -1,4 +1,4 @@
-"""The edges of a triangle mesh: which faces share each."""
+"""The edges of a triangle mesh and the faces that share them."""
 
 from functools import cached_property
 
@@ -13,9 +13,9 @@ class Edges:
 
     Attributes:
         faces: (m, 3), indices of vertices.
-        of_face: (m, 3), for each side of each face, from its corner to the next, the edge.
-        ends: (e, 2), the vertices of each edge, the smaller first.
-        count: (e,), how many faces have it.
+        of_face: (m, 3), index of the edge from each corner of each face to the next corner.
+        ends: (e, 2), the vertices of each edge, the smaller index first.
+        count: (e,), number of faces at each edge.
     """
 
     def __init__(self, faces: Integers) -> None:
@@ -31,30 +31,30 @@ class Edges:
 
     @property
     def is_open(self) -> Flags:
-        """(e,), True where only one face is."""
+        """(e,), True for edges of one face."""
         return np.asarray(self.count == 1)
 
     @property
     def is_non_manifold(self) -> Flags:
-        """(e,), True where more than two faces are."""
+        """(e,), True for edges of more than two faces."""
         return np.asarray(self.count > 2)
 
     @property
     def is_unmatched(self) -> Flags:
-        """(e,), True where more than two faces are that do not pair up.
+        """(e,), True for edges of more than two faces that do not pair up.
 
-        Where bodies touch, an edge has four faces, two for each direction, and all is well.
+        Where bodies touch, an edge has four faces, two in each direction, which is valid.
         """
         return np.asarray((self.count > 2) & self.is_unpaired)
 
     @property
     def is_inconsistent(self) -> Flags:
-        """(e,), True where two faces are that see their edge in the same direction."""
+        """(e,), True for edges whose two faces traverse them in the same direction."""
         return np.asarray((self.count == 2) & self.is_unpaired)
 
     @cached_property
     def is_unpaired(self) -> Flags:
-        """(e,), True where more faces see the edge in one direction than in the other."""
+        """(e,), True for edges that more faces traverse in one direction than in the other."""
         upwards = self.faces < self.faces[:, [1, 2, 0]]
         signs = np.where(upwards, 1.0, -1.0).reshape(-1)
         balance = np.bincount(self.of_face.reshape(-1), signs, len(self.count))
@@ -62,14 +62,14 @@ class Edges:
 
     @cached_property
     def pairs(self) -> Integers:
-        """(k, 2), the faces on either side of each edge that has exactly two."""
+        """(k, 2), the faces of each edge that has exactly two."""
         order = np.argsort(self.of_face.reshape(-1), kind="stable")
         starts = np.concatenate([[0], np.cumsum(self.count)[:-1]])[self.count == 2]
         return np.column_stack([order[starts] // 3, order[starts + 1] // 3]).astype(np.int64)
 
     @cached_property
     def bodies(self) -> Integers:
-        """(m,), the number of the piece, connected by edges, that each face belongs to."""
+        """(m,), the number of the edge-connected piece that each face belongs to."""
         order = np.argsort(self.of_face.reshape(-1), kind="stable")
         edge, face = self.of_face.reshape(-1)[order], order // 3
         same = edge[1:] == edge[:-1]
@@ -78,8 +78,7 @@ class Edges:
         return np.asarray(bodies, dtype=np.int64).reshape(-1)
 
 
-def three_cornered(faces: Integers) -> Flags:
-    """The triangles whose corners are three different vertices."""
+def have_distinct_corners(faces: Integers) -> Flags:
+    """(m,), True for triangles whose corners are three different vertices."""
     a, b, c = faces.T
-    found: Flags = (a != b) & (b != c) & (c != a)
-    return found
+    return np.asarray((a != b) & (b != c) & (c != a))

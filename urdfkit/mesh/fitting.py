@@ -1,8 +1,8 @@
 """Simple shapes around a mesh: sphere, box, cylinder, hull, convex pieces, each with its error.
 
-The shapes contain the mesh, so that nothing collides later than it should; their error is how far
-they stick out: the greatest distance from a point of theirs to the surface of the mesh. What is
-missing all the same is measured, too.
+The shapes contain the mesh, so that no collision is detected late. Their error is how far they
+protrude: the greatest distance from a point of the shape to the surface of the mesh. The part of
+the mesh that a shape does not contain is measured, too.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from urdfkit.mesh.convex_hull import NoHull, hull, with_few_corners
 from urdfkit.mesh.geometry import Floats, Mesh
 from urdfkit.mesh.transforms import moved
 
-#: In the unit of the mesh; below it, the search for the smallest ball fails.
+#: Size, in the unit of the mesh, below which the search for the smallest ball fails.
 _SMALLEST = 1e-6
-#: A box along the axes is taken if it is larger than the smallest one by no more than this.
+#: A box along the axes is chosen if its volume exceeds the smallest box's by no more than this.
 _ALONG_AXES = 1.03
-#: A wheel: the cosine between the axes, their distance as a part of the radius, and the part of the
-#: circle around it that its outline fills.
+#: A wheel: least cosine between the axes, greatest distance between them as a part of the radius,
+#: and least part of its circumscribed circle that its outline fills.
 _ALONG, _OFF_AXIS, _ROUND = 0.99, 0.1, 0.95
-#: Convex pieces that may do where more of them are within the bound.
+#: Smaller numbers of convex pieces to try if the largest number is within the bound.
 _FEW = (2, 4)
-#: Where nothing is within the bound, a simpler shape is taken if it is worse by no more than this.
+#: If no shape is within the bound, a simpler shape is chosen if its error is larger by no more.
 _HARDLY_WORSE = 1.25
 
 
@@ -37,35 +37,38 @@ class Fit(Record):
     """A primitive shape fitted around a mesh."""
 
     kind: str  # ``sphere``, ``box``, ``cylinder``, ``hull`` or ``pieces``
-    #: Of a box its edges; of a sphere its radius, 0, 0; of a cylinder radius, length, 0.
+    #: Box: edge lengths; sphere: radius, 0, 0; cylinder: radius, length, 0.
     size: Vector
-    frame: Transform  # of the shape, in that of the mesh
-    mesh: Mesh  # its surface, in the frame of the mesh; of ``pieces`` each is a part
-    error: float  # how far it sticks out, in the unit of the mesh
-    missing: float  # how far the mesh sticks out of it, in its unit
+    frame: Transform  # of the shape, in the frame of the mesh
+    mesh: Mesh  # surface of the shape, in the frame of the mesh; each of ``pieces`` is a part
+    error: float  # how far the shape protrudes from the mesh, in the unit of the mesh
+    missing: float  # how far the mesh protrudes from the shape, in the unit of the mesh
 
     def __str__(self) -> str:
         return f"{len(self.mesh.parts)} pieces" if self.kind == "pieces" else self.kind
 
 
 class Fits(Record):
-    """The shapes that were tried."""
+    """The candidate shapes."""
 
-    best: Fit  # the simplest within the bound, else the simplest of those with a small error
-    tried: tuple[Fit, ...]  # all of them, the simpler ones first
-    within: bool  # True if the best one is within the bound
-    why: str = ""  # another reason to take the best one; empty for none
+    best: Fit  # the simplest within the bound, else the simplest with a small error
+    tried: tuple[Fit, ...]  # all candidates, simpler ones first
+    within: bool  # True if the best candidate is within the bound
+    why: str = ""  # another reason for the choice; may be empty
 
 
 def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
-    """The cylinder, for what turns about it and is round: hubs and grooves do not touch the ground.
+    """Prefer the cylinder if the mesh is round and rotates about it, as a wheel does.
+
+    Hubs and grooves, which make its error large, do not touch the ground.
 
     Args:
-        axis: that it turns about; a unit vector.
+        axis: the axis of rotation, a unit vector.
+        through: a point on the axis.
     """
     from scipy.spatial import ConvexHull
 
-    cylinder = next(one for one in fits.tried if one.kind == "cylinder")
+    cylinder = next(fit for fit in fits.tried if fit.kind == "cylinder")
     radius = cylinder.size[0]
     rows = np.array(basis(axis))
     offset = np.subtract(cylinder.frame.position, through)
@@ -73,8 +76,8 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     along = abs(float(np.dot(axis, [row[2] for row in cylinder.frame.rotation])))
     if along < _ALONG or offset_norm > _OFF_AXIS * radius:
         return fits
-    seen = mesh.vertices @ rows.T
-    if ConvexHull(seen[:, :2]).volume < _ROUND * np.pi * radius**2:
+    projected = mesh.vertices @ rows.T
+    if ConvexHull(projected[:, :2]).volume < _ROUND * np.pi * radius**2:
         return fits
     return fits._replace(best=cylinder, why="it is round and turns about its axis")
 
@@ -82,14 +85,14 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
 def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     """The best simple shape around a mesh.
 
-    Primitives come before the hull, the hull before convex pieces, and few of these before many:
-    that is what they cost a physics engine. Of the primitives within the bound that with the
-    smallest error is taken.
+    Primitives are preferred to the hull, the hull to convex pieces, and few pieces to many: in this
+    order they cost a physics engine more. Of the primitives within the bound, the one with the
+    smallest error is chosen.
 
     Args:
         mesh: with at least one triangle.
-        bound: of the error, in the unit of the mesh.
-        most: convex pieces at most.
+        bound: greatest error, in the unit of the mesh.
+        most: greatest number of convex pieces.
 
     Raises:
         NoHull: all points of the mesh lie in a plane, or it is too small to be a part.
@@ -98,21 +101,20 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     points = shell.vertices
     if np.ptp(points, axis=0).max() < _SMALLEST:
         raise NoHull("it is too small for a shape around it")
-    tried = [
-        _measured_fit(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))
-    ]
-    good = [one for one in tried if one.error <= bound]
+    shapes = (_box(points), _cylinder(points), _sphere(points))
+    fits = [_measured_fit(mesh, *shape) for shape in shapes]
+    good = [fit for fit in fits if fit.error <= bound]
     if not good:
-        for one in _meshes(mesh, shell, bound, most):
-            tried.append(one)
-            good = [one for one in tried if one.error <= bound]
-            if good:
+        for candidate in _meshes(mesh, shell, bound, most):
+            fits.append(candidate)
+            if candidate.error <= bound:
+                good = [candidate]
                 break
     if good:
-        return Fits(min(good, key=lambda one: one.error), tuple(tried), within=True)
-    enough = _HARDLY_WORSE * min(one.error for one in tried)
-    best = next(one for one in tried if one.error <= enough)
-    return Fits(best, tuple(tried), within=False)
+        return Fits(min(good, key=lambda fit: fit.error), tuple(fits), within=True)
+    enough = _HARDLY_WORSE * min(fit.error for fit in fits)
+    best = next(fit for fit in fits if fit.error <= enough)
+    return Fits(best, tuple(fits), within=False)
 
 
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
@@ -120,7 +122,7 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
     yield lean if lean.error <= bound else _measured_fit(mesh, "hull", _NO_SIZE, Transform(), shell)
     if most > 1:
         many = _in_pieces(mesh, most)
-        if many.error <= bound:  # else fewer will not do either
+        if many.error <= bound:  # otherwise fewer pieces are not sufficient either
             yield from (_in_pieces(mesh, number) for number in _FEW if number < most)
         yield many
 
@@ -134,7 +136,7 @@ _NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 def _measured_fit(mesh: Mesh, kind: str, size: Vector, frame: Transform, shape: Mesh) -> Fit:
     placed = moved(shape, frame)
-    # Primitives are made around all points; their meshes have flat sides.
+    # Primitives contain all points; only their meshes, with flat sides, do not.
     lost = missing(placed, mesh) if kind in ("hull", "pieces") else 0.0
     return Fit(kind, size, frame, placed, protrusion(placed, mesh), lost)
 
@@ -143,7 +145,7 @@ _Shape = tuple[str, Vector, Transform, Mesh]
 
 
 def _box(points: Floats) -> _Shape:
-    """The smallest box, or the one along the axes if that is hardly larger."""
+    """The smallest box, or the box along the axes if it is hardly larger."""
     from trimesh.bounds import oriented_bounds
 
     low, high = points.min(axis=0), points.max(axis=0)
@@ -165,10 +167,10 @@ def _cylinder(points: Floats) -> _Shape:
     best: tuple[float, float, float, Transform] | None = None
     for axis in (*np.eye(3), *to_box[:3, :3]):
         rows = np.array(basis(vector(axis)))
-        seen = points @ rows.T
-        center, _ = minimum_nsphere(seen[:, :2])
-        radius = np.linalg.norm(seen[:, :2] - center, axis=1).max()  # that found is a guess
-        low, high = seen[:, 2].min(), seen[:, 2].max()
+        projected = points @ rows.T
+        center, _ = minimum_nsphere(projected[:, :2])
+        radius = np.linalg.norm(projected[:, :2] - center, axis=1).max()  # exact
+        low, high = projected[:, 2].min(), projected[:, 2].max()
         volume = float(np.pi * radius**2 * (high - low))
         if best is None or volume < 0.999 * best[0]:
             middle = rows.T @ np.array([*center, (low + high) / 2])

@@ -6,16 +6,16 @@ from urdfkit.mesh.geometry import Integers
 
 
 def distinct(rows: Integers) -> tuple[Integers, Integers, Integers]:
-    """Which rows of small whole numbers are the same.
+    """Equal rows of small integers.
 
-    As ``np.unique`` over rows, but by one number for each row, which sorts ten times as fast.
+    As ``np.unique`` over rows, but with one number for each row, which sorts ten times as fast.
 
     Args:
         rows: (m, k), not negative.
 
     Returns:
-        For each different row where it is first; for each row which of them it is; and how often
-        each is there.
+        The index of the first of each group of equal rows; the group of each row; and the size of
+        each group.
     """
     keys = rows[:, 0]
     for column in rows.T[1:]:
@@ -28,13 +28,13 @@ def distinct(rows: Integers) -> tuple[Integers, Integers, Integers]:
 
 
 def components(number: int, links: Integers) -> Integers:
-    """Connected components: the smallest index of the component of each thing, (number,).
+    """Connected components: the smallest index in the component of each node, (number,).
 
     Labels sink along links, and every label takes its label's label, so that long chains take few
-    rounds. scipy does the same, and takes longer to import than this to run.
+    rounds. scipy has this function, but takes longer to import than this one to run.
 
     Args:
-        links: (k, 2), things that are connected.
+        links: (k, 2), connected nodes.
     """
     label = np.arange(number)
     while True:
@@ -42,7 +42,7 @@ def components(number: int, links: Integers) -> Integers:
         least = np.minimum(label[links[:, 0]], label[links[:, 1]])
         np.minimum.at(label, links[:, 0], least)
         np.minimum.at(label, links[:, 1], least)
-        # The labels of the ends must sink too, or a chain is walked one thing a round.
+        # The labels of the ends must sink too, or a round advances by one node of a chain.
         np.minimum.at(label, before[links[:, 0]], least)
         np.minimum.at(label, before[links[:, 1]], least)
         label = label[label]

@@ -1,8 +1,7 @@
-"""Measures of mesh files, kept between runs by the content of the files.
+"""Cache of the measures of mesh files between runs, by file content.
 
-An entry is named by the hash of the bytes, so that it is true wherever it is found, and is
-written whole or not at all: two runs may write the same one at the same time. What is broken is
-measured again.
+An entry is named by the hash of the bytes, so that it never becomes stale, and is written
+atomically: two runs may write the same entry at the same time. Broken entries are computed again.
 """
 
 from __future__ import annotations
@@ -13,15 +12,16 @@ from functools import lru_cache
 
 from urdfkit.core import atomic, disk
 from urdfkit.core.cache_directory import cache_directory
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.measures import Measures, from_json, to_json
 
-#: Goes up when measures change, or what they are made from.
+#: Increases when the measures, or the data they are computed from, change.
 VERSION = 10
 
-#: Entries in one of the 256 directories; of some 2 kB each.
+#: Most entries in one of the 256 directories; about 2 kB each.
 MAX_ENTRIES = 100
 
 _MATERIALS = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
@@ -35,7 +35,7 @@ def shared(*, cached: bool) -> Store:
 
 
 def default_directory() -> str | None:
-    """The directory of the cache; None if the environment wants none."""
+    """The directory of the cache; None if the environment disables the cache."""
     cache = cache_directory()
     return os.path.join(cache, "meshes") if cache else None
 
@@ -44,7 +44,7 @@ class Store:
     """Measures mesh files, each content once.
 
     Args:
-        directory: where measures are kept; None keeps them for this process only.
+        directory: the cache directory; None caches for this process only.
     """
 
     def __init__(self, directory: str | None) -> None:
@@ -53,7 +53,7 @@ class Store:
         self._by_content: dict[str, Measures | str] = {}  # by hash: packages copy meshes
 
     def measures(self, path: str, form: str) -> Measures | str:
-        """The measures of a file, or why it has none, as a predicate whose subject is the file."""
+        """The measures of a file, or the reason for none: a predicate whose subject is the file."""
         try:
             state = disk.state(path)
         except (OSError, ValueError) as error:
@@ -77,15 +77,15 @@ class Store:
         if self._directory is None:
             return _measured(data, path)
         entry = os.path.join(self._directory, digest[:2], f"{digest[2:]}.json")
-        known = _read(entry)
-        if known is None:
-            known = _measured(data, path)
-            _write(entry, known)
-        return known
+        result = _read(entry)
+        if result is None:
+            result = _measured(data, path)
+            _write(entry, result)
+        return result
 
 
 def _digest(data: bytes, form: str, directory: str) -> str:
-    """Hash of a file and of the files that it names: all that the measures are computed from."""
+    """Hash of a file and the files that it references, on which the measures depend."""
     from urdfkit.core.digest import blake2b
     from urdfkit.mesh.io import referenced_files
 
@@ -98,7 +98,7 @@ def _digest(data: bytes, form: str, directory: str) -> str:
 
 
 def _names(data: bytes, form: str) -> list[str]:
-    """How a file names others that its measures are made from too."""
+    """References of a file to other files on which its measures depend."""
     if form == facts.OBJ:
         return [name.decode("utf-8", "replace") for name in re.findall(_MATERIALS, data)]
     if form not in (facts.GLB, facts.GLTF):
@@ -119,9 +119,9 @@ def _measured(data: bytes, path: str) -> Measures | str:
 
 
 def _read(entry: str) -> Measures | str | None:
-    """What was written; None if nothing was, or something else."""
+    """The content of an entry; None if it is missing or broken."""
     try:
-        with open(entry, "rb") as file:
+        with opened(entry) as file:
             data = file.read()
     except OSError:
         return None
@@ -134,11 +134,11 @@ def _read(entry: str) -> Measures | str | None:
         return None
 
 
-def _write(entry: str, known: Measures | str) -> None:
-    """Keep measures; a check goes on if this fails."""
+def _write(entry: str, result: Measures | str) -> None:
+    """Write an entry; failures are ignored."""
     import json
 
-    content = known if isinstance(known, str) else to_json(known)
+    content = result if isinstance(result, str) else to_json(result)
     directory = os.path.dirname(entry)
     try:
         os.makedirs(directory, exist_ok=True)

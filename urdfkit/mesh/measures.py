@@ -1,16 +1,15 @@
-"""What is known of the triangles of a mesh, as numbers that fit into a small file.
+"""Measures of the triangles of a mesh, as numbers that fit into a small file.
 
-Lengths in the unit of the file. Nothing here needs numpy: measures come from the cache.
+Lengths in the unit of the file. This module does not need numpy: measures come from the cache.
 """
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfkit.core.record import Record, frozen
 from urdfkit.core.spatial import Vector
+from urdfkit.core.static_typing import Any
 
-#: The part of a volume that counts more than once, above which masses computed from it are off.
+#: Overlapping part of a volume above which masses computed from the volume are wrong.
 OVERLAP = 0.05
 
 
@@ -26,39 +25,38 @@ class Uniform(Record):
 class Measures(Record):
     """The measures of a mesh; corners at the same place are one vertex."""
 
-    #: triangles and vertices: how many there are.
-    triangles: int
-    vertices: int
-    #: low and high: the corners of the bounding box.
+    triangles: int  # number of triangles
+    vertices: int  # number of vertices
+    #: low and high: corners of the bounding box.
     low: Vector
     high: Vector
     area: float  # of all triangles
-    #: What the surface encloses; None unless it is closed and encloses something.
+    #: The enclosed solid; None unless the surface is closed and encloses a volume.
     solid: Uniform | None
-    hull: Uniform | None  # of the convex hull; None where all vertices lie in a plane
-    #: Extreme vertices; the mesh reaches hardly farther in any direction than they.
+    hull: Uniform | None  # of the convex hull; None if all vertices lie in a plane
+    #: Extreme vertices; the mesh extends hardly farther than them in any direction.
     points: tuple[Vector, ...]
-    inside_out: bool  # True if the surface is closed and its triangles look inwards
+    inside_out: bool  # True if the surface is closed and its triangles face inwards
     open_edges: int  # edges with an odd number of triangles
     flipped_edges: int  # edges whose two triangles have opposite orientation
     degenerate: int  # triangles without area
     bodies: int  # connected components
-    #: Of a closed surface, the volume that lies in several of them at once and is counted as often
-    #: in ``solid``, as a part of the true volume.
+    #: Volume inside several closed surfaces at once, counted as often in ``solid``, as a part of
+    #: the true volume.
     overlap: float
-    inverted_bodies: int  # closed pieces that look inwards, lie in no other one, and are no trifle
+    inverted_bodies: int  # significant closed pieces that face inwards and lie in no other piece
     #: unit, up_axis, losses, extras, textures: as in `urdfkit.mesh.geometry.Mesh`.
     unit: float = 1.0
     up_axis: str = ""
     losses: tuple[str, ...] = ()
     extras: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
-    #: The files of materials that it names and that are not there.
+    #: Referenced material files that do not exist.
     no_materials: tuple[str, ...] = ()
 
     @property
     def is_closed(self) -> bool:
-        """True if the surface has no edge and one outside."""
+        """True if the surface has no boundary and is consistently oriented."""
         return not self.open_edges and not self.flipped_edges
 
     @property
@@ -86,7 +84,7 @@ def from_json(content: dict[str, Any]) -> Measures:
     """Measures from the result of `to_json`.
 
     Raises:
-        KeyError, TypeError, ValueError: it is something else.
+        KeyError, TypeError, ValueError: the content has another form.
     """
     values = {key: frozen(value) for key, value in content.items()}
     for key in ("solid", "hull"):

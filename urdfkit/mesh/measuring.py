@@ -1,27 +1,27 @@
-"""Measuring triangles."""
+"""Computes the measures of a mesh."""
 
 import numpy as np
 
 from urdfkit.core.spatial import vector
-from urdfkit.mesh.components import are_flat, inside_out, take_apart
+from urdfkit.mesh.components import are_flat, inside_out, split_pieces
 from urdfkit.mesh.convex_hull import arrays_of
 from urdfkit.mesh.geometry import Floats, Integers, Mesh
 from urdfkit.mesh.measures import Measures, Uniform
 from urdfkit.mesh.overlap import overlap
 from urdfkit.mesh.welding import close_seams, weld
 
-#: A triangle lower than this, a piece or a solid flatter than this, has no extent there; relative
-#: to the diagonal of the mesh. Coordinates of 32 bits are rounded to 6e-8.
+#: Height of a triangle, or thickness of a piece or solid, that counts as zero; relative to the
+#: diagonal of the mesh. Coordinates of 32 bits are rounded to 6e-8.
 FLAT = 1e-7
 
-#: Part of the volume of all pieces below which one of them does not matter.
+#: Part of the volume of all pieces below which a piece does not matter.
 SIGNIFICANT = 0.01
 
-#: Extreme vertices that are kept of a hull; a ball loses 1 % of its reach with so many.
+#: Most extreme vertices of a hull; a ball loses 1 % of its extent with so many.
 MOST_POINTS = 200
 
 
-@np.errstate(over="ignore", invalid="ignore")  # of meshes larger than the world
+@np.errstate(over="ignore", invalid="ignore")  # for absurdly large meshes
 def measure(mesh: Mesh) -> Measures:
     """The measures of a mesh, which has triangles."""
     places, faces = weld(mesh.vertices, mesh.faces)
@@ -33,10 +33,10 @@ def measure(mesh: Mesh) -> Measures:
     open_edges = edges.count % 2 == 1
     flipped = ~open_edges & edges.is_unpaired
     is_closed = len(sound) > 0 and not edges.is_unpaired.any()
-    pieces = take_apart(places, edges)
+    pieces = split_pieces(places, edges)
     is_flat = are_flat(places, sound, pieces, FLAT * diagonal)
     pieces = pieces._replace(is_closed=pieces.is_closed & ~is_flat)
-    # A screw that looks inwards changes nothing, least of all in a mesh that is open otherwise.
+    # An inverted screw does not matter, least of all in a mesh that is open otherwise.
     least = SIGNIFICANT * float(np.abs(pieces.volumes).sum())
     solid, is_inverted = _solid(places, sound, low, high) if is_closed else (None, False)
     hull, points = _hull(places, low, high)
@@ -66,16 +66,16 @@ def measure(mesh: Mesh) -> Measures:
 
 
 def uniform(vertices: Floats, faces: Integers, about: Floats) -> tuple[float, Floats, Floats]:
-    """Signed volume, first and second moments about a point of what a closed surface encloses.
+    """Signed volume, first and second moments about a point, of the inside of a closed surface.
 
-    Each triangle makes a tetrahedron with the point; for one with corners a, b, c the integrals
-    are, with s = a + b + c and det the volume times 6:
+    Each triangle forms a tetrahedron with the point; with its corners a, b, c, s = a + b + c, and
+    det the volume times 6, the integrals are:
 
     - of x: det / 24 * s
     - of x x^T: det / 120 * (s s^T + a a^T + b b^T + c c^T)
 
     Source: J. Tonon, "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor in Terms of
-    its Vertex Coordinates" (2004), with one corner in the origin.
+    its Vertex Coordinates" (2004), with one corner at the origin.
 
     Returns:
         volume, (3,) first moments, (3, 3) second moments.
@@ -92,7 +92,7 @@ def uniform(vertices: Floats, faces: Integers, about: Floats) -> tuple[float, Fl
 def _solid(
     places: Floats, faces: Integers, low: Floats, high: Floats
 ) -> tuple[Uniform | None, bool]:
-    """What a closed surface encloses, and whether it looks inwards."""
+    """The solid that a closed surface encloses, and whether the surface faces inwards."""
     middle = (low + high) / 2
     volume, first, second = uniform(places, faces, middle)
     if abs(volume) <= FLAT * np.linalg.norm(high - low) ** 3:
@@ -101,7 +101,7 @@ def _solid(
 
 
 def _density_one(volume: float, first: Floats, second: Floats, about: Floats) -> Uniform | None:
-    """What encloses a volume; None where it, or what follows from it, is beyond all numbers."""
+    """Mass properties for density 1; None if the volume is 0 or a value overflows."""
     if not volume:
         return None
     sign = 1 if volume > 0 else -1
@@ -115,15 +115,15 @@ def _density_one(volume: float, first: Floats, second: Floats, about: Floats) ->
 
 
 def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Floats]:
-    """The convex hull as a solid, and its outermost vertices."""
+    """The convex hull as a solid, and its extreme vertices."""
     import manifold3d
 
     size = np.max(high - low)
     middle = (low + high) / 2
     if not size:
         return None, places[:1]
-    # manifold3d computes with 32 bits here and there: a part far from the origin, or in
-    # nanometres, would lose its shape.
+    # manifold3d partly computes with 32 bits: a part far from the origin, or in nanometres, would
+    # lose its shape.
     scaled = (places - middle) / size
     corners, faces = arrays_of(manifold3d.Manifold.hull_points(scaled))
     if not len(corners):
@@ -132,14 +132,14 @@ def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Fl
     points = _extreme(corners) * size + middle
     if volume <= FLAT:
         return None, points
-    found = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
-    if found is None:
+    solid = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
+    if solid is None:
         return None, points
-    return found._replace(center=vector(np.array(found.center) + middle)), points
+    return solid._replace(center=vector(np.array(solid.center) + middle)), points
 
 
 def _extreme(points: Floats) -> Floats:
-    """The outermost of some points: along the axes, and in directions spread evenly."""
+    """The extreme points along the axes and in evenly spread directions."""
     if len(points) <= MOST_POINTS:
         return points
     number = np.arange(MOST_POINTS - 6) + 0.5
@@ -155,6 +155,6 @@ def _heights(places: Floats, faces: Integers) -> tuple[Floats, Floats]:
     """The smallest height and the area of each triangle."""
     a, b, c = (places[faces[:, corner]] for corner in range(3))
     twice = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    sides = [np.linalg.norm(one - other, axis=1) for one, other in ((a, b), (b, c), (c, a))]
+    sides = [np.linalg.norm(start - end, axis=1) for start, end in ((a, b), (b, c), (c, a))]
     longest = np.max(sides, axis=0)
     return np.divide(twice, longest, out=np.zeros_like(twice), where=longest > 0), twice / 2

@@ -34,7 +34,7 @@ def box(low: Vector, high: Vector, faces: Iterable[tuple[int, ...]] = BOX) -> li
 def stl(
     triangles: Iterable[list[Vector]], header: bytes = b"", colour: int = 0, copies: int = 1
 ) -> bytes:
-    """A binary STL, with some copies of every triangle."""
+    """A binary STL file with a number of copies of every triangle."""
     from struct import pack
 
     body = [
@@ -45,7 +45,7 @@ def stl(
 
 
 def gltf() -> bytes:
-    """A glTF file with one triangle, its numbers inside."""
+    """A glTF file with one triangle and embedded data."""
     from base64 import b64encode
     from json import dumps
     from struct import pack
@@ -70,9 +70,9 @@ def collada(asset: str = "", effect: str = "", more: str = "") -> bytes:
     """A COLLADA file with one triangle.
 
     Args:
-        asset: what stands in its ``<asset>``.
-        effect: what stands in the ``<lambert>`` of its material.
-        more: what stands in its ``<mesh>`` besides.
+        asset: content of ``<asset>``.
+        effect: content of the ``<lambert>`` of its material.
+        more: further content of ``<mesh>``.
     """
     return f"""<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">

@@ -1,6 +1,6 @@
-"""Solids to build parts from: boxes, cylinders, turned profiles, and their booleans.
+"""Solids to build parts from: boxes, cylinders, revolved profiles, and their booleans.
 
-Lengths in m. Everything comes from manifold3d, so every solid is closed and oriented.
+Lengths in m. All solids come from manifold3d, so they are closed and oriented.
 """
 
 from collections.abc import Iterable, Sequence
@@ -13,74 +13,70 @@ from urdfkit.mesh.convex_hull import arrays_of
 from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
 
-#: Sides of a circle: round to the eye, and few enough for a simulator.
+#: Sides of a circle: visually round, and few enough for a simulator.
 SIDES = 48
 
-#: Of a coordinate in m: far below what is seen, and far above the rounding of sums.
+#: Decimals of a coordinate in m: far below what is visible, far above the rounding of sums.
 _DECIMALS = 8
-#: A common volume below this part of the whole is no overlap.
+#: A common volume below this part of the solid is not an overlap.
 _FILM = 1e-6
-#: Thinner than this, in m, is an accident of booleans.
+#: Thickness in m below which a feature is an artefact of booleans.
 _SLIVER = 1e-6
 
 Point = tuple[float, float]
 
-
-#: A solid and the material of its surface.
+#: A material and the solid that has it.
 Coloured = tuple[MeshMaterial, Manifold]
 
 
 def disjoint(solids: Iterable[Coloured]) -> list[Coloured]:
-    """Solids that do not overlap, so that together they have one true volume.
-
-    Where there is one already, that one stays.
-    """
-    found: list[Coloured] = []
+    """The solids without their overlaps, which stay in the earlier solid."""
+    result: list[Coloured] = []
     for material, solid in solids:
-        left = solid
-        for _, earlier in found:
-            # What only touches is left alone: a boolean would leave a film of no thickness.
-            if (left ^ earlier).volume() > _FILM * left.volume():
-                left = left - earlier
-        if left.volume() > 0:
-            found.append((material, left))
-    return found
+        rest = solid
+        for _, earlier in result:
+            # Solids that only touch are unchanged: a boolean would leave a film of no thickness.
+            if (rest ^ earlier).volume() > _FILM * rest.volume():
+                rest = rest - earlier
+        if rest.volume() > 0:
+            result.append((material, rest))
+    return result
 
 
 def assembled(solids: Iterable[Coloured]) -> Mesh:
-    """The triangles of disjoint solids, one part for each material, with normals."""
+    """A mesh of the disjoint solids, one part for each material, with normals."""
     by_material: dict[MeshMaterial, list[Manifold]] = {}
     for material, solid in disjoint(solids):
         by_material.setdefault(material, []).append(solid)
-    # Booleans leave slivers.
-    unions = (Manifold.batch_boolean(each, OpType.Add) for each in by_material.values())
-    parts = zip((whole.simplify(_SLIVER) for whole in unions), by_material, strict=True)
+    # Booleans leave slivers, which simplification removes.
+    unions = (Manifold.batch_boolean(group, OpType.Add) for group in by_material.values())
+    parts = zip((union.simplify(_SLIVER) for union in unions), by_material, strict=True)
     return Mesh(tuple(shaded(_part(*part)) for part in parts), up_axis="Z_UP")
 
 
-def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
-    """What of some solids lies outside of those that a mesh consists of.
+def subtract_mesh(pieces: Mesh, mesh: Mesh) -> Mesh:
+    """The part of some solids that lies outside of the solids of a mesh.
 
     Args:
         pieces: each part a solid; they may overlap.
-        mesh: any; components that are no solid are ignored.
+        mesh: components that are not solids are ignored.
     """
-    from urdfkit.mesh.components import take_apart
-    from urdfkit.mesh.edges import Edges, three_cornered
+    from urdfkit.mesh.components import split_pieces
+    from urdfkit.mesh.edges import Edges, have_distinct_corners
     from urdfkit.mesh.manifolds import solid
     from urdfkit.mesh.overlap import bodies
     from urdfkit.mesh.welding import weld
 
-    whole = Manifold.batch_boolean(
+    rest = Manifold.batch_boolean(
         [solid(part.vertices, part.faces) for part in pieces.parts], OpType.Add
     )
-    # A part may be a solid of its own that touches others, or one colour of a whole.
-    for one in (mesh, *(mesh._replace(parts=(part,)) for part in mesh.parts)):
-        places, faces = weld(one.vertices, one.faces)
-        edges = Edges(faces[three_cornered(faces)])
-        for body in bodies(places, edges.faces, take_apart(places, edges)):
-            whole = whole - body
-    return as_mesh(whole)
+    # A part may be a separate solid that touches others, or one colour of a larger solid.
+    for group in (mesh, *(mesh._replace(parts=(part,)) for part in mesh.parts)):
+        places, faces = weld(group.vertices, group.faces)
+        edges = Edges(faces[have_distinct_corners(faces)])
+        for body in bodies(places, edges.faces, split_pieces(places, edges)):
+            rest = rest - body
+    return as_mesh(rest)
 
 
 def as_mesh(solid: Manifold) -> Mesh:
@@ -93,10 +89,10 @@ def _part(solid: Manifold, material: MeshMaterial | None = None) -> MeshPart:
 
 
 def on_grid(solid: Manifold) -> Manifold:
-    """A solid with its vertices on a grid.
+    """A solid with its vertices rounded to a grid.
 
-    Faces of one plane are then exactly coplanar, and a boolean joins them;
-    a nanometre between them would stay as a gap.
+    Faces in one plane are then exactly coplanar, so that a boolean joins them; a distance of one
+    nanometre would remain as a gap.
     """
     return solid.warp_batch(_rounded)
 
@@ -106,21 +102,21 @@ def _rounded(values: Floats) -> Floats:
 
 
 def _section(outline: Sequence[Point]) -> CrossSection:
-    """A polygon; on the grid beforehand, for polygons are kept with a few digits only."""
+    """A polygon, rounded first, because manifold3d stores polygons with a few digits only."""
     return CrossSection([_rounded(np.asarray(outline, dtype=float))])
 
 
 def box(size: Vector) -> Manifold:
-    """A box along the axes, about its middle."""
+    """A box along the axes, centred at the origin."""
     return on_grid(Manifold.cube(size, True))
 
 
 def rounded_box(size: Vector, radius: float, chamfer: float = 0.0) -> Manifold:
-    """A box about its middle whose edges along z are rounded.
+    """A box, centred at the origin, whose edges along z are rounded.
 
     Args:
-        size: outer edges.
-        radius: of those edges.
+        size: outer edge lengths.
+        radius: of the rounded edges.
         chamfer: bevel of the edges around bottom and top.
     """
     x, y, height = size
@@ -139,7 +135,7 @@ def cylinder(radius: float, low: float, high: float, sides: int = SIDES) -> Mani
 
 
 def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
-    """A turned part.
+    """A solid of revolution about z.
 
     Args:
         profile: a closed polygon of (distance from z, height).
@@ -148,10 +144,10 @@ def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
 
 
 def extruded(outline: Sequence[Point], low: float, high: float) -> Manifold:
-    """A polygon in x and y drawn out along z."""
+    """A polygon in x and y, extruded along z."""
     return on_grid(_section(outline).extrude(high - low).translate((0.0, 0.0, low)))
 
 
 def ball(radius: float) -> Manifold:
-    """A ball about the origin."""
+    """A ball, centred at the origin."""
     return Manifold.sphere(radius, SIDES)

@@ -1,11 +1,11 @@
-"""Spheres that cover a solid and stick out of it by little, for motion planners.
+"""Spheres that cover a solid and hardly protrude from it, for motion planners.
 
 Candidates are the balls of the medial axis and random points inside, each with its depth below the
-surface: a sphere about a candidate whose radius is its depth and a margin sticks out by no more
-than the margin. A greedy set cover takes those that cover most points of the solid (P. M. Hubbard,
+surface: a sphere at a candidate whose radius is its depth plus a margin protrudes by at most the
+margin. A greedy set cover selects those that cover most points of the solid (P. M. Hubbard,
 "Approximating polyhedra with spheres for time-critical collision detection", 1996; V. Chvatal, "A
 greedy heuristic for the set-covering problem", 1979). Then the centres are moved, one after the
-other, to where they cover more of the points that the others leave out with a smaller margin.
+other, to cover more of the otherwise uncovered points with a smaller margin.
 """
 
 from __future__ import annotations
@@ -22,41 +22,41 @@ from urdfkit.mesh.distance import sample_surface
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.mesh.inside import are_inside, points_inside
 
-#: Lines on which points inside are looked for, which are to be covered.
+#: Lines on which points inside are sampled, which are to be covered.
 _COLUMNS = 8000
 #: Candidates on the medial axis, and elsewhere inside.
 _MEDIAL, _ELSEWHERE = 1200, 800
-#: Points of the surface by which depths are known; with fewer, centres move to where no point is
-#: near, and their depths are too large.
+#: Points of the surface for computing depths; with fewer, centres move away from all of them, and
+#: their depths become too large.
 _SURFACE = 20_000
-#: A solid with fewer points inside is thin; candidates are chosen for so many, moved for so many.
+#: A solid with fewer points inside is thin; numbers of points for choosing and moving candidates.
 _FEW, _ROUGH, _MANY = 200, 10_000, 24_000
-#: This part of the points, those nearest to the surface, is to be covered, or more where more may
-#: stay out by this factor: spheres that cover them leave no others out, and of all points too few
-#: would be near the surface.
+#: Part of the points to cover, those nearest to the surface, and its least ratio to the part that
+#: may stay uncovered. Spheres that cover these points cover the others too, and too few of all
+#: points are near the surface.
 _SHALLOW, _OUTER = 1 / 3, 8
-#: The margin is larger than one that does not do by less than this factor.
+#: Ratio between a sufficient margin and an insufficient one at which the search ends.
 _CLOSE = 1.03
-#: A ball that is entered by no more than this part of its radius is one of the medial axis.
+#: A ball of the medial axis contains surface points up to this distance, relative to its radius.
 _SAME = 0.999
 #: Rounds in which a ball of the medial axis shrinks.
 _SHRINKING = 30
-#: Rounds in which centres move, directions tried in each, and what a step is of the last one.
+#: Rounds in which centres move, directions in each round, and factor from one step to the next.
 _ROUNDS, _DIRECTIONS, _SHORTER = 80, 12, 0.965
-#: The margin that centres move for, as a part of the least one so far; what is a near miss, as a
-#: part of it; and how many near misses count as one in any case.
+#: Target margin of a move, as a part of the least margin so far; width of the soft boundary, as a
+#: part of the margin; and distance, in such widths, beyond which a point counts fully.
 _CLOSER, _SOFT, _FAR = 0.98, 0.06, 3.0
-#: A margin is taken for no less than this part of the size where it says what a near miss is.
+#: Least margin for the width of the soft boundary, as a part of the size.
 _LEAST = 1e-3
-#: Spheres that are exchanged for another one before it is certain that all of them are needed.
+#: Swaps of spheres before all of them are considered necessary.
 _SWAPS = 60
-#: How far a center moves at once, as a part of its depth.
+#: Greatest move of a center, as a part of its depth.
 _INSIDE = 0.9
-#: Of what may stay out, this part is covered, as other points show a little less.
+#: Part of the uncovered points that is covered in reserve, as coverage is less at other points.
 _SPARE = 0.11
-#: Less than any area of a triangle that counts.
+#: Below the area of any triangle that matters.
 _TINY = 1e-300
-#: What lengths are counted in, as a part of the size; the largest of them; rows at a time.
+#: Unit of stored lengths, as a part of the size; their largest value; rows at a time.
 _UNIT, _MOST, _ROWS = 2.0**-14, 2**15 - 1, 500
 _SEED = 11
 
@@ -69,24 +69,24 @@ class Spheres(Record):
 
 
 class Covering:
-    """The ways to cover a solid with spheres: with a larger margin, fewer of them.
+    """Candidate spheres for covering a solid; with a larger margin, fewer are needed.
 
     Args:
         triangles: (m, 3, 3), of closed surfaces, counter-clockwise from outside; they may overlap.
-        coverage: the part of the points inside that spheres cover, from 0 to 1.
+        coverage: required part of the points inside that spheres cover, from 0 to 1.
     """
 
     def __init__(self, triangles: Floats, coverage: float) -> None:
         surface, owner = sample_surface(triangles, _SURFACE)
         self._triangles, self._coverage = triangles, coverage
         self._tree = cKDTree(surface)
-        # The centers fit their own points better than others, so the radii have points of theirs.
+        # The centers fit their own points better than others, so the radii use separate points.
         points = self._sample(triangles, _COLUMNS, surface)
         share = min(1.0, max(_SHALLOW, _OUTER * (1 - coverage)))
         below, _ = self._tree.query(points)
         shallow = points[np.argsort(below)[: round(share * len(points))]]
         self._points = np.random.default_rng(_SEED).permutation(shallow)[:_MANY]
-        #: So many of them may stay out.
+        #: Number of points that may stay uncovered.
         self._allowed = int((1 - coverage) / share * len(self._points))
         rough = self._points[:_ROUGH]
         self._roughly_allowed = int((1 - coverage) / share * len(rough))
@@ -100,19 +100,19 @@ class Covering:
         self._centers = np.concatenate([medial, points[:: max(1, len(points) // _ELSEWHERE)]])
         self._depths, _ = self._tree.query(self._centers)
         self._size = size
-        #: (k, n), by how much a candidate sticks out to cover a point, in `_UNIT` of the size.
-        self._sticks_out = np.empty((len(rough), len(self._centers)), dtype=np.int16)
+        #: (k, n), protrusion of a candidate that covers a point, in `_UNIT` of the size.
+        self._protrusions = np.empty((len(rough), len(self._centers)), dtype=np.int16)
         for start in range(0, len(rough), _ROWS):
             needed = cdist(rough[start : start + _ROWS], self._centers) - self._depths
-            self._sticks_out[start : start + _ROWS] = needed / (size * _UNIT)
+            self._protrusions[start : start + _ROWS] = needed / (size * _UNIT)
 
     def _sample(self, triangles: Floats, columns: int, surface: Floats) -> Floats:
-        """Points inside; of a thin part, which has few, also some of its surface."""
+        """Points inside; for a thin part, which has few, also points of its surface."""
         inside, _ = points_inside(triangles, columns, _SEED + columns)
         return inside if len(inside) > _FEW else np.concatenate([inside, surface[:_MEDIAL]])
 
     def _medial(self, points: Floats, normals: Floats, size: float) -> Floats:
-        """The centres of balls that touch the surface at points and elsewhere.
+        """Centres of the balls that touch the surface at the points and at a second point.
 
         Source: J. Ma, S. W. Bae, S. Choi, "3D medial axis point approximation using nearest
         neighbors and the normal field" (2012).
@@ -121,21 +121,16 @@ class Covering:
         for _ in range(_SHRINKING):
             at, normal, radius = points[shrinking], normals[shrinking], radii[shrinking]
             distances, nearest = self._tree.query(at - radius[:, None] * normal)
-            away = at - self._tree.data[nearest]
-            height = np.einsum("ij,ij->i", away, normal)
+            offsets = at - self._tree.data[nearest]
+            height = np.einsum("ij,ij->i", offsets, normal)
             smaller = (distances < _SAME * radius) & (height > 0)
             shrinking = shrinking[smaller]
-            squares = np.einsum("ij,ij->i", away[smaller], away[smaller])
+            squares = np.einsum("ij,ij->i", offsets[smaller], offsets[smaller])
             radii[shrinking] = squares / (2 * height[smaller])
-        found: Floats = points - radii[:, None] * normals
-        return found
+        return np.asarray(points - radii[:, None] * normals)
 
-    def chosen(self, margin: float, most: int) -> list[int]:
-        """The candidates that cover enough with a margin, by their numbers.
-
-        Returns:
-            Nothing if more than so many are needed.
-        """
+    def choose(self, margin: float, most: int) -> list[int]:
+        """Indices of candidates that cover enough with a margin; empty if too many are needed."""
         covers = self._covers(margin)
         chosen = _pruned(
             covers, _greedy(covers, self._roughly_allowed, 2 * most), self._roughly_allowed
@@ -143,19 +138,18 @@ class Covering:
         return chosen if len(chosen) <= most else []
 
     def _covers(self, margin: float) -> Flags:
-        """(k, n), which candidates cover a point with a margin."""
-        covers: Flags = self._sticks_out <= int(min(margin / (self._size * _UNIT), _MOST))
-        return covers
+        """(k, n), True if a candidate covers a point with a margin."""
+        return np.asarray(self._protrusions <= int(min(margin / (self._size * _UNIT), _MOST)))
 
-    def further(self, chosen: list[int], margin: float) -> int:
-        """The candidate that covers most of what the chosen ones leave out with a margin."""
+    def next_candidate(self, chosen: list[int], margin: float) -> int:
+        """The candidate that covers most of the points that the chosen candidates do not cover."""
         covers = self._covers(margin)
         return int(covers[~covers[:, chosen].any(axis=1)].sum(axis=0).argmax())
 
     def refined(self, chosen: list[int]) -> tuple[Spheres, float]:
-        """The chosen spheres, moved to where they cover enough with the least margin, and that one.
+        """The chosen spheres after optimisation of their positions, and their least margin.
 
-        A sphere moves to where fewer of the points that no other one covers stay out.
+        A sphere moves to cover more of the points that no other sphere covers.
         """
         random = np.random.default_rng(_SEED)
         centers, depths = self._centers[chosen], self._depths[chosen]
@@ -167,17 +161,17 @@ class Covering:
             moved, moved_depths = centers.copy(), depths.copy()
             for number in range(len(centers)):
                 reach = min(step, _INSIDE * depths[number])
-                tried = np.vstack([centers[number], centers[number] + reach * directions])
-                below, _ = self._tree.query(tried)
-                nearest = self._best(needed, number, tried, below, _CLOSER * least, reach)
+                candidates = np.vstack([centers[number], centers[number] + reach * directions])
+                below, _ = self._tree.query(candidates)
+                nearest = self._best(needed, number, candidates, below, _CLOSER * least, reach)
                 if nearest:
-                    moved[number], moved_depths[number] = tried[nearest], below[nearest]
-                    at = tried[nearest : nearest + 1]
+                    moved[number], moved_depths[number] = candidates[nearest], below[nearest]
+                    at = candidates[nearest : nearest + 1]
                     needed[number] = cdist(at, self._points)[0] - below[nearest]
-            # Of a thin part the samples of the surface are farther than the surface.
+            # At a thin part, the surface is nearer than its samples.
             is_inside = are_inside(self._triangles, moved)
-            left = np.flatnonzero(~is_inside)
-            needed[left] = cdist(centers[left], self._points) - depths[left, None]
+            reset = np.flatnonzero(~is_inside)
+            needed[reset] = cdist(centers[reset], self._points) - depths[reset, None]
             centers = np.where(is_inside[:, None], moved, centers)
             depths = np.where(is_inside, moved_depths, depths)
             if (margin := self._margin(needed)) < least:
@@ -186,26 +180,32 @@ class Covering:
         return self._spheres(*best), least
 
     def _margin(self, needed: Floats) -> float:
-        """The least margin with which spheres cover enough, in m."""
+        """Least margin with which spheres cover enough, in m."""
         place = needed.shape[1] - 1 - self._allowed
         return float(np.partition(needed.min(axis=0), place)[place])
 
     def _best(
-        self, needed: Floats, number: int, tried: Floats, below: Floats, margin: float, reach: float
+        self,
+        needed: Floats,
+        number: int,
+        places: Floats,
+        below: Floats,
+        margin: float,
+        reach: float,
     ) -> int:
-        """Where a sphere leaves the fewest points out, by its number; near misses count in part."""
+        """Index of the position that leaves the fewest points uncovered; near misses count less."""
         soft = _SOFT * max(margin, _LEAST * self._size)
-        near = np.flatnonzero(needed[number] < margin + 2 * reach + _FAR * soft)
-        others = needed[:, near]
+        relevant = np.flatnonzero(needed[number] < margin + 2 * reach + _FAR * soft)
+        others = needed[:, relevant]
         others[number] = np.inf
         rest = others.min(axis=0)
         alone = rest > margin - _FAR * soft
-        needs = cdist(tried, self._points[near[alone]]) - below[:, None]
-        beyond = (np.minimum(needs, rest[alone]) - margin) / soft
+        own = cdist(places, self._points[relevant[alone]]) - below[:, None]
+        beyond = (np.minimum(own, rest[alone]) - margin) / soft
         return int(np.tanh(beyond).sum(axis=1).argmin())
 
     def _spheres(self, centers: Floats, depths: Floats) -> Spheres:
-        """Spheres just large enough for their own points; the farthest points stay uncovered."""
+        """Spheres just large enough for their nearest points; the farthest stay uncovered."""
         needed, owner = _needed(self._others, centers, depths)
         counts = needed <= np.quantile(needed, self._coverage + _SPARE * (1 - self._coverage))
         radii = np.full(len(centers), -np.inf)
@@ -215,10 +215,10 @@ class Covering:
 
 
 def _needed(points: Floats, centers: Floats, depths: Floats) -> tuple[Floats, Integers]:
-    """How far spheres must stick out to cover each point, (n,), and which sphere needs least."""
-    every = cdist(points, centers) - depths
-    owner = every.argmin(axis=1)
-    return every[np.arange(len(every)), owner], owner
+    """(n,), least protrusion of a sphere that covers each point, and the index of the sphere."""
+    protrusions = cdist(points, centers) - depths
+    owner = protrusions.argmin(axis=1)
+    return protrusions[np.arange(len(protrusions)), owner], owner
 
 
 def fit(
@@ -227,82 +227,77 @@ def fit(
     most: int,
     report: Callable[[int], None] = lambda done: None,
 ) -> list[Spheres]:
-    """Spheres for each solid, with one margin for all, and at most ``most`` of them together.
+    """Spheres for each solid, with a common margin and at most ``most`` spheres together.
 
     Args:
-        margin: the least, in m; a larger one is taken where that needs more spheres.
-        most: of all solids together, but at least one of each.
-        report: called with the number of solids done.
+        margin: least margin in m; it is increased if more spheres would be needed.
+        most: number for all solids together, but at least one for each.
+        report: called with the number of finished solids.
     """
     if not coverings:
         return []
     chosen = _choose(coverings, margin, most)
-    found = []
+    fits = []
     for covering, candidates in zip(coverings, chosen, strict=True):
-        found.append(covering.refined(candidates))
-        report(len(found))
-    for _ in range(most - sum(map(len, chosen))):  # spent where spheres stick out most
-        worst = max(range(len(found)), key=lambda number: found[number][1])
-        least = found[worst][1]
+        fits.append(covering.refined(candidates))
+        report(len(fits))
+    for _ in range(most - sum(map(len, chosen))):  # for the solid with the largest margin
+        worst = max(range(len(fits)), key=lambda number: fits[number][1])
+        least = fits[worst][1]
         if least <= margin:
             break
-        chosen[worst].append(coverings[worst].further(chosen[worst], _CLOSER * least))
-        found[worst] = min(found[worst], coverings[worst].refined(chosen[worst]), key=itemgetter(1))
-    return [spheres for spheres, _ in found]
+        chosen[worst].append(coverings[worst].next_candidate(chosen[worst], _CLOSER * least))
+        fits[worst] = min(fits[worst], coverings[worst].refined(chosen[worst]), key=itemgetter(1))
+    return [spheres for spheres, _ in fits]
 
 
 def _choose(coverings: Sequence[Covering], margin: float, most: int) -> list[list[int]]:
-    """The candidates that cover each solid, with one margin for all, and at most ``most`` of them.
-
-    Args:
-        margin: the least; a larger one is taken where that needs more spheres.
-        most: of all solids together, but at least one of each.
-    """
+    """Candidates for each solid with the least sufficient margin; arguments as for `fit`."""
     low = high = margin
-    while not (found := _chosen(coverings, high, most)):
+    while not (chosen := _choose_with_margin(coverings, high, most)):
         low, high = high, 2 * high
     while high > _CLOSE * low:
         middle = (low * high) ** 0.5
-        if fewer := _chosen(coverings, middle, most):
-            found, high = fewer, middle
+        if smaller := _choose_with_margin(coverings, middle, most):
+            chosen, high = smaller, middle
         else:
             low = middle
-    return found
+    return chosen
 
 
-def _chosen(coverings: Sequence[Covering], margin: float, most: int) -> list[list[int]]:
-    """The candidates of each solid that cover it with a margin; nothing if they are too many."""
-    found: list[list[int]] = []
+def _choose_with_margin(coverings: Sequence[Covering], margin: float, most: int) -> list[list[int]]:
+    """Candidates of each solid that cover it with a margin; empty if there are too many."""
+    chosen: list[list[int]] = []
     for number, covering in enumerate(coverings, 1):
-        left = most - sum(map(len, found)) - (len(coverings) - number)
-        found.append(covering.chosen(margin, max(left, 1)))
-        if not found[-1]:
+        available = most - sum(map(len, chosen)) - (len(coverings) - number)
+        chosen.append(covering.choose(margin, max(available, 1)))
+        if not chosen[-1]:
             return []
-    return found
+    return chosen
 
 
 def _greedy(covers: Flags, allowed: int, most: int) -> list[int]:
-    """The columns of flags (k, n) that together leave out no more rows than is allowed.
+    """Columns of flags (k, n) that together cover all but ``allowed`` rows.
 
     Returns:
-        Nothing if more than so many are needed.
+        Empty if more than ``most`` columns are needed.
     """
-    left = np.ones(len(covers), dtype=bool)
+    uncovered = np.ones(len(covers), dtype=bool)
     gains = covers.sum(axis=0)
     chosen: list[int] = []
-    while np.count_nonzero(left) > allowed:
+    while np.count_nonzero(uncovered) > allowed:
         best = int(gains.argmax())
         if len(chosen) == most or not gains[best]:
             return []
         chosen.append(best)
-        new = covers[:, best] & left
-        left &= ~new
+        new = covers[:, best] & uncovered
+        uncovered &= ~new
         gains -= covers[new].sum(axis=0)
     return chosen
 
 
 def _pruned(covers: Flags, chosen: list[int], allowed: int) -> list[int]:
-    """Fewer columns, if after one is removed some swaps with others make up for it."""
+    """Fewer columns, if swaps with other columns make up for a removed one."""
     best = chosen
     while len(best) > 1:
         chosen = list(best)

@@ -1,4 +1,4 @@
-"""How well spheres stand for a solid, by samples of their own and exact triangles."""
+"""Quality of spheres that approximate a solid, by independent samples and exact triangles."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from urdfkit.mesh.geometry import Floats, areas
 from urdfkit.mesh.inside import are_inside, points_inside
 from urdfkit.mesh.sphere_fitting import Spheres
 
-#: Lines through the inside, points of the surface, and of each sphere.
+#: Lines through the inside, points on the surface, points on each sphere.
 _COLUMNS, _SURFACE, _ON_SPHERE = 1200, 3000, 100
 _SEED = 23
 
 
 class SphereQuality(Record):
-    """How well spheres cover a link or a robot; the names are cuRobo's.
+    """Quality of the spheres of a link or a robot; the names are cuRobo's.
 
     Source of the definitions: https://nvlabs.github.io/curobo/latest/reference/sphere_fitting.html
     """
@@ -27,14 +27,14 @@ class SphereQuality(Record):
     spheres: int
     volume: float  # of the solid, in m^3
     area: float  # of its surface, in m^2
-    coverage: float  # the part of the inside that lies in a sphere, from 0 to 1
-    surface_coverage: float  # the part of the surface that does
-    max_uncovered_gap: float  # the greatest distance from the surface to the spheres, in m
-    #: How far points of the spheres that are outside of the solid are from it, in m.
+    coverage: float  # part of the inside that lies in a sphere, from 0 to 1
+    surface_coverage: float  # part of the surface that lies in a sphere
+    max_uncovered_gap: float  # greatest distance from the surface to the spheres, in m
+    #: Distances from the solid of points on the spheres that are outside of it, in m.
     protrusion_mean: float
     protrusion_p95: float
     protrusion_max: float
-    protrusions: Floats  # (n,), from which these are
+    protrusions: Floats  # (n,), all distances
 
     @property
     def facts(self) -> dict[str, float]:
@@ -42,12 +42,12 @@ class SphereQuality(Record):
 
 
 def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
-    """Compare spheres with the solid that they stand for.
+    """Compare spheres with the solid that they approximate.
 
     Args:
         triangles: (m, 3, 3), of closed surfaces in m.
     """
-    turned = triangles[:, :, [1, 2, 0]]  # lines along another axis than the fit has used
+    turned = triangles[:, :, [1, 2, 0]]  # lines along another axis than in the fit
     inside, volume = points_inside(turned, _COLUMNS, _SEED)
     surface, _ = sample_surface(triangles, _SURFACE)
     inner = inside[:, [2, 0, 1]] if len(inside) else surface
@@ -72,15 +72,15 @@ def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
 
 def total(parts: Sequence[SphereQuality]) -> SphereQuality:
     """The quality for all links: coverage by volume and by area, protrusion over all points."""
-    volumes, surfaces = np.array([(one.volume, one.area) for one in parts]).T
+    volumes, surfaces = np.array([(part.volume, part.area) for part in parts]).T
     return _quality(
-        sum(one.spheres for one in parts),
+        sum(part.spheres for part in parts),
         float(volumes.sum()),
         float(surfaces.sum()),
-        float(np.average([one.coverage for one in parts], weights=volumes)),
-        float(np.average([one.surface_coverage for one in parts], weights=surfaces)),
-        max(one.max_uncovered_gap for one in parts),
-        np.concatenate([one.protrusions for one in parts]),
+        float(np.average([part.coverage for part in parts], weights=volumes)),
+        float(np.average([part.surface_coverage for part in parts], weights=surfaces)),
+        max(part.max_uncovered_gap for part in parts),
+        np.concatenate([part.protrusions for part in parts]),
     )
 
 
@@ -93,12 +93,11 @@ def _quality(
     gap: float,
     beyond: Floats,
 ) -> SphereQuality:
-    some = beyond if len(beyond) else np.zeros(1)
-    mean, p95, most = float(some.mean()), float(np.quantile(some, 0.95)), float(some.max())
+    values = beyond if len(beyond) else np.zeros(1)
+    mean, p95, most = float(values.mean()), float(np.quantile(values, 0.95)), float(values.max())
     return SphereQuality(number, volume, area, coverage, surface, gap, mean, p95, most, beyond)
 
 
 def _to_spheres(points: Floats, spheres: Spheres) -> Floats:
-    """(n,), how far points are from the nearest sphere; negative inside of one."""
-    distances: Floats = (cdist(points, spheres.centers) - spheres.radii).min(axis=1)
-    return distances
+    """(n,), distances of points from the nearest sphere; negative inside."""
+    return np.asarray((cdist(points, spheres.centers) - spheres.radii).min(axis=1))

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from PIL import Image
 
-#: Pillow reads more: for PostScript it starts Ghostscript, which a model must not choose.
+#: Pillow reads more formats; a model must not make it start Ghostscript for PostScript.
 FORMATS = ("PNG", "JPEG", "BMP", "GIF", "TIFF", "TGA", "WEBP", "DDS")
 
 
@@ -16,11 +16,11 @@ def opened(data: bytes) -> Iterator[Image.Image]:
     """The image in a file; its pixels are decoded when they are needed.
 
     Raises:
-        ValueError: it is not a readable image of these formats, or too large to be a texture.
+        ValueError: the file is not a readable image of these formats, or too large for a texture.
     """
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # about damaged files, of which the error tells
+            warnings.simplefilter("ignore")  # about damaged files, which the error reports
             with Image.open(io.BytesIO(data), formats=FORMATS) as image:
                 yield image
     except (OSError, SyntaxError, EOFError, Image.DecompressionBombError) as error:

@@ -1,4 +1,4 @@
-"""Meshes moved, turned and stretched."""
+"""Rigid transforms and scaling of meshes."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 
 
 def moved(mesh: Mesh, frame: Transform) -> Mesh:
-    """A mesh given in a frame, in the parent of that frame."""
+    """A mesh transformed from a frame to its parent frame."""
     rows, position = np.asarray(frame.rotation), np.asarray(frame.position)
     return mesh._replace(
         parts=tuple(
@@ -21,21 +21,20 @@ def moved(mesh: Mesh, frame: Transform) -> Mesh:
 
 
 def scaled(mesh: Mesh, factors: Vector) -> Mesh:
-    """A mesh stretched along x, y and z; one that becomes its mirror image is turned outwards.
+    """A mesh scaled along x, y and z; a mirrored mesh keeps its outside.
 
     Args:
-        mesh: any.
-        factors: none of them zero.
+        factors: not zero.
     """
     stretch = np.asarray(factors, dtype=float)
     return mesh._replace(parts=tuple(scaled_part(part, stretch) for part in mesh.parts))
 
 
 def scaled_part(part: MeshPart, stretch: Floats) -> MeshPart:
-    """A part stretched along x, y and z, (3,); a factor may be zero."""
+    """A part scaled along x, y and z, (3,); a factor may be zero."""
     normals, mirrored = part.normals, np.prod(np.sign(stretch)) < 0
     if normals is not None:
-        # About 1 large first, and none too small, so that no square overflows.
+        # Normalised to about 1 first, and not too small, so that squares do not overflow.
         ratio = np.where(stretch == 0, 1.0, stretch / (np.abs(stretch).max() or 1.0))
         normals = normals / np.copysign(np.maximum(np.abs(ratio), 1e-100), ratio)
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -47,17 +46,17 @@ def scaled_part(part: MeshPart, stretch: Floats) -> MeshPart:
 
 
 def in_metres(mesh: Mesh) -> Mesh:
-    """A mesh with its unit of length applied, as RViz and Gazebo do."""
+    """A mesh in metres: its unit of length is applied, as in RViz and Gazebo."""
     if mesh.unit == 1.0:
         return mesh
     return scaled(mesh, (mesh.unit,) * 3)._replace(unit=1.0)
 
 
 def upright(mesh: Mesh) -> Mesh:
-    """A mesh turned so that what its file calls upwards is z.
+    """A mesh rotated so that its up axis is z.
 
-    RViz and Gazebo do not turn COLLADA, Bullet and Blender do; Gazebo does not turn glTF, RViz does
-    since 15.1.4. As COLLADA, OBJ or STL it then means the same to all.
+    RViz and Gazebo do not rotate COLLADA, Bullet and Blender do; Gazebo does not rotate glTF, RViz
+    does since 15.1.4. Written as COLLADA, OBJ or STL, the result is the same in all programs.
     """
     rows = {
         "Y_UP": ((1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),

@@ -1,4 +1,4 @@
-"""The solid that MuJoCo takes the triangles of a mesh for, whichever way they look."""
+"""The solid by which MuJoCo computes the inertia of a mesh, regardless of triangle orientation."""
 
 import numpy as np
 
@@ -7,14 +7,14 @@ from urdfkit.mesh.measures import Uniform
 
 
 def unsigned_solid(vertices: Floats, faces: Integers) -> Uniform | None:
-    """The tetrahedra between the middle of a surface and its triangles, each counted as positive.
+    """Sum of the tetrahedra between the centre of a surface and its triangles, all positive.
 
-    What lies behind a dent counts more than once. Source: MuJoCo's mesh inertia ``legacy``, which
-    its URDF reader leaves on: https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh
+    The volume behind a dent counts more than once. Source: MuJoCo's mesh inertia ``legacy``, which
+    its URDF reader uses: https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh
 
     Args:
         vertices: (n, 3).
-        faces: (m, 3), indices of them.
+        faces: (m, 3), indices of vertices.
 
     Returns:
         None if the tetrahedra have no volume.
@@ -41,6 +41,6 @@ def unsigned_solid(vertices: Floats, faces: Integers) -> Uniform | None:
 
 
 def _volumes(corners: Floats) -> Floats:
-    """(m,), of the tetrahedra between the origin and triangles (m, 3, 3)."""
+    """(m,), volumes of the tetrahedra between the origin and triangles (m, 3, 3)."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     return np.asarray(np.abs(np.einsum("ij,ij->i", a, np.cross(b, c))) / 6)

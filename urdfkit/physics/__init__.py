@@ -1,1 +1,1 @@
-"""What needs Pinocchio or coal: dynamics, self-collision, poses."""
+"""Gravity loads, dynamics by Pinocchio, self-collisions by coal, and poses."""

@@ -1,8 +1,8 @@
 """The gravity loads of joints, and the poses in which they are largest.
 
-In the angle ``q`` of another joint a torque is ``c + a cos q + b sin q``, and in the way of a slide
-it is linear: the best position of one joint, the others held, is a closed form. A sweep finds it
-for all joints above and below, one after another, at a cost that grows with their number.
+In the angle ``q`` of another joint, a torque is ``c + a cos q + b sin q``; in the position of a
+prismatic joint, it is linear. So the best position of one joint, with the others fixed, is a closed
+form. A sweep computes it for all joints above and below, one after another, in linear time.
 """
 
 from __future__ import annotations
@@ -14,53 +14,52 @@ from math import pi
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, rotate, times
-from urdfkit.physics.gravity_model import UP, GravityModel, rest, turned
+from urdfkit.physics.gravity_model import UP, GravityModel, rest, rotated
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.kinematics import best_angle
 
-#: Climbs for each joint, and sweeps of one.
+#: Climbs (local searches) for each joint, and sweeps of each climb.
 CLIMBS, SWEEPS = 24, 30
 
-#: Steps of all climbs together: an arm needs some hundreds, and a chain of a hundred joints is no
-#: robot that is worth seconds.
+#: Steps of all climbs together: an arm needs some hundreds; a chain of a hundred joints is not a
+#: real robot.
 BUDGET = 60_000
 
-#: Joints up to which the worst pose is searched, which takes the square of their number; the loads
-#: of more joints are those at zero.
+#: Most joints for which the worst pose is searched, in quadratic time; with more joints, the loads
+#: at zero are returned.
 MAX_SEARCHED = 300
 
-#: A pose is reported without what changes its torque by less than this part.
+#: Joints that change the torque by less than this part are omitted from a reported pose.
 ASIDE = 1e-4
 
-#: Joints of a pose up to which those at rest are left out, which takes the square of their number.
+#: Most joints for which such joints are searched, in quadratic time.
 MAX_RESTED = 50
 
-#: Positions that are tried of joints that others mimic, in rounds, each in a smaller part of the
-#: limits.
+#: Candidate positions of joints that others mimic, rounds, and factor of the range in each round.
 _TRIALS, _ROUNDS, _NARROWER = 17, 6, 0.25
 
-#: Climbs that go on with such trials.
+#: Climbs that are refined with such candidates.
 _REFINED = 3
 
-#: A sweep or a round that gains less, relatively, is the last.
+#: Relative gain below which a search ends.
 _LEAST = 1e-9
 
 
 class Load(Record):
     """The gravity load of one joint."""
 
-    joint: str  # its name
-    effort: float | None  # what it can exert, in N·m or N; None where the model does not say
-    at_zero: float  # what it holds with all joints at zero; the sign is that of its axis
-    at_pose: float  # what it holds at the pose that was asked for; that at zero if none was
-    worst: float  # the largest of all poses, without sign: the effort that suffices
-    #: In which it does, in rad or m; joints that hardly matter there are at rest, and those at 0,
-    #: or on another branch of the tree, are left out.
+    joint: str
+    effort: float | None  # effort limit, in N·m or N; None if the model defines none
+    at_zero: float  # load with all joints at zero, with the sign of the axis
+    at_pose: float  # load in the requested pose; by default, at zero
+    worst: float  # largest absolute load of all poses: the sufficient effort
+    #: The pose of the largest load, in rad or m; joints that hardly matter are at rest, and joints
+    #: at 0 or on another branch of the tree are omitted.
     pose: dict[str, float]
 
     @property
     def used(self) -> float | None:
-        """The part of its effort that the worst pose takes."""
+        """The part of the effort limit that the worst pose requires."""
         return None if self.effort is None else self.worst / self.effort
 
     @property
@@ -74,7 +73,7 @@ class _Climb:
 
     Args:
         start: positions of joints.
-        budget: steps after which no sweep begins.
+        budget: number of steps after which no sweep begins.
     """
 
     def __init__(
@@ -92,16 +91,16 @@ class _Climb:
             for number in (*self._paths[target], *model.below(target))
         )
         self._names.pop("", None)
-        self.steps = 0  # bodies that were looked at
+        self.steps = 0  # number of visited bodies
         self._budget = budget
         value = self._value()
         self._sign = 1.0 if value >= 0 else -1.0
-        self.torque = abs(value)  # what was found, without sign, in units of gravity
+        self.torque = abs(value)  # largest torque so far, divided by g
         if len(self._targets) == 1:
             self._climb()
 
     def refine(self) -> None:
-        """Try positions of the joints that others mimic, and of all if others mimic this one."""
+        """Try positions of the joints that others mimic, or of all if others mimic this one."""
         several = len(self._targets) > 1
         names = [name for name in self._names if several or len(self._model.moved[name]) > 1]
         for number in range(_ROUNDS if names else 0):
@@ -113,7 +112,7 @@ class _Climb:
                 self._climb()
 
     def _trials(self, name: str, part: float) -> list[float]:
-        """The best position, or several in a part of the limits if others mimic the joint."""
+        """The best position, or several candidates in a part of the range of a mimicked joint."""
         low, high = self._model.spans[name]
         if not self._is_free(name):
             reach = part * (high - low)
@@ -126,62 +125,65 @@ class _Climb:
         return [best_angle(first - middle, second - middle, (low, high))]
 
     def rested(self) -> dict[str, float]:
-        """The positions that are not 0, with all joints at rest that hardly change the torque."""
+        """The nonzero positions, after joints that hardly change the torque were moved to rest."""
         slack = ASIDE * self.torque
         for name in self._names if len(self._names) <= MAX_RESTED else ():
-            kept, now = self._pose[name], self._sign * self._value()
-            loss = now - self._value_at(name, rest(self._model.spans[name]))
+            position, value = self._pose[name], self._sign * self._value()
+            loss = value - self._value_at(name, rest(self._model.spans[name]))
             if loss > slack:
-                self._move(name, kept)
+                self._move(name, position)
             else:
                 slack -= loss
         return {name: self._pose[name] for name in self._names if self._pose[name]}
 
     def _climb(self) -> None:
-        """Sweep until nothing is gained."""
+        """Sweep until there is no gain."""
         for _ in range(SWEEPS):
             before, self.torque = self.torque, self._sweep()
             if self.torque <= before * (1 + _LEAST) or self.steps > self._budget:
                 break
 
     def _sweep(self) -> float:
-        """Choose the position of each joint that moves alone, below and above; the torque then."""
+        """Choose the best position of each unmimicked joint, below and above; return the torque."""
         (target,) = self._targets
-        way, body = self._paths[target], self._bodies[target]
-        self.steps += len(way) + len(self._model.below(target))
-        befores, up = self._ups(way)
+        path, body = self._paths[target], self._bodies[target]
+        self.steps += len(path) + len(self._model.below(target))
+        directions, up = self._ups(path)
         moment = body.moment
         if body.turns:
             moment = self._moment(target, times(cross(up, body.axis), self._sign))
-        wanted = times(self._model.lever(target, moment), self._sign)
-        for number, before in zip(reversed(way), reversed(befores), strict=True):
-            one = self._bodies[number]
-            if one.turns:
-                self._choose(number, before, wanted)
-                wanted = turned(one, wanted, self._places[number])
-            wanted = rotate(one.at.rotation, wanted)
-        return wanted[2]
+        lever = times(self._model.lever(target, moment), self._sign)
+        for number, direction in zip(reversed(path), reversed(directions), strict=True):
+            joint_body = self._bodies[number]
+            if joint_body.turns:
+                self._choose(number, direction, lever)
+                lever = rotated(joint_body, lever, self._places[number])
+            lever = rotate(joint_body.at.rotation, lever)
+        return lever[2]
 
-    def _moment(self, target: int, wanted: Vector | None = None) -> Vector:
-        """Of all that a body carries; the positions are chosen for its part along a vector."""
+    def _moment(self, target: int, along: Vector | None = None) -> Vector:
+        """First moment of a body and its descendants.
+
+        If ``along`` is given, positions are chosen that maximise the component along this vector.
+        """
         below = self._model.below(target)
         moments = {number: self._bodies[number].moment for number in below}
-        befores: dict[int, Vector] = {}
-        along = {target: wanted or ORIGIN}
-        for number in below[1:] if wanted else ():
+        directions: dict[int, Vector] = {}
+        local = {target: along or ORIGIN}
+        for number in below[1:] if along else ():
             body = self._bodies[number]
-            befores[number] = rotate(body.back, along[body.parent])
-            along[number] = turned(body, befores[number], -self._places[number])
+            directions[number] = rotate(body.back, local[body.parent])
+            local[number] = rotated(body, directions[number], -self._places[number])
         for number in reversed(below[1:]):
-            if wanted:
-                self._choose(number, befores[number], moments[number])
-            self._model.hand_up(number, self._places[number], moments)
+            if along:
+                self._choose(number, directions[number], moments[number])
+            self._model.add_to_parent(number, self._places[number], moments)
         return moments[target]
 
     def _choose(self, number: int, x: Vector, y: Vector) -> None:
-        """Move the joint of a body to where the torque, ``x . R y`` up to a constant, is largest.
+        """Move the joint of a body to maximise the torque, ``x . R y`` up to a constant.
 
-        Of a slide it is ``x . axis`` times the mass that it carries and its way.
+        For a prismatic joint, it is ``x . axis`` times the carried mass and the position.
         """
         body = self._bodies[number]
         name, k = body.law.leader, body.axis
@@ -201,29 +203,29 @@ class _Climb:
         return self._sign * self._value()
 
     def _value(self) -> float:
-        """The torque in units of gravity."""
+        """The torque divided by g."""
         total = 0.0
         for target in self._targets:
             lever = self._model.lever(target, self._moment(target))
             total += self._bodies[target].law.factor * dot(lever, self._ups(self._paths[target])[1])
         return total
 
-    def _ups(self, way: list[int]) -> tuple[list[Vector], Vector]:
-        """The direction upwards in the frame of each joint of a way, and of the last body."""
-        up, befores = UP, []
-        for number in way:
+    def _ups(self, path: list[int]) -> tuple[list[Vector], Vector]:
+        """The upward direction in the frame of each joint of a path, and of the last body."""
+        up, directions = UP, []
+        for number in path:
             body = self._bodies[number]
-            befores.append(rotate(body.back, up))
-            up = turned(body, befores[-1], -self._places[number])
-        return befores, up
+            directions.append(rotate(body.back, up))
+            up = rotated(body, directions[-1], -self._places[number])
+        return directions, up
 
     def _path(self, target: int) -> list[int]:
-        """The bodies from the root, without it, to one of them."""
-        found = []
+        """The bodies from the root (exclusive) to a body."""
+        path = []
         while self._bodies[target].parent >= 0:
-            found.append(target)
+            path.append(target)
             target = self._bodies[target].parent
-        return found[::-1]
+        return path[::-1]
 
     def _move(self, name: str, place: float) -> None:
         self._pose[name] = place
@@ -232,19 +234,19 @@ class _Climb:
             self._places[number] = law.factor * place + law.shift
 
     def _is_free(self, name: str) -> bool:
-        """True for a joint that no other one mimics."""
+        """True for a joint that no other joint mimics."""
         return len(self._model.moved.get(name, ())) == 1
 
 
 def worst(
     model: GravityModel, name: str, starts: Iterable[Mapping[str, float]], budget: int
 ) -> tuple[float, dict[str, float]]:
-    """The largest torque of a joint, without sign, and the positions that matter to it.
+    """The largest absolute torque of a joint, and the positions that matter to it.
 
     Args:
-        name: of a joint that is set by one number.
+        name: name of an independent joint.
         starts: poses in which climbs begin.
-        budget: steps of all climbs; the first one has its first sweep in any case.
+        budget: steps of all climbs; the first climb always has one sweep.
     """
     climbs: list[_Climb] = []
     for start in starts:
@@ -259,7 +261,7 @@ def worst(
 
 
 def is_searched(joints: int) -> bool:
-    """False for so many joints that their loads are those at zero."""
+    """False for too many joints to search for their worst poses."""
     return joints <= MAX_SEARCHED
 
 
@@ -270,26 +272,26 @@ def gravity_loads(
     pose: Mapping[str, float],
     progress: Progress | None = None,
 ) -> list[Load]:
-    """The gravity loads of some joints, those first that use the largest part of their effort.
+    """The gravity loads of joints, sorted by the used part of the effort limit, largest first.
 
     Args:
-        efforts: of the joints that are judged, in N·m or N, by name; None where the model does not
-            say. Joints that cannot be set by one number are left out.
+        efforts: effort limits by joint name, in N·m or N; None if undefined. Joints that are not
+            independent, or have several degrees of freedom, are omitted.
         starts: poses; the first one is zero, and climbs begin in the worst ones.
-        progress: called with the number of joints done and of all.
+        progress: called with the number of finished joints and of all.
     """
     torques = [model.torques(start) for start in starts]
     names = [name for name in model.moved if name in efforts]
     at_pose = model.torques(pose)
     budget = BUDGET // max(1, len(names))
-    found: list[Load] = []
+    loads: list[Load] = []
     for name in names:
         if progress:
-            progress(len(found), len(names))
-        largest, where = abs(torques[0][name]), dict[str, float]()
+            progress(len(loads), len(names))
+        largest, worst_pose = abs(torques[0][name]), dict[str, float]()
         if is_searched(len(names)):
             order = sorted(range(len(starts)), key=lambda n: -abs(torques[n][name]))
-            largest, where = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
-        held = torques[0][name], at_pose[name]
-        found.append(Load(name, efforts[name], *held, largest, where))
-    return sorted(found, key=lambda load: (-(load.used or 0.0), -load.worst))
+            largest, worst_pose = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
+        fixed_loads = torques[0][name], at_pose[name]
+        loads.append(Load(name, efforts[name], *fixed_loads, largest, worst_pose))
+    return sorted(loads, key=lambda load: (-(load.used or 0.0), -load.worst))

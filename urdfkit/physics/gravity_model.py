@@ -1,8 +1,8 @@
 """The moving bodies of a robot, and the gravity torques of its joints in a pose.
 
-With ``u`` the direction upwards and ``s`` the first moment of all mass that a joint carries about
-its origin, both in the frame of its child, a joint that turns about ``a`` holds ``g u . (a x s)``,
-and a slide ``g m a . u``. Lengths in m, angles in rad, masses in kg; the root is held.
+With ``u`` the upward direction and ``s`` the first moment of all mass that a joint carries about
+its origin, both in the frame of its child, a revolute joint about ``a`` bears ``g u . (a x s)``,
+and a prismatic joint ``g m a . u``. Lengths in m, angles in rad, masses in kg; the root is fixed.
 """
 
 from __future__ import annotations
@@ -33,25 +33,25 @@ UP: Vector = (0.0, 0.0, 1.0)
 
 
 class MovingBody(Record):
-    """Links that are fixed to one another and move as one body."""
+    """Links that fixed joints connect to one body."""
 
-    parent: int  # number of the body that carries it; -1 for that of the root
-    at: Transform  # the frame of its joint in that of the parent
-    back: Rotation  # the inverse of the rotation of that frame
+    parent: int  # number of the parent body; -1 for the body of the root
+    at: Transform  # frame of the joint in the parent
+    back: Rotation  # inverse rotation of that frame
     axis: Vector  # of the joint, a unit vector
-    turns: bool  # True for an angle; False for a way, and where nothing moves it
-    law: MimicLaw  # what the position of the joint follows; of no leader if it stays where it is
+    turns: bool  # True for an angle; False for a distance and for an immobile body
+    law: MimicLaw  # of the position of the joint; without a leader for an immobile joint
     mass: float  # of the links
-    moment: Vector  # the first moment of their mass about the origin of the body
+    moment: Vector  # first moment of their mass about the origin of the body
 
 
 class GravityModel:
     """The moving bodies of a robot; two models of the same bodies are equal.
 
     Args:
-        tree: of a sound model.
-        payload: masses that links carry at their origin, besides their own, by name.
-        weightless: names of links whose own mass does not count.
+        tree: of a valid model.
+        payload: additional masses at the origins of links, by link name.
+        weightless: names of links whose own mass is ignored.
     """
 
     def __init__(
@@ -61,20 +61,20 @@ class GravityModel:
         weightless: Collection[str] = (),
     ) -> None:
         joints = tree.model.joints_by_name
-        self.bodies = _bodies(tree, payload or {}, weightless)  # each after that which carries it
-        #: The mass of each body and of all that it carries.
+        self.bodies = _bodies(tree, payload or {}, weightless)  # parents first
+        #: Mass of each body and its descendants.
         self.carried = [body.mass for body in self.bodies]
         self._children: list[list[int]] = [[] for _ in self.bodies]
         for number in range(len(self.bodies) - 1, 0, -1):
             parent = self.bodies[number].parent
             self.carried[parent] += self.carried[number]
             self._children[parent].append(number)
-        #: The bodies that move with each joint that is set by one number, by its name.
+        #: Bodies that move with each independent joint of one degree of freedom, by its name.
         self.moved: dict[str, list[int]] = {}
         for number, body in enumerate(self.bodies):
             if body.law.leader:
                 self.moved.setdefault(body.law.leader, []).append(number)
-        #: From where to where that joint moves.
+        #: Range of each of these joints.
         self.spans = {name: span(joints[name]) for name in self.moved}
         self._key = (tuple(self.bodies), tuple(self.spans.items()))
 
@@ -85,15 +85,15 @@ class GravityModel:
         return hash(self._key)
 
     def below(self, number: int) -> list[int]:
-        """A body and those that it carries, parents before children."""
-        found, left = [], [number]
-        while left:
-            found.append(left.pop())
-            left += reversed(self._children[found[-1]])
-        return found
+        """A body and its descendants, parents before children."""
+        subtree, stack = [], [number]
+        while stack:
+            subtree.append(stack.pop())
+            stack += reversed(self._children[subtree[-1]])
+        return subtree
 
     def torques(self, pose: Mapping[str, float]) -> dict[str, float]:
-        """What each joint holds that is set by one number, in N·m or N, with the sign of its axis.
+        """Load of each independent joint, in N·m or N, with the sign of its axis.
 
         Args:
             pose: positions of these joints; the others are at 0.
@@ -102,10 +102,10 @@ class GravityModel:
         ups = [UP] * len(self.bodies)
         for number, body in enumerate(self.bodies):
             if body.parent >= 0:
-                ups[number] = turned(body, rotate(body.back, ups[body.parent]), -places[number])
+                ups[number] = rotated(body, rotate(body.back, ups[body.parent]), -places[number])
         moments = {number: body.moment for number, body in enumerate(self.bodies)}
         for number in range(len(self.bodies) - 1, 0, -1):
-            self.hand_up(number, places[number], moments)
+            self.add_to_parent(number, places[number], moments)
         return {
             name: GRAVITY
             * sum(self.bodies[n].law.factor * dot(self.lever(n, moments[n]), ups[n]) for n in moved)
@@ -113,8 +113,8 @@ class GravityModel:
         }
 
     def starts(self, samples: int, seed: int) -> list[dict[str, float]]:
-        """Zero, or what is nearest to it; all joints at their ends; poses drawn between these."""
-        from random import Random  # which takes 2 ms to import
+        """Zero; the nearest valid pose to it; all joints at their limits; and random poses."""
+        from random import Random  # takes 2 ms to import
 
         random = Random(seed)
         spans = self.spans.items()
@@ -129,31 +129,31 @@ class GravityModel:
         return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
 
     def lever(self, number: int, moment: Vector) -> Vector:
-        """The vector whose part upwards is the torque or force of a joint, without gravity."""
+        """The vector whose upward component times g is the torque or force of a joint."""
         body, mass = self.bodies[number], self.carried[number]
         return cross(body.axis, moment) if body.turns else times(body.axis, mass)
 
-    def hand_up(self, number: int, place: float, moments: dict[int, Vector]) -> None:
-        """Add the moment of a body, at a position of its joint, to that of the one below it."""
+    def add_to_parent(self, number: int, place: float, moments: dict[int, Vector]) -> None:
+        """Add the moment of a body, at a position of its joint, to the moment of its parent."""
         body, mass = self.bodies[number], self.carried[number]
-        moved = turned(body, moments[number], place)
+        moved = rotated(body, moments[number], place)
         if not body.turns:
             moved = plus(moved, times(body.axis, place * mass))
         moved = rotate(body.at.rotation, moved)
-        whole = plus(moments[body.parent], plus(moved, times(body.at.position, mass)))
-        moments[body.parent] = whole
+        moved = plus(moved, times(body.at.position, mass))
+        moments[body.parent] = plus(moments[body.parent], moved)
 
 
 def _bodies(
     tree: KinematicTree, payload: Mapping[str, float], weightless: Collection[str]
 ) -> list[MovingBody]:
-    """The bodies of a tree, each after that which carries it."""
+    """The bodies of a tree, parents first."""
     followed = laws(tree.model.joints_by_name)
     joints = tree.model.joints_by_name
     placed: dict[str, tuple[int, Transform]] = {}
-    found: list[MovingBody] = []
+    bodies: list[MovingBody] = []
     for body in rigid_bodies(tree):
-        placed.update((link.name, (len(found), frame)) for link, frame in body.links)
+        placed.update((link.name, (len(bodies), frame)) for link, frame in body.links)
         mass, moment = _load(body, payload, weightless)
         joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
         if joint is not None:
@@ -164,14 +164,14 @@ def _bodies(
                 if law.leader not in joints or joints[law.leader].kind not in (*TURNING, *SLIDING):
                     law = MimicLaw("", 0.0, law.shift)
         back = transposed(at.rotation)
-        found.append(MovingBody(parent, at, back, axis, turns, law, mass, moment))
-    return found
+        bodies.append(MovingBody(parent, at, back, axis, turns, law, mass, moment))
+    return bodies
 
 
 def _load(
     body: RigidBody, payload: Mapping[str, float], weightless: Collection[str]
 ) -> tuple[float, Vector]:
-    """The mass of a body and its payload in kg, and their first moment in the frame of its top."""
+    """Mass of a body with payload, and its first moment in the frame of its topmost link."""
     mass, moment = 0.0, ORIGIN
     for link, frame in body.links:
         own = 0.0 if link.name in weightless else link.mass
@@ -188,8 +188,8 @@ def rest(ends: tuple[float, float]) -> float:
     return min(max(0.0, ends[0]), ends[1])
 
 
-def turned(body: MovingBody, vector: Vector, angle: float) -> Vector:
-    """A vector turned about the axis of a body's joint, if it turns (Rodrigues' formula)."""
+def rotated(body: MovingBody, vector: Vector, angle: float) -> Vector:
+    """A vector rotated about the axis of a body's joint, if it is revolute (Rodrigues' formula)."""
     if not body.turns or not angle:
         return vector
     c, s, k = cos(angle), sin(angle), body.axis

@@ -1,7 +1,7 @@
-"""Poses: the positions of joints, as people give them.
+"""Poses: user-defined positions of joints.
 
-A pose file is YAML or JSON with a position by the name of each joint, in rad or m; ``90deg`` is
-an angle in degrees. A group state in the SRDF of the robot's package is a named pose.
+A pose file is YAML or JSON that maps joint names to positions in rad or m; ``90deg`` is an angle in
+degrees. A group state in the SRDF of the robot's package is a named pose.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from urdfkit.ros import RosDescription
     from urdfkit.ros.moveit.srdf import Srdf
 
-#: Larger files are not pose files.
+#: Size limit of pose files.
 MAX_BYTES = 1024 * 1024
 
 _DEGREES = ("deg", "°")
-#: Characters of a wrong value in a message.
+#: Most characters of an invalid value in a message.
 _LONGEST = 40
 
 
 class PoseError(UrdfkitError):
-    """A pose that cannot be taken: no such file, joint or state, or no number."""
+    """An invalid pose: a missing file, joint or state, or a value that is not a number."""
 
 
 def pose(
@@ -41,7 +41,7 @@ def pose(
     joints: Mapping[str, str | float] | None = None,
     name: str | None = None,
 ) -> dict[str, float]:
-    """The positions that a pose gives to joints, in rad or m; the other joints are at 0.
+    """The joint positions of a pose, in rad or m; the other joints are at 0.
 
     >>> from urdfkit.lint.loading import read
     >>> arm = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
@@ -50,29 +50,29 @@ def pose(
 
     Args:
         description: the robot.
-        joints: positions by joint, numbers or text such as ``90deg``; they win over ``name``.
-        name: a pose file; or a state of the SRDF of its package (``ready``, ``arm/ready``), or
-            of another one (``arm.srdf:ready``).
+        joints: positions by joint, numbers or text such as ``90deg``; they override ``name``.
+        name: a pose file; or a state of the SRDF of the robot's package (``ready``,
+            ``arm/ready``), or of another SRDF (``arm.srdf:ready``).
 
     Raises:
-        PoseError: there is no such file, state or joint, or a value is no position.
+        PoseError: the file, state or joint does not exist, or a value is not a position.
     """
-    found = _named(description, name) if name else {}
-    return found | _positions(description.tree, joints or {})
+    positions = _named(description, name) if name else {}
+    return positions | _positions(description.tree, joints or {})
 
 
-def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]:
-    """A sentence for each joint that a pose takes beyond its limits."""
-    found = []
-    for name, position in given.items():
+def outside_limits(tree: KinematicTree, positions: Mapping[str, float]) -> list[str]:
+    """A sentence for each joint that is outside its limits."""
+    sentences = []
+    for name, position in positions.items():
         ends = bounds(tree.model.joints_by_name[name])
         if ends and not ends[0] - 1e-9 <= position <= ends[1] + 1e-9:
-            of = unit(tree.model.joints_by_name[name])
-            found.append(
-                f"joint '{name}' at {position:.4g} {of} is outside its limits "
-                f"{ends[0]:.4g} to {ends[1]:.4g} {of}"
+            symbol = unit(tree.model.joints_by_name[name])
+            sentences.append(
+                f"joint '{name}' at {position:.4g} {symbol} is outside its limits "
+                f"{ends[0]:.4g} to {ends[1]:.4g} {symbol}"
             )
-    return found
+    return sentences
 
 
 def _named(description: RosDescription, name: str) -> dict[str, float]:
@@ -99,11 +99,11 @@ def _srdf(description: RosDescription, path: str) -> Srdf:
 
 
 def _states(srdf: Srdf) -> dict[str, dict[str, str]]:
-    """The positions in every state, by ``group/state`` and by ``state`` for all groups alike.
+    """The positions of every state, by ``group/state``, and by ``state`` of all groups together.
 
-    Joints of more than one degree of freedom are left out, and what MoveIt would reject.
+    Joints of several degrees of freedom and entries that MoveIt rejects are omitted.
     """
-    found: dict[str, dict[str, str]] = {}
+    positions: dict[str, dict[str, str]] = {}
     for state in srdf.states:
         own = {
             joint.get("name") or "": joint.get("value") or ""
@@ -113,8 +113,8 @@ def _states(srdf: Srdf) -> dict[str, dict[str, str]]:
         }
         name = state.get("name") or ""
         for key in (name, f"{state.get('group')}/{name}"):
-            found[key] = found.get(key, {}) | own
-    return found
+            positions[key] = positions.get(key, {}) | own
+    return positions
 
 
 def _is_posable(tree: KinematicTree, name: str) -> bool:
@@ -123,13 +123,13 @@ def _is_posable(tree: KinematicTree, name: str) -> bool:
 
 
 def _read(path: str) -> dict[str, str]:
-    """The positions in a pose file, as they are written."""
+    """The positions in a pose file, as text."""
     source = Source.read(path)
     if len(source.data) > MAX_BYTES:
         raise PoseError(f"{path}: larger than {MAX_BYTES // 2**20} MiB")
     import yaml
 
-    text = source.data.decode("utf-8", "replace").replace("\t", " ")  # which JSON may hold
+    text = source.data.decode("utf-8", "replace").replace("\t", " ")  # valid in JSON only
     try:
         root = yaml.compose(text, yaml.SafeLoader)
     except RecursionError as error:
@@ -139,38 +139,36 @@ def _read(path: str) -> dict[str, str]:
     if not isinstance(root, yaml.MappingNode) or any(
         not isinstance(key, yaml.ScalarNode) for key, _ in root.value
     ):
-        raise PoseError(f"{path}: it must hold one 'joint: position' a line, as YAML or JSON")
-    found: dict[str, str] = {}
+        raise PoseError(f"{path}: not a YAML or JSON mapping of joints to positions")
+    positions: dict[str, str] = {}
     for key, value in root.value:
         name = key.value
-        if name in found:
-            raise PoseError(f"{path}: joint '{name}' is given twice")
-        found[name] = value.value if isinstance(value, yaml.ScalarNode) else f"a {value.id}"
-    return found
+        if name in positions:
+            raise PoseError(f"{path}: joint '{name}' is defined twice")
+        positions[name] = value.value if isinstance(value, yaml.ScalarNode) else f"a {value.id}"
+    return positions
 
 
-def _positions(tree: KinematicTree, given: Mapping[str, str | float]) -> dict[str, float]:
-    """Positions in rad or m of joints that can take them.
+def _positions(tree: KinematicTree, values: Mapping[str, str | float]) -> dict[str, float]:
+    """Positions in rad or m.
 
     Raises:
-        PoseError: a name is no such joint, or a value no position.
+        PoseError: a joint does not exist or cannot be set, or a value is not a position.
     """
-    found = {}
-    for name, value in given.items():
+    positions = {}
+    for name, value in values.items():
         joint = tree.model.joints_by_name.get(name)
         if joint is None:
             suggested = did_you_mean(name, tree.model.joints_by_name)
             raise PoseError(f"no joint '{name}'{suggested}")
         if joint.leader:
-            raise PoseError(
-                f"joint '{name}' follows '{joint.leader}'; give the position of that one"
-            )
+            raise PoseError(f"joint '{name}' mimics '{joint.leader}'; set '{joint.leader}' instead")
         if joint.kind not in (*TURNING, *SLIDING):
             is_free = joint.kind in DEGREES_OF_FREEDOM
-            why = "takes several numbers, and stays at its origin" if is_free else "does not move"
+            why = "has several degrees of freedom and cannot be set" if is_free else "does not move"
             raise PoseError(f"joint '{name}' is {joint.kind or 'without a type'}: it {why}")
-        found[name] = _position(name, value, turns=joint.kind in TURNING)
-    return found
+        positions[name] = _position(name, value, turns=joint.kind in TURNING)
+    return positions
 
 
 def _position(name: str, value: str | float, *, turns: bool) -> float:
@@ -181,5 +179,5 @@ def _position(name: str, value: str | float, *, turns: bool) -> float:
         text = text if len(text) < _LONGEST else f"{text[:_LONGEST]}..."
         raise PoseError(f"joint '{name}': '{text}' is not a position; write 1.57, 90deg or 0.1")
     if degrees and not turns:
-        raise PoseError(f"joint '{name}' slides; write its position in m, not in degrees")
+        raise PoseError(f"joint '{name}' is prismatic; write its position in m, not in degrees")
     return position * pi / 180 if degrees else position

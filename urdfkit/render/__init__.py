@@ -6,8 +6,8 @@
 >>> render_image(scene, ["iso", "top"], size=(640, 360)).size
 (640, 360)
 
-`build` makes a robot a `Scene` of triangles, and `render_image` an image of it; `place_camera`
-gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
+`build` converts a robot to a `Scene` of triangles, and `render_image` renders it; `place_camera`
+returns a `Camera` that views a scene, and `draw` returns the pixels of its image.
 """
 
 from urdfkit.core.installation import needing

@@ -1,4 +1,4 @@
-"""Robots that move: on a turntable, or one joint from end to end."""
+"""Animations: a robot on a turntable, or a joint that moves through its range."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from urdfkit.lint.context import Context
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions
-from urdfkit.render.image import drawn
+from urdfkit.render.image import render_view
 from urdfkit.render.labels import opaque
 from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
@@ -30,20 +30,20 @@ if TYPE_CHECKING:
 
     from urdfkit.core.progress import Progress
 
-#: What an animation is saved as, by suffix.
+#: Animation formats by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
-#: Images of an animation, and how long each is shown in ms.
+#: Images of an animation, and duration of each in ms.
 FRAMES, DURATION = 48, 70
 
 Shot = tuple[Scene, Camera]
 
 
 class AnimationError(UrdfkitError):
-    """An animation that cannot be made; the text says why."""
+    """An animation cannot be rendered; the text states why."""
 
 
 def swept_circle(points: Floats) -> Floats:
-    """Points (n, 3) that enclose others however these are turned about their vertical middle."""
+    """Points (n, 3) whose hull contains the points in any rotation about their vertical middle."""
     if not len(points):
         return points
     lowest, highest = points.min(axis=0), points.max(axis=0)
@@ -56,7 +56,7 @@ def swept_circle(points: Floats) -> Floats:
 
 
 def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
-    """One turn of a camera about a robot; lamps turn with it, as before a turntable."""
+    """One revolution of a camera and its lamps around a robot, as on a turntable."""
     points = scene.points()
     middle = (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
     shots = []
@@ -73,57 +73,57 @@ def sweep(
     scene: Scene,
     context: Context,
     joint: str,
-    given: dict[str, float] | None = None,
+    pose: dict[str, float] | None = None,
     frames: int = FRAMES,
 ) -> Iterator[tuple[Scene, dict[str, float]]]:
-    """A robot while one joint goes from its lower limit to the upper one and back.
+    """A robot while one joint moves from its lower to its upper limit and back.
 
-    A joint without limits makes one turn.
+    A joint without limits makes one revolution.
 
     Args:
-        given: positions of the others, in rad or m.
-        frames: how many images.
+        pose: positions of the other joints, in rad or m.
+        frames: number of images.
 
     Yields:
-        The scene, and the positions in it.
+        The scene and its joint positions.
 
     Raises:
-        AnimationError: there is no such joint, or it does not move by itself.
+        AnimationError: the joint does not exist or cannot be moved.
     """
-    known = context.model.joints_by_name
-    if joint not in known:
-        raise AnimationError(f"no joint '{joint}'{did_you_mean(joint, list(known))}")
-    one = known[joint]
-    if one.kind not in (*kinematics.TURNING, *kinematics.SLIDING) or one.mimic:
-        raise AnimationError(f"joint '{joint}' is {one.kind or 'of no type'}: it does not sweep")
-    ends = bounds(one)
-    if ends is None and one.kind in kinematics.SLIDING:
-        raise AnimationError(f"joint '{joint}' has no limits to go between")
+    joints = context.model.joints_by_name
+    if joint not in joints:
+        raise AnimationError(f"no joint '{joint}'{did_you_mean(joint, list(joints))}")
+    kind = joints[joint].kind
+    if kind not in (*kinematics.TURNING, *kinematics.SLIDING) or joints[joint].mimic:
+        raise AnimationError(f"joint '{joint}' is {kind or 'of no type'}: it cannot be swept")
+    ends = bounds(joints[joint])
+    if ends is None and kind in kinematics.SLIDING:
+        raise AnimationError(f"joint '{joint}' has no limits")
     for number in range(frames):
         part = number / frames
         if ends is None:
             position = 2 * pi * part
         else:
             position = ends[0] + (ends[1] - ends[0]) * (1 - cos(2 * pi * part)) / 2
-        positions = {**(given or {}), joint: position}
+        positions = {**(pose or {}), joint: position}
         yield scene._replace(frames=kinematics.frames(context.tree, positions)), positions
 
 
 def animated(
     shots: Sequence[Shot], *, progress: Progress | None = None, **drawing: Unpack[DrawingOptions]
 ) -> list[Image.Image]:
-    """The images of an animation, on one floor.
+    """The images of an animation, with a common floor.
 
     Args:
-        shots: what is to be seen, and by which camera.
-        progress: called with the number of images done and of all.
-        drawing: as `draw` takes it.
+        shots: scenes and cameras.
+        progress: called with the number of finished images and of all.
+        drawing: as for `draw`.
     """
     level = min(scene.level() for scene, _ in shots)
     has_background = drawing.get("background", STUDIO) is not None
     images = []
     for number, (scene, camera) in enumerate(shots):
-        image = drawn(scene, camera, level, drawing)
+        image = render_view(scene, camera, level, drawing)
         images.append(image.convert("RGB") if has_background else image)
         if progress is not None:
             progress(number + 1, len(shots))
@@ -137,7 +137,7 @@ def followed(
     size: tuple[int, int],
     **camera_options: Unpack[CameraOptions],
 ) -> list[Shot]:
-    """Scenes with one camera that has all in view; the arguments are those of `place_camera`."""
+    """Scenes with a common camera that views all of them; arguments as for `place_camera`."""
     points = np.concatenate([scene.points() for scene, _ in scenes])
     camera = place_camera(points, view, size=size, **camera_options)
     return [(scene, camera) for scene, _ in scenes]
@@ -147,46 +147,48 @@ def animation_format(path: str | os.PathLike[str]) -> str:
     """Pillow's name for the format of an animation.
 
     Raises:
-        AnimationError: the suffix is of none.
+        AnimationError: the suffix is not supported.
     """
     suffix = os.path.splitext(os.fspath(path))[1].lower()
     if suffix not in FORMATS:
-        raise AnimationError(f"{os.fspath(path)}: an animation is called {', '.join(FORMATS)}")
+        raise AnimationError(
+            f"{os.fspath(path)}: unsupported animation format; use {', '.join(FORMATS)}"
+        )
     return FORMATS[suffix]
 
 
 def save_animation(images: Sequence[Image.Image], path: str | os.PathLike[str]) -> None:
-    """Write images as one that moves and repeats: GIF, WebP or APNG, by the suffix.
+    """Write images as a repeating animation: GIF, WebP or APNG, by the suffix.
 
     Raises:
-        AnimationError: the suffix is another one.
+        AnimationError: the suffix is not supported.
         UnwritableFile: the file cannot be written.
     """
-    form = animation_format(path)
+    format = animation_format(path)
     buffer = io.BytesIO()
-    first, *rest = _with_one_palette(images) if form == "GIF" else images
+    first, *rest = _with_one_palette(images) if format == "GIF" else images
     first.save(
         buffer,
-        form,
+        format,
         save_all=True,
         append_images=rest,
         duration=DURATION,
         loop=0,
-        **({"quality": 85, "method": 4} if form == "WEBP" else {}),
+        **({"quality": 85, "method": 4} if format == "WEBP" else {}),
     )
     atomic.write(path, buffer.getvalue())
 
 
 def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
-    """Images in 256 colours that all of them share, so that still parts stay still."""
+    """Images with a common palette of 256 colours, so that static parts do not flicker."""
     images = [opaque(image) for image in images]
     few = images[:: max(1, len(images) // 8)]
     width, height = few[0].size
     sheet = Image.new("RGB", (width, height * len(few)))
     for number, image in enumerate(few):
         sheet.paste(image, (0, number * height))
-    # The most frequent colours as they are, so that the background is smooth, then the means of
-    # what is frequent, and some from everywhere.
+    # The most frequent colours exactly, so that the background is smooth, then means of frequent
+    # colours, and colours from the whole range.
     packed = np.asarray(sheet.convert("RGBA")).view(np.uint32).reshape(-1)
     found, counts = np.unique(packed, return_counts=True)
     frequent = found[np.argsort(-counts, kind="stable")[:80]]

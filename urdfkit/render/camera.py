@@ -1,4 +1,4 @@
-"""Where an image is taken from. World coordinates in m, z upwards; +x is a robot's front."""
+"""The camera of an image. World coordinates in m, z upwards; +x is a robot's front."""
 
 from math import cos, isfinite, radians, sin, tan
 from typing import NamedTuple, TypedDict
@@ -18,33 +18,31 @@ VIEWS = {
     "top": (0.0, 90.0),
     "bottom": (0.0, -90.0),
 }
-#: Vertical angle of view in degrees: a long lens, which bends a robot little.
+#: Vertical field of view in degrees: a long lens with little distortion.
 FIELD = 28.0
-#: Part of the image that stays free on each side.
+#: Empty part of the image on each side.
 MARGIN = 0.09
-#: Metres on each side of what has no size: frames and joints are drawn there as of 1 m.
+#: Space in m around a point-like robot, whose frames and joints are drawn as for 1 m.
 _ROOM = np.eye(3, dtype=np.float32) / 2
 
-
-#: Pixels of an edge of an image at least; and of a whole one at most, as of a sheet of paper at
-#: 600 dpi.
+#: Least edge of an image in pixels, and most pixels: a sheet of paper at 600 dpi.
 MIN_EDGE, MAX_PIXELS = 16, 40_000_000
 
 
 class NoSuchView(UrdfkitError):
-    """A view that has no name, or numbers that make none."""
+    """An unknown view, or numbers that define none."""
 
 
 class Camera(NamedTuple):
-    """A perspective or parallel camera."""
+    """A perspective or orthographic camera."""
 
-    eye: tuple[float, float, float]  # its place
+    eye: tuple[float, float, float]  # position
     #: Rows are the directions right, up and backwards, in the world.
     axes: tuple[tuple[float, ...], ...]
     size: tuple[int, int]  # width and height of the image in pixels
-    field: float = FIELD  # vertical angle of view in degrees
-    extent: float = 0.0  # height in m of what an orthographic image shows; 0 for a perspective one
-    near: float = 0.01  # distance in m of the plane before which nothing is drawn
+    field: float = FIELD  # vertical field of view in degrees
+    extent: float = 0.0  # height in m of an orthographic image; 0 for perspective
+    near: float = 0.01  # distance of the near plane in m
 
     @property
     def is_orthographic(self) -> bool:
@@ -57,9 +55,9 @@ class Camera(NamedTuple):
         return height / self.extent if self.extent else height / 2 / tan(radians(self.field) / 2)
 
     def to_view(self, rotation: Floats, position: Floats) -> tuple[Floats, Floats]:
-        """A frame of the world as rotation and position in the frame of the camera.
+        """Transform a frame from the world to the camera, as rotation and position.
 
-        There x goes to the right, y upwards and z towards the viewer.
+        In the camera frame, x points right, y up and z towards the viewer.
         """
         axes = np.asarray(self.axes)
         return (
@@ -68,11 +66,11 @@ class Camera(NamedTuple):
         )
 
     def project(self, points: Floats) -> tuple[Floats, Floats, Floats]:
-        """Points (n, 3) of the camera's frame in the image.
+        """Project points (n, 3) from the camera frame to the image.
 
         Returns:
-            x and y in pixels from the upper left corner, and the nearness: positive, larger
-            for what is nearer, and linear in the image on any plane.
+            x and y in pixels from the upper left corner, and the nearness: positive, larger for
+            nearer points, and linear in the image on any plane.
         """
         width, height = self.size
         x, y, z = points.T
@@ -85,7 +83,7 @@ class Camera(NamedTuple):
         return x * factor + np.float32(width / 2), np.float32(height / 2) - y * factor, nearness
 
     def positions(self, x: Floats, y: Floats, nearness: Floats) -> Floats:
-        """Points (n, 3) of the camera's frame, from what `project` returns."""
+        """Points (n, 3) in the camera frame, from the results of `project`."""
         depth = np.float32(_far(self)) - nearness if self.is_orthographic else 1 / nearness
         half = np.float32(0.5)
         return np.stack(self.places(x - half, y - half, depth), axis=1)
@@ -93,7 +91,7 @@ class Camera(NamedTuple):
     def places(
         self, column: Integers | Floats, row: Integers | Floats, depth: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """x, y and z in the camera's frame of what lies at some depth at the middle of pixels."""
+        """x, y and z in the camera frame of pixel centres at given depths."""
         width, height = self.size
         factor = np.float32(1 / self.scale)
         if not self.is_orthographic:
@@ -106,7 +104,7 @@ class Camera(NamedTuple):
 
 
 class CameraOptions(TypedDict, total=False):
-    """What `place_camera` takes by name, but for the size."""
+    """Keyword arguments of `place_camera`, except the size."""
 
     azimuth: float | None
     elevation: float | None
@@ -115,7 +113,7 @@ class CameraOptions(TypedDict, total=False):
 
 
 def _far(camera: Camera) -> float:
-    """A depth that everything in an orthographic image is before; its nearness is 0."""
+    """The depth of nearness 0 in an orthographic image, behind all points."""
     return camera.near * 800
 
 
@@ -129,29 +127,29 @@ def place_camera(
     size: tuple[int, int] = (1280, 720),
     orthographic: bool = False,
 ) -> Camera:
-    """A camera that has points in its image.
+    """A camera whose image contains all points.
 
     Args:
         points: (n, 3), in the world.
         view: a name of `VIEWS`.
-        azimuth: instead of the view's, in degrees from +x towards +y.
-        elevation: instead of the view's, in degrees above the horizon.
-        distance: from the middle of the points, in m; as near as they all can be seen if None.
+        azimuth: in degrees from +x towards +y, instead of the view's.
+        elevation: in degrees above the horizon, instead of the view's.
+        distance: from the middle of the points, in m; None for the nearest that shows all points.
         size: of the image, in pixels.
         orthographic: without perspective.
 
     Raises:
-        NoSuchView: the view has no name here, or a number is out of bounds.
+        NoSuchView: the view is unknown, or a number is out of bounds.
     """
     if distance is not None and not 0 < distance < 1e6:
         raise NoSuchView(f"a distance of {distance:g} m: write one above 0")
-    if reason := unfit(size):
+    if reason := size_error(size):
         raise NoSuchView(reason)
     axes = _axes(view, azimuth, elevation)
-    seen = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
-    if not np.ptp(seen, axis=0).any():  # else it is looked at from within
-        seen = seen[:1] + np.concatenate((_ROOM, -_ROOM))
-    lowest, highest = (end.astype(np.float64) for end in bounds(seen))
+    projected = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
+    if not np.ptp(projected, axis=0).any():  # all points coincide
+        projected = projected[:1] + np.concatenate((_ROOM, -_ROOM))
+    lowest, highest = (end.astype(np.float64) for end in bounds(projected))
     reach = max(float(np.linalg.norm(highest - lowest)) / 2, 1e-3)
     middle = (lowest + highest) / 2
     aspect = size[0] / size[1]
@@ -160,15 +158,15 @@ def place_camera(
         extent = max(high, wide / aspect, reach / 50) / (1 - 2 * MARGIN)
         eye = middle + np.array((0, 0, 3 * reach))
         return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
-    eye = _eye(seen, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
+    eye = _eye(projected, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
     if distance is not None:
         eye = np.array((middle[0], middle[1], middle[2] + distance))
     near = max(reach / 1000, (eye[2] - highest[2]) / 2)
     return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
 
 
-def unfit(size: tuple[int, int]) -> str:
-    """Why there is no image of a size in pixels; empty if there can be one."""
+def size_error(size: tuple[int, int]) -> str:
+    """The reason why an image size in pixels is invalid; empty if it is valid."""
     width, height = size
     if min(size) >= MIN_EDGE and width * height <= MAX_PIXELS:
         return ""
@@ -177,7 +175,7 @@ def unfit(size: tuple[int, int]) -> str:
 
 
 def _axes(view: str, azimuth: float | None, elevation: float | None) -> Floats:
-    """Right, up and backwards of a camera that looks at the middle from an angle."""
+    """The directions right, up and backwards of a camera at an angle."""
     if view not in VIEWS:
         raise NoSuchView(f"unknown view '{view}'; expected one of {', '.join(VIEWS)}")
     if not all(isfinite(angle or 0.0) for angle in (azimuth, elevation)):
@@ -191,9 +189,9 @@ def _axes(view: str, azimuth: float | None, elevation: float | None) -> Floats:
 
 
 def _eye(seen: Floats, slope: float, aspect: float) -> Floats:
-    """The nearest place from which points (n, 3) fit between the four planes of a frustum.
+    """The nearest position from which points (n, 3) fit into a frustum.
 
-    Each pair of planes, left and right or upper and lower, gives the least depth and the offset
+    Each pair of planes, left and right or upper and lower, defines the least depth and the offset
     at which both touch a point.
 
     Args:

@@ -1,7 +1,7 @@
-"""Fewer triangles for the 3D view of a robot that has more than a browser turns with pleasure.
+"""Mesh simplification for the 3D view of robots with too many triangles for a browser.
 
-Vertices in one cell of a grid become one (Rossignac, Borrel: Multi-resolution 3D approximations,
-1993): crude, but fast, and whatever a mesh is like.
+Vertices in one cell of a grid are merged (Rossignac, Borrel: Multi-resolution 3D approximations,
+1993): rough, but fast and robust for any mesh.
 """
 
 from collections.abc import Sequence
@@ -10,18 +10,14 @@ import numpy as np
 
 from urdfkit.render.scene import SceneItem
 
-#: Cells along the longest edge of a surface, until few triangles are left.
+#: Numbers of cells along the longest edge of a surface, tried in this order.
 CELLS = (1024, 512, 256, 128, 64, 32)
-#: Surfaces of fewer triangles stay as they are.
+#: Surfaces of fewer triangles are not simplified.
 FEW = 2000
 
 
 def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
-    """Surfaces with a number of triangles in all, or near it; the same if they have fewer.
-
-    Args:
-        limit: how many triangles are enough.
-    """
+    """Surfaces simplified to about ``limit`` triangles together; unchanged if they have fewer."""
     for cells in CELLS:
         if sum(len(item.faces) for item in items) <= limit:
             break
@@ -30,7 +26,7 @@ def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
 
 
 def _clustered(item: SceneItem, cells: int) -> SceneItem:
-    """A surface with one vertex in each cell; its faces are flat."""
+    """A surface with one vertex in each cell, and flat faces."""
     low = item.vertices.min(axis=0)
     size = max(float(np.ptp(item.vertices, axis=0).max()), 1e-9)
     x, y, z = ((item.vertices - low) * (cells / size)).astype(np.int64).T

@@ -1,4 +1,4 @@
-"""Where links overlap in a configuration, measured with coal."""
+"""Overlapping links in a configuration, computed by coal."""
 
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
@@ -9,19 +9,19 @@ from urdfkit.robot.adjacency import Adjacency
 
 
 class Overlap(NamedTuple):
-    """Two links whose collision shapes are in one another."""
+    """Two links whose collision shapes overlap."""
 
-    first: str  # name of a link
-    second: str  # of the other one
+    first: str  # name of the first link
+    second: str  # name of the second link
     depth: float  # in m
-    is_held: bool  # True if the links are adjacent, so that programs ignore it
+    is_adjacent: bool  # True if the links are adjacent, so that programs ignore the overlap
 
 
-def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
+def overlaps(context: Context, pose: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:
-        given: positions of joints, in rad or m; the others are at 0.
+        pose: positions of joints, in rad or m; the others are at 0.
 
     Raises:
         MissingLibrary: coal is not installed.
@@ -33,16 +33,16 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
         from urdfkit.physics.collision.pair_queries import CollisionModel
     moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
-    known = set(moving.links)
+    links = set(moving.links)
     collision_model = CollisionModel(
-        moving, (build_geometry(body) for body in bodies if body.link in known)
+        moving, (build_geometry(body) for body in bodies if body.link in links)
     )
     adjacency = Adjacency(context.tree)
     pairs = list(moving.pairs(collision_model.links))
-    row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
-    seen = collision_model.query(pairs, 0.0).at(row[None], count=True)
-    for (first, second), one in zip(pairs, seen, strict=True):
-        if one.hits:
+    row = moving.row({axis.joint: pose.get(axis.joint, 0.0) for axis in moving.axes})
+    samples = collision_model.query(pairs, 0.0).at(row[None], count=True)
+    for (first, second), sample in zip(pairs, samples, strict=True):
+        if sample.hits:
             names = moving.links[first], moving.links[second]
-            held = adjacency.is_adjacent(*names) or adjacency.is_rigid(*names)
-            yield Overlap(*names, -one.distance, held)
+            is_adjacent = adjacency.is_adjacent(*names) or adjacency.is_rigid(*names)
+            yield Overlap(*names, -sample.distance, is_adjacent)

@@ -1,4 +1,4 @@
-"""Two states of a robot side by side, and where they differ."""
+"""Images of two states of a robot and of their difference."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from urdfkit.render.arrays import Bytes, Floats, bounds
 from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, Samples, samples
 from urdfkit.render.ground import without_shadows
-from urdfkit.render.image import drawn, has_scale
+from urdfkit.render.image import has_scale, render_view
 from urdfkit.render.labels import caption, write_legend
 from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scale import write_scale
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 GONE, NEW, CHANGED = (0.84, 0.19, 0.19, 1.0), (0.09, 0.59, 0.30, 1.0), (0.94, 0.63, 0.08, 1.0)
 LEGEND = ((GONE, "only before"), (NEW, "only after"), (CHANGED, "changed"))
-#: Differences of colour up to this, of 255, are none.
+#: Colour difference, of 255, that is ignored.
 TOLERANCE = 14
-#: Samples on the edge of a pixel, each compared for itself, and of a whole image at most.
+#: Samples along the edge of a pixel, compared separately, and most samples of an image.
 FINE, MAX_SAMPLES = 4, 16_000_000
 
 
@@ -37,29 +37,29 @@ def difference(
     camera_options: CameraOptions | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
-    """Before, after and the difference, seen by one camera that has both in view.
+    """The state before, the state after, and the difference, with a common camera.
 
-    In the difference the robot is pale; red is what only the first state covers, green what only
-    the second one does, amber where the surface has another place or colour. Shadows are not
-    compared.
+    In the difference, the robot is pale; pixels are red where only the first state is, green where
+    only the second state is, and amber where the surface has another position or colour. Shadows
+    are not compared.
 
     Args:
         size: of all three images together, in pixels.
-        camera_options: as `place_camera` takes it.
-        drawing: as `draw` takes it.
+        camera_options: as for `place_camera`.
+        drawing: as for `draw`.
 
     Raises:
-        NoSuchView: the view has no name, or a number is out of bounds.
+        NoSuchView: the view is unknown, or a number is out of bounds.
     """
     cell = (max(size[0] // 3, 16), max(size[1], 16))
     points = np.concatenate((before.points(), after.points()))
     camera = place_camera(points, view, size=cell, **(camera_options or {}))
     level = min(before.level(), after.level())
-    whole = Image.new("RGBA", (cell[0] * 3, cell[1]))
+    sheet = Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
-        image = drawn(scene, camera, level, drawing)
+        image = render_view(scene, camera, level, drawing)
         caption(image, name)
-        whole.paste(image, (number * cell[0], 0))
+        sheet.paste(image, (number * cell[0], 0))
     floor = np.zeros((cell[1], cell[0]), dtype=np.float32)
     if has_scale(drawing):
         _, floor = without_shadows(*bounds(points), camera, level).seen(camera, 0, cell[1])
@@ -68,16 +68,16 @@ def difference(
     write_legend(image, LEGEND)
     if has_scale(drawing):
         write_scale(image, camera, level)
-    whole.paste(image, (2 * cell[0], 0))
+    sheet.paste(image, (2 * cell[0], 0))
     has_background = drawing.get("background", STUDIO) is not None
-    return whole.convert("RGB") if has_background else whole
+    return sheet.convert("RGB") if has_background else sheet
 
 
 def _compared(before: Scene, after: Scene, camera: Camera, floor: Floats) -> Bytes:
-    """The image of the difference, of which every sample is of one kind.
+    """The image of the difference; samples are classified separately.
 
     Args:
-        floor: (h, w), how dark the ground is, from 0 to 1.
+        floor: (h, w), darkness of the ground, from 0 to 1.
     """
     width, height = camera.size
     fine = max(1, min(FINE, int((MAX_SAMPLES / (width * height)) ** 0.5)))
@@ -95,16 +95,16 @@ def _compared(before: Scene, after: Scene, camera: Camera, floor: Floats) -> Byt
 
 
 def _kinds(camera: Camera, before: Samples, after: Samples) -> tuple[Floats, Floats]:
-    """The colour of each sample, times how much a robot covers of it, and how much that is."""
-    old, new = (some.pixels.astype(np.float32) / 255 for some in (before, after))
+    """The colour of each sample, multiplied with its coverage, and the coverage."""
+    old, new = (state.pixels.astype(np.float32) / 255 for state in (before, after))
     cover_old, cover_new = old[..., 3:], new[..., 3:]
     grey = np.where(cover_new > 0, new, old)[..., :3].mean(axis=2, keepdims=True)
-    apart = np.abs(old[..., :3] - new[..., :3]).max(axis=2, keepdims=True)
-    # As far as a pixel is wide, surfaces are in one place.
+    colour_distance = np.abs(old[..., :3] - new[..., :3]).max(axis=2, keepdims=True)
+    # Differences of position up to the width of a pixel are ignored.
     pixel = (1 if camera.is_orthographic else before.depth) / np.float32(camera.scale)
     moved = (np.abs(before.depth - after.depth) > pixel)[..., None]
     both = np.minimum(cover_old, cover_new)
-    changed = both * (moved | (apart > TOLERANCE / 255))
+    changed = both * (moved | (colour_distance > TOLERANCE / 255))
     result = (both - changed) * (np.float32(0.7) + np.float32(0.25) * grey)
     shade = np.float32(0.75) + np.float32(0.25) * grey
     for part, colour in ((changed, CHANGED), (cover_old - both, GONE), (cover_new - both, NEW)):

@@ -1,8 +1,8 @@
-"""A scene and a camera become an image.
+"""Renders a scene.
 
-Three passes on bands of rows, so that memory does not grow with the height of an image:
-which surfaces the pixels see, how much light reaches them, and their colours. Nothing depends on
-the order of the bands, so the bytes are the same for any number of threads.
+Three passes over bands of rows, so that memory does not grow with the height of an image: visible
+surfaces, light, and colours. Results do not depend on the order of the bands, so the bytes are the
+same for any number of threads.
 """
 
 import itertools
@@ -27,28 +27,27 @@ from urdfkit.render.surface_colours import SurfaceColours
 from urdfkit.render.textures import texture
 from urdfkit.render.thread_pool import Workers
 
-#: Rows of pixels of a band.
+#: Rows of pixels in a band.
 BAND = 60
-#: Surfaces that are seen through one another; those behind are left out.
+#: Most layers of translucent surfaces.
 PEELS = 4
-#: What is less transparent than this hides what is behind it.
+#: Opacity above which a surface is opaque.
 SOLID = 0.98
-#: How much nearer collisions are drawn than they are, as a part of the robot's size.
+#: Offset of collisions towards the camera, as a part of the robot's size.
 LIFT = 0.004
-#: How far around them surfaces hide the sky from one another, as a part of the robot's size.
+#: Radius of ambient occlusion, as a part of the robot's size.
 REACH = 0.12
-#: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
+#: Depth difference up to which light is averaged over a lattice, as a part of the robot's size.
 NEAR = 0.012
-
 
 _OPAQUE, _CLEAR, _OVERLAY = range(3)
 
 
 class Quality(NamedTuple):
-    """How much work an image is worth."""
+    """Numbers of samples of an image."""
 
-    samples: int  # of a pixel, for smooth edges
-    #: sky and sun: samples of what hides the sky and the sun; none are taken for 0.
+    samples: int  # for each pixel, for smooth edges
+    #: sky and sun: for ambient occlusion and shadows; 0 disables them.
     sky: int
     sun: int
 
@@ -60,12 +59,12 @@ QUALITIES = {
 }
 
 
-#: Hard edges, and no surface takes light from another: to be compared, not to be looked at.
+#: Hard edges without shadows, for comparisons.
 _SAMPLES = Quality(1, 0, 0)
 
 
 class DrawingOptions(TypedDict, total=False):
-    """What `draw` takes by name, but for the level of the ground."""
+    """Keyword arguments of `draw`, except the level of the ground."""
 
     quality: str
     background: Background | None
@@ -74,15 +73,16 @@ class DrawingOptions(TypedDict, total=False):
 
 
 class _Light(NamedTuple):
-    """What the first two passes find out about the pixels, (h, w) each."""
+    """Results of the first two passes for the pixels, (h, w) each."""
 
-    depth: Floats  # of what is seen first, `FAR` where nothing is
-    sky: Floats  # the parts of the sky and of the sun that reach it, from 0 to 1
+    depth: Floats  # of the nearest surface; `FAR` without a surface
+    #: sky and sun: visible parts of the sky and the sun, from 0 to 1.
+    sky: Floats
     sun: Floats
 
 
 class _Band(NamedTuple):
-    """What the first pass finds out about a band."""
+    """Results of the first pass for a band."""
 
     opaque: tuple[Fragments, FragmentSurface]
     clear: tuple[tuple[Fragments, FragmentSurface], ...]
@@ -105,37 +105,37 @@ def draw(
 
     Args:
         quality: a name of `QUALITIES`.
-        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
-        floor: whether there is a ground that catches shadows.
-        level: height of the ground in m; that of the robot's lowest point if None.
-        threads: how many work on it, as many as processors if None; the bytes do not depend on it.
-        progress: called with the number of steps done and of all.
+        background: colours at top and bottom, sRGB from 0 to 1; None for transparent.
+        floor: True for a ground with shadows.
+        level: height of the ground in m; None for the robot's lowest point.
+        threads: number of threads; None for the number of processors. It does not change the bytes.
+        progress: called with the number of finished steps and of all.
 
     Returns:
-        (h, w, 4), red green blue alpha, sRGB, not premultiplied.
+        (h, w, 4), RGBA, sRGB, not premultiplied.
     """
     drawing = _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor, level)
     return drawing.image(background, progress or (lambda _done, _total: None))
 
 
 class Samples(NamedTuple):
-    """A robot alone, one sample for each pixel, without shadows."""
+    """A robot without ground and shadows, with one sample for each pixel."""
 
-    pixels: Bytes  # (h, w, 4), as `draw` returns
-    depth: Floats  # (h, w), in m, `FAR` where nothing is
+    pixels: Bytes  # (h, w, 4), as from `draw`
+    depth: Floats  # (h, w), in m; `FAR` without a surface
 
     def rows(self, first: int, last: int) -> "Samples":
         return Samples(self.pixels[first:last], self.depth[first:last])
 
 
 def samples(scene: Scene, camera: Camera) -> Samples:
-    """Draw a scene to compare it with another one."""
+    """Draw a scene for comparisons."""
     drawing = _Drawing(scene, camera, _SAMPLES, Workers(None), floor=False, level=None)
     return Samples(drawing.image(None, lambda _done, _total: None), drawing.depth)
 
 
 class _Drawing:
-    """One image while it is drawn."""
+    """The state of drawing one image."""
 
     def __init__(
         self,
@@ -149,8 +149,9 @@ class _Drawing:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
         everything = soup(scene, camera)
         materials = [item.material for item in scene.items]
-        workers.each(sorted({one.texture for one in materials if one.texture}, key=str), texture)
-        self.kinds = [_kind(one) for one in materials]
+        textures = {material.texture for material in materials if material.texture}
+        workers.each(sorted(textures, key=str), texture)
+        self.kinds = [_kind(material) for material in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
         robot = [piece for piece, kind in pieces if kind != _OVERLAY] or everything.pieces
@@ -168,7 +169,7 @@ class _Drawing:
         self.screen, self.soup = self._projected(cut(everything, camera), (lowest + highest) / 2)
         kind = self._kind(self.soup)
         self.opaque, self.clear, self.overlays = (
-            np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _OVERLAY)
+            np.flatnonzero(kind == group) for group in (_OPAQUE, _CLEAR, _OVERLAY)
         )
         self.colours = SurfaceColours(materials, self.soup, self.screen, camera)
         self.offsets = rooks(quality.samples)
@@ -178,7 +179,7 @@ class _Drawing:
     def _projected(
         self, everything: CameraTriangles, middle: Floats
     ) -> tuple[Projected, CameraTriangles]:
-        """The triangles that may be in the image, there and in the frame of the camera."""
+        """The triangles that may be in the image, in the image and in the camera frame."""
         x, y, near = self.camera.project(everything.points)
         self._lift(near, everything, middle)
         screen, chosen = projected(x, y, near, everything.faces, self.camera.size[0])
@@ -211,18 +212,17 @@ class _Drawing:
         self.workers.bands(height, BAND, colour)
         return result
 
-    def _kind(self, some: CameraTriangles) -> Integers:
-        """What each triangle is: opaque, seen through, or an overlay, (m,)."""
-        result: Integers = np.array(self.kinds, dtype=np.int8)[some.item]
-        return result
+    def _kind(self, triangles: CameraTriangles) -> Integers:
+        """(m,), kind of each triangle: opaque, translucent, or an overlay."""
+        return np.asarray(np.array(self.kinds, dtype=np.int8)[triangles.item])
 
     def _lift(self, near: Floats, everything: CameraTriangles, middle: Floats) -> None:
-        """Bring collisions and contacts that are seen through a little nearer.
+        """Move translucent collisions and contacts slightly towards the camera.
 
-        Many lie on their visuals, or a hair below: without it both would show in patches.
+        Many coincide with their visuals; without an offset, both would be visible in patches.
 
         Args:
-            near: of the vertices, as the camera projects them.
+            near: nearness of the vertices.
             middle: of the robot, in the world.
         """
         step = np.float32(LIFT * self.size)
@@ -235,10 +235,10 @@ class _Drawing:
             else:
                 near[piece] *= 1 + step / np.float32(max(distance, self.size))
 
-    # -- the first pass: what is seen --
+    # -- the first pass: visible surfaces --
 
     def _see(self, first: int, last: int) -> _Band:
-        """The surfaces of a band; their depth goes to the image's."""
+        """The surfaces of a band; stores their depth."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
         opaque = nearest(self.screen, self.opaque, grid)
         found = self._surfaces(fragments(opaque, grid))
@@ -253,7 +253,7 @@ class _Drawing:
     def _peeled(
         self, numbers: Integers, grid: Grid, above: Keys
     ) -> tuple[tuple[Fragments, FragmentSurface], ...]:
-        """The surfaces of what is seen through, from the nearest on, as far as nothing hides it."""
+        """The visible translucent surfaces, the nearest layer first (depth peeling)."""
         layers = []
         below = None
         for _ in range(PEELS if len(numbers) else 0):
@@ -271,10 +271,10 @@ class _Drawing:
         order = np.argsort(some.weight, kind="stable")
         self.depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
 
-    # -- the second pass: how much light there is --
+    # -- the second pass: light --
 
     def _light(self, opaque: tuple[Fragments, FragmentSurface], light: _Light) -> None:
-        """How much light reaches the surfaces that are largest in their pixels; grainy."""
+        """Compute the light on the largest surface of each pixel, with grain."""
         some, there = opaque
         shown = np.flatnonzero(light.depth.reshape(-1)[some.pixel] == -there.position[:, 2])
         pixel, position = some.pixel[shown], there.position[shown]
@@ -326,7 +326,7 @@ class _Drawing:
         return encoded(light, alpha).reshape(last - first, width, 4)
 
     def _near(self, depth: Floats) -> Floats:
-        """How far apart in depth what belongs to one surface may be, across a lattice square."""
+        """Greatest depth difference within one surface across a lattice square."""
         pixel = np.float32(1 / self.camera.scale)
         step = pixel * depth if not self.camera.is_orthographic else np.full_like(depth, pixel)
         near: Floats = np.float32(NEAR * self.size) + np.float32(LATTICE) * step

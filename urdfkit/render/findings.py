@@ -16,35 +16,35 @@ COLOURS: Mapping[Severity, Colour] = {
     Severity.WARNING: (1.0, 0.62, 0.05, 1.0),
 }
 _LEGEND = tuple((colour, severity.value) for severity, colour in COLOURS.items())
-#: What has no findings steps back.
+#: Colour of links without findings.
 QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
-#: Codes in the label of a link; the rest is counted.
+#: Most codes in the label of a link; further ones are counted.
 MAX_CODES = 4
 
 
 def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> Scene:
-    """A scene in which the links with errors are red and those with warnings orange.
+    """A scene in which links with errors are red and links with warnings are orange.
 
-    A link that shows nothing is a ball at its origin; the balls with one text have one label.
-    Findings that concern no link, such as those about a macro, have no place in it.
+    A link without geometry is a ball at its origin; balls with the same text share a label.
+    Findings that concern no link, such as findings in a macro, are omitted.
     """
-    found = {
+    findings = {
         link: reported
         for link, reported in by_link(context, diagnostics).items()
         if link in scene.frames
     }
     items = tuple(
-        item if item.material.overlay else _painted(item, found.get(item.link, ()))
+        item if item.material.overlay else _painted(item, findings.get(item.link, ()))
         for item in scene.items
     )
     drawn = {item.link for item in scene.items if not item.material.overlay}
     labels = [
         Label(_text(reported), link, middle(scene, link), of_link=True)
-        for link, reported in found.items()
+        for link, reported in findings.items()
         if link in drawn
     ]
     bare: dict[str, list[str]] = {}
-    for link, reported in found.items():
+    for link, reported in findings.items():
         if link not in drawn:
             bare.setdefault(_text(reported), []).append(link)
     for text, (link, *others) in bare.items():
@@ -52,7 +52,7 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
         labels.append(Label(f"{text} ({many}no geometry)", link, (0.0, 0.0, 0.0)))
     ball = primitives.sphere(BALL * extent(scene))
     balls = (
-        sign(link, "findings", ball, Transform(), COLOURS[found[link][0].severity])
+        sign(link, "findings", ball, Transform(), COLOURS[findings[link][0].severity])
         for links in bare.values()
         for link in links
     )
@@ -64,19 +64,19 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
 
 
 def by_link(context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
-    """The errors and warnings that concern each link, the worst first."""
+    """The errors and warnings of each link, the most severe first."""
     places = ElementLookup(context.model)
-    found: dict[str, list[Diagnostic]] = {}
-    for diagnostic in sorted(diagnostics, key=lambda one: (one.severity.rank, one.code)):
+    findings: dict[str, list[Diagnostic]] = {}
+    for diagnostic in sorted(diagnostics, key=lambda item: (item.severity.rank, item.code)):
         if diagnostic.severity in COLOURS:
             concerned = (places.link(call.element) for call in diagnostic.calls)
             for link in dict.fromkeys(name for name in concerned if name):
-                found.setdefault(link, []).append(diagnostic)
-    return found
+                findings.setdefault(link, []).append(diagnostic)
+    return findings
 
 
 def _painted(item: SceneItem, reported: Sequence[Diagnostic]) -> SceneItem:
-    """An item in the colour of its worst finding; of a missing mesh, with its stripes."""
+    """An item in the colour of its most severe finding; a placeholder keeps its stripes."""
     alpha = item.material.rgba[3]
     if not reported:
         return item._replace(material=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)

@@ -1,7 +1,7 @@
-"""Fonts for words in images: Pillow's own, and the system's for letters that it has not.
+"""Fonts for text in images: Pillow's font, and system fonts for letters that it lacks.
 
-What Pillow's font can write looks the same on every machine. For Chinese, Japanese and Korean
-names, for instance, a font of the system is taken if one is found, else the letters are escaped.
+Text in Pillow's font looks the same on every machine. For Chinese, Japanese and Korean names, for
+instance, a system font is used if there is one; otherwise the letters are escaped.
 """
 
 from collections.abc import Iterable
@@ -11,8 +11,8 @@ from PIL import ImageFont
 
 Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
 
-#: Files that Pillow looks for in the directories of the system, and the number of the face in each:
-#: of Noto's faces the simplified Chinese one, which has the other scripts as well.
+#: Files that Pillow searches in the system directories, and the face index in each: for Noto, the
+#: simplified Chinese face, which contains the other scripts, too.
 _FILES = (
     ("NotoSansCJK-Regular.ttc", 2),
     ("NotoSansCJKsc-Regular.otf", 0),
@@ -31,12 +31,12 @@ _FILES = (
     ("DejaVuSans.ttf", 0),
     ("NotoSans-Regular.ttf", 0),
 )
-#: No letter, so every font draws it as what it has not.
+#: Not a letter, so every font draws its glyph for missing letters.
 _NO_LETTER = "\uffff"
 
 
 def writing(text: str, size: float) -> tuple[Font, str]:
-    """A font at a size in pixels, and the text as it can write it."""
+    """A font of a size in pixels, and the text with missing letters escaped."""
     face, missing = _best(text)
     written = "".join(_escape(letter) if letter in missing else letter for letter in text)
     font = _font(face, size)
@@ -45,12 +45,12 @@ def writing(text: str, size: float) -> tuple[Font, str]:
 
 
 def unwritable(texts: Iterable[str]) -> str:
-    """The letters that are escaped, for want of a font."""
+    """The letters that no font contains, which are escaped."""
     return "".join(sorted(set().union(*(_best(text)[1] for text in texts))))
 
 
 def _best(text: str) -> tuple[tuple[str, int] | None, frozenset[str]]:
-    """The first of the fonts that lack least, None for Pillow's own, and what it lacks."""
+    """The first font with the fewest missing letters, None for Pillow's, and these letters."""
     letters = frozenset(text)
     best, least = None, _lacking(None, letters)
     for face in _FILES if least else ():
@@ -77,7 +77,7 @@ def _has(face: tuple[str, int] | None, letter: str) -> bool:
 
 @cache
 def _font(face: tuple[str, int] | None, size: float) -> Font | None:
-    """None if there is no such font here."""
+    """None if the font is not installed."""
     if face is None:
         return ImageFont.load_default(size)
     try:

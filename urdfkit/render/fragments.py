@@ -1,4 +1,4 @@
-"""From samples to fragments: what is shaded is a piece of one triangle in one pixel."""
+"""Fragments: pieces of one triangle in one pixel, which are shaded once."""
 
 from typing import NamedTuple
 
@@ -18,28 +18,25 @@ class Fragments(NamedTuple):
 
     pixel: Integers  # (k,), row times width plus column
     number: Integers  # (k,), of the triangle
-    weight: Floats  # (k,), the part of the pixel that it covers
-    #: x and y: (k,), where in the image it is shaded.
+    weight: Floats  # (k,), covered part of the pixel
+    #: x and y: (k,), position of shading in the image.
     x: Floats
     y: Floats
-    nearness: Floats  # (k,), of one of its samples
+    nearness: Floats  # (k,), of one of the samples
 
 
 class FragmentSurface(NamedTuple):
-    """Fragments on their triangles, in the frame of the camera."""
+    """The surfaces of fragments, in the camera frame."""
 
     position: Floats  # (k, 3)
-    normal: Floats  # (k, 3), unit vectors, turned to the viewer
-    flat: Floats  # (k, 3), of the face itself, in the same frame
-    uv: Floats | None  # (k, 2); None if no vertex has any
-    color: Floats | None  # (k, 4); None if no vertex has any
+    normal: Floats  # (k, 3), unit vectors, facing the viewer
+    flat: Floats  # (k, 3), normals of the faces
+    uv: Floats | None  # (k, 2); None if no vertex has texture coordinates
+    color: Floats | None  # (k, 4); None if no vertex has a colour
 
 
 def fragments(keys: Keys, grid: Grid) -> Fragments:
-    """The fragments of a band.
-
-    Consecutive samples of a pixel that see one triangle make one fragment, which is shaded once.
-    """
+    """The fragments of a band: consecutive samples of a pixel with the same triangle."""
     samples, rows = len(grid.offsets), grid.last - grid.first
     by_pixel = keys.reshape(rows, samples, grid.width).swapaxes(1, 2).reshape(-1, samples)
     numbers, nearness = split(by_pixel)
@@ -66,10 +63,10 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
 
 
 def surface(
-    some: Fragments, whole: CameraTriangles, screen: Projected, camera: Camera
+    some: Fragments, triangles: CameraTriangles, screen: Projected, camera: Camera
 ) -> FragmentSurface:
-    """Where fragments lie and how their surfaces are turned; perspective is accounted for."""
-    corners = [whole.faces[some.number, corner] for corner in range(3)]
+    """Positions, normals and attributes of fragments, with perspective correction."""
+    corners = [triangles.faces[some.number, corner] for corner in range(3)]
     weights, nearness = _weights(some, corners, screen, camera)
 
     def blend(values: Floats) -> Floats:
@@ -78,24 +75,24 @@ def surface(
 
     position = camera.positions(some.x, some.y, nearness)
     towards = _towards(position, camera)
-    flat = whole.flat[some.number]
+    flat = triangles.flat[some.number]
     flat = np.where(dot(flat, towards)[:, None] < 0, -flat, flat)
-    normal = blend(whole.normals)
+    normal = blend(triangles.normals)
     normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
     normal = unit(np.where(np.abs(normal).max(axis=1, keepdims=True) < 0.1, flat, normal))
     return FragmentSurface(
         position,
         normal,
         flat,
-        None if whole.uv is None else blend(whole.uv),
-        None if whole.colors is None else blend(whole.colors),
+        None if triangles.uv is None else blend(triangles.uv),
+        None if triangles.colors is None else blend(triangles.colors),
     )
 
 
 def _weights(
     some: Fragments, corners: list[Integers], screen: Projected, camera: Camera
 ) -> tuple[list[Floats], Floats]:
-    """The weights of the three corners in space, (k, 1) each, and the nearness, (k,)."""
+    """The barycentric weights in space, (k, 1) each, and the nearness, (k,)."""
     x = [screen.x[index] for index in corners]
     y = [screen.y[index] for index in corners]
     parts = []
@@ -103,8 +100,8 @@ def _weights(
         parts.append((x[i] - some.x) * (y[j] - some.y) - (x[j] - some.x) * (y[i] - some.y))
     area = parts[0] + parts[1] + parts[2]
     area = np.where(area == 0, np.float32(1), area)
-    # A fragment may be shaded a little outside of its triangle, but on its plane; where that is
-    # far outside, as of a sliver, the plane is not to be trusted, but the sample is.
+    # A fragment may be shaded slightly outside of its triangle, but on its plane. If it is far
+    # outside, as for slivers, the nearness of the sample is more reliable than the plane.
     weights = [part / area for part in parts]
     is_far = np.maximum.reduce(np.abs(weights)) > _FAR
     weights = [np.clip(weight, -_FAR, _FAR) for weight in weights]

@@ -1,4 +1,4 @@
-"""The ground: it is not seen itself, only the shadows and the metric grid on it."""
+"""The ground: invisible except for the shadows and the metric grid on it."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -13,22 +13,22 @@ from urdfkit.render.scale import grid_step
 from urdfkit.render.soup import extent
 from urdfkit.render.thread_pool import Workers
 
-#: Cells of the edge of the floor's map.
+#: Cells along the edge of the floor's map.
 CELLS = 320
-#: The map reaches beyond the robot on each side by this part of its size.
+#: Margin of the map around the robot, as a part of the robot's size.
 BEYOND = 0.75
-#: How dark the sun's shadow and the robot's nearness make the floor.
+#: Darkness of the sun's shadow and of contact shadows.
 SUN, CONTACT = 0.34, 0.5
-#: Texels of the edge of the squares in which the sun's map is used here: soft shadows need no more.
+#: Texels of the shadow map that are averaged along each axis: soft shadows need no more.
 COARSE = 4
-#: How high above the floor a surface still darkens it, the blur of it, and how much; the first
-#: two as parts of the robot's size.
+#: Contact shadows: height up to which surfaces darken the floor and radius of the blur, as parts of
+#: the robot's size, and weight.
 LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
-#: How dark the lines of the grid are, and their width in pixels.
+#: Darkness of grid lines, and their width in pixels.
 LINE, WIDTH = 0.13, 1.3
-#: The grid fades from squares of the first number of pixels to squares of the second one.
+#: Size of grid squares in pixels, at which the grid is invisible and fully visible.
 DENSE, SPARSE = 3, 9
-#: The least size of a robot in m: all of its vertices may be at one point.
+#: Least size of a robot in m; all vertices may coincide.
 LEAST = 1e-9
 
 
@@ -38,20 +38,20 @@ class Ground(NamedTuple):
     height: float  # in the world, in m
     origin: tuple[float, float]  # x and y of the map's corner in the world
     cell: float  # edge of a cell in m
-    shade: Floats  # (c, c), from 0, not darkened, to 1, black
-    step: float  # edge of a square of the grid in m; 0 without a grid
+    shade: Floats  # (c, c), from 0 (bright) to 1 (black)
+    step: float  # edge of a grid square in m; 0 without a grid
 
     def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
-        """The floor in a band of an image: its depth in m, and how dark it is, (rows, w) each.
+        """The floor in a band of an image: depth in m and darkness, (rows, w) each.
 
-        The depth is `FAR` where the floor is not seen.
+        The depth is `FAR` where the floor is not visible.
         """
-        # One row more, from which the lines of the grid have their width.
+        # One more row, for the width of grid lines.
         (x, y, z), (ahead_x, ahead_y, ahead_z) = _rays(camera, first, last + 1)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            way = (np.float32(self.height) - z) / ahead_z
+            distance = (np.float32(self.height) - z) / ahead_z
         shape = (last + 1 - first, camera.size[0])
-        far = np.where((ahead_z < -1e-4) & (way > 0) & (way < FAR), way, FAR)
+        far = np.where((ahead_z < -1e-4) & (distance > 0) & (distance < FAR), distance, FAR)
         far = np.broadcast_to(far, shape).astype(np.float32)
         depth, dark = far[:-1], np.zeros((last - first, camera.size[0]), dtype=np.float32)
         if not (depth < FAR).any():
@@ -70,7 +70,7 @@ class Ground(NamedTuple):
 
 
 def _lines(coordinate: Floats, step: float) -> Floats:
-    """How much of each pixel is covered by the lines at multiples of a step.
+    """The part of each pixel that lines at multiples of a step cover.
 
     Args:
         coordinate: (rows + 1, w), x or y on the ground, in m.
@@ -92,7 +92,7 @@ def _lines(coordinate: Floats, step: float) -> Floats:
 def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Floats]]:
     """Origins and directions of the rays through the pixels of a band, in the world, by axis.
 
-    Each is of a shape that fits (rows, width); the directions are as long as depths count.
+    The shapes broadcast to (rows, width); the directions have a depth of 1.
     """
     width, height = camera.size
     half, scale = np.float32(0.5), np.float32(camera.scale)
@@ -119,9 +119,9 @@ def ground(
 
     Args:
         points: (n, 3), vertices in the world.
-        faces: (m, 3), of what casts shadows.
-        camera: in whose frame that is given.
-        level: height of the floor; that of the robot's lowest point if None.
+        faces: (m, 3), faces that cast shadows.
+        camera: defines the frame of the shadow map.
+        level: height of the floor; None for the robot's lowest point.
     """
     lowest, highest = extent(points, pieces)
     bare = without_shadows(lowest, highest, camera, level)
@@ -143,7 +143,7 @@ def ground(
 def without_shadows(
     lowest: Floats, highest: Floats, camera: Camera, level: float | None = None
 ) -> Ground:
-    """The floor under a box, given by two of its corners in the world."""
+    """The floor under a box, from two of its corners in the world."""
     height = float(lowest[2]) if level is None else level
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * _size(lowest, highest)
     x, y = (float(middle - edge / 2) for middle in (lowest + highest)[:2] / 2)
@@ -164,7 +164,7 @@ def _contact(
     size: float,
     workers: Workers,
 ) -> Floats:
-    """How much of the sky the robot hides from the floor, roughly: heights, blurred."""
+    """Approximate contact shadows of the floor: blurred heights."""
     x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
     top = height + 2 * size
     screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS)
@@ -186,7 +186,7 @@ def _contact(
 
 
 def _sun(floor: Floats, map_: ShadowMap, camera: Camera, size: float) -> Floats:
-    """How much of the sun the robot hides from points on the floor: blurred with its distance."""
+    """The sun's shadow on points of the floor, with a blur that grows with distance."""
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
     column, row, level = map_.coordinates(turned(floor, rotation) + position)
     covered = _coarse((map_.nearness > 0).astype(np.float32))
@@ -199,13 +199,13 @@ def _sun(floor: Floats, map_: ShadowMap, camera: Camera, size: float) -> Floats:
     high = heights / np.maximum(parts, np.float32(1e-3))
     inside = (column > 0) & (column < TEXELS) & (row > 0) & (row < TEXELS)
     x, y = column / COARSE - np.float32(0.5), row / COARSE - np.float32(0.5)
-    way = np.clip((_bilinear(high, x, y) - level) / np.float32(size), 0, 1)
-    mixed = _bilinear(sharp, x, y) * (1 - way) + _bilinear(soft, x, y) * way
+    softness = np.clip((_bilinear(high, x, y) - level) / np.float32(size), 0, 1)
+    mixed = _bilinear(sharp, x, y) * (1 - softness) + _bilinear(soft, x, y) * softness
     return np.where(inside, mixed, 0)
 
 
 def _coarse(image: Floats) -> Floats:
-    """The means of squares of an image."""
+    """The means of squares of pixels."""
     cells = len(image) // COARSE
     rows = image.reshape(cells, COARSE, -1).mean(axis=1)
     mean: Floats = rows.reshape(cells, cells, COARSE).mean(axis=2)
@@ -221,7 +221,7 @@ def _fade(column: Floats, row: Floats) -> Floats:
 
 
 def blurred(values: Floats, radius: float) -> Floats:
-    """An image under a soft blur: three moving means each way come near a bell curve."""
+    """A blurred image: three moving means along each axis approximate a Gaussian."""
     half = max(1, round(radius))
     for axis in (0, 1, 0, 1, 0, 1):
         values = _mean(values, half, axis)
@@ -241,7 +241,7 @@ def _mean(values: Floats, half: int, axis: int) -> Floats:
 
 
 def _bilinear(image: Floats, column: Floats, row: Floats) -> Floats:
-    """An image between its cells; its border continues as 0."""
+    """Bilinear interpolation of an image; 0 outside."""
     height, width = image.shape
     inside = (column > -1) & (column < width) & (row > -1) & (row < height)
     x = np.clip(column, 0, width - 1.001)

@@ -1,4 +1,4 @@
-"""Images of a robot: one view or several on a sheet, ready to be saved."""
+"""Images of a robot: one view, or several views on a sheet."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import Camera, CameraOptions, place_camera, unfit
+from urdfkit.render.camera import Camera, CameraOptions, place_camera, size_error
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
     from urdfkit.core.progress import Progress
 
-#: Grey between the views of a sheet.
+#: Grey pixels between the views of a sheet.
 _GAP = 2
 
 
 class ImageError(UrdfkitError):
-    """An image that cannot be made; the text says why."""
+    """An image cannot be rendered; the text states why."""
 
 
 def render_image(
@@ -43,43 +43,43 @@ def render_image(
     """Draw a robot.
 
     Args:
-        scene: the robot, as `build` gives it.
-        views: names of `camera.VIEWS`; several make a sheet.
+        scene: the robot, from `build`.
+        views: names of `camera.VIEWS`; several form a sheet.
         size: of the image, in pixels.
-        camera_options: as `place_camera` takes it.
-        progress: called with the number of steps done and of all.
-        drawing: as `draw` takes it.
+        camera_options: as for `place_camera`.
+        progress: called with the number of finished steps and of all.
+        drawing: as for `draw`.
 
     Raises:
-        NoSuchView: a view has no name, or a number is out of bounds.
+        NoSuchView: a view is unknown, or a number is out of bounds.
         ImageError: the size is out of bounds.
     """
     has_background = drawing.get("background", STUDIO) is not None
     columns, rows = _grid(len(views))
     cell = (size[0] // columns, size[1] // rows)
     gap = _GAP if len(views) > 1 else 0
-    if reason := unfit(size) or unfit((cell[0] - gap, cell[1] - gap)):
+    if reason := size_error(size) or size_error((cell[0] - gap, cell[1] - gap)):
         raise ImageError(reason)
-    whole = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
+    sheet = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
     level = scene.level()
     cameras = _cameras(scene, views, (cell[0] - gap, cell[1] - gap), camera_options or {})
     for number, (view, camera) in enumerate(zip(views, cameras, strict=True)):
         part = _part(progress, number, len(views))
-        image = drawn(scene, camera, level, drawing, part)
+        image = render_view(scene, camera, level, drawing, part)
         if len(views) > 1:
             caption(image, view)
-        whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
-    return whole.convert("RGB") if has_background else whole
+        sheet.paste(image, (number % columns * cell[0], number // columns * cell[1]))
+    return sheet.convert("RGB") if has_background else sheet
 
 
-def drawn(
+def render_view(
     scene: Scene,
     camera: Camera,
     level: float,
     drawing: DrawingOptions,
     progress: Progress | None = None,
 ) -> Image.Image:
-    """One view of a scene, with its labels, its legend and its scale.
+    """One view of a scene, with labels, legend and scale.
 
     Args:
         level: height of the ground in m.
@@ -92,22 +92,22 @@ def drawn(
 
 
 def has_scale(drawing: DrawingOptions) -> bool:
-    """True if there is a ground that is not cut out."""
+    """True if the ground is drawn."""
     return drawing.get("background", STUDIO) is not None and drawing.get("floor", True)
 
 
 def _cameras(
-    scene: Scene, views: Sequence[str], size: tuple[int, int], given: CameraOptions
+    scene: Scene, views: Sequence[str], size: tuple[int, int], options: CameraOptions
 ) -> list[Camera]:
-    """A camera for each view; on a sheet, all but ``iso`` are orthographic and of one scale."""
-    is_sheet = len(views) > 1 and given.get("distance") is None
+    """A camera for each view; on a sheet, all but ``iso`` are orthographic with a common scale."""
+    is_sheet = len(views) > 1 and options.get("distance") is None
     cameras = []
     for view in views:
-        flat = given.get("orthographic", False) or (is_sheet and view != "iso")
-        options: CameraOptions = {**given, "orthographic": flat}
-        cameras.append(place_camera(scene.points(), view, size=size, **options))
+        flat = options.get("orthographic", False) or (is_sheet and view != "iso")
+        view_options: CameraOptions = {**options, "orthographic": flat}
+        cameras.append(place_camera(scene.points(), view, size=size, **view_options))
     extent = max(camera.extent for camera in cameras)
-    return [one._replace(extent=extent) if one.is_orthographic else one for one in cameras]
+    return [cam._replace(extent=extent) if cam.is_orthographic else cam for cam in cameras]
 
 
 def _part(progress: Progress | None, number: int, count: int) -> Progress | None:
@@ -117,10 +117,10 @@ def _part(progress: Progress | None, number: int, count: int) -> Progress | None
 
 
 def colour(word: str) -> tuple[float, float, float]:
-    """A colour by its name in HTML or as ``#rrggbb``, each part from 0 to 1.
+    """A colour from its HTML name or ``#rrggbb``, each component from 0 to 1.
 
     Raises:
-        ImageError: it is none.
+        ImageError: the word is not a colour.
     """
     try:
         r, g, b = ImageColor.getrgb(word)[:3]
@@ -137,22 +137,24 @@ def _grid(count: int) -> tuple[int, int]:
 
 
 def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
-    """Write an image, whole or not at all, in the format that the suffix names.
+    """Write an image atomically, in the format of the suffix.
 
     Raises:
-        ImageError: Pillow writes no such format.
+        ImageError: Pillow does not support the format.
         UnwritableFile: the file cannot be written.
     """
     suffix = os.path.splitext(os.fspath(path))[1].lower()
-    form = Image.registered_extensions().get(suffix)
-    if form is None or form not in Image.SAVE:
-        what = f"'{suffix}' is not a supported image format" if suffix else "it has no suffix"
-        raise ImageError(f"{os.fspath(path)}: {what}; write .png, .webp or .jpg")
-    if form == "JPEG":
+    format = Image.registered_extensions().get(suffix)
+    if format is None or format not in Image.SAVE:
+        reason = f"'{suffix}' is not a supported image format" if suffix else "it has no suffix"
+        raise ImageError(f"{os.fspath(path)}: {reason}; write .png, .webp or .jpg")
+    if format == "JPEG":
         image = opaque(image)
     buffer = io.BytesIO()
     try:
-        image.save(buffer, form, compress_level=4) if form == "PNG" else image.save(buffer, form)
+        image.save(buffer, format, compress_level=4) if format == "PNG" else image.save(
+            buffer, format
+        )
     except (OSError, ValueError, KeyError) as error:
         raise ImageError(f"{os.fspath(path)}: {error}") from error
     atomic.write(path, buffer.getvalue())

@@ -1,4 +1,4 @@
-"""Words in images; images on white."""
+"""Labels, captions and legends in images."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from urdfkit.render.scene import Scene, placed
 from urdfkit.render.soup import cut, soup
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
-#: Places of a label around its point, the nearest first: directions and distances in letters.
+#: Positions of a label around its point, the nearest first: directions and distances in letters.
 _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
-#: How many of these distances an optional label may take.
+#: Number of these distances for an optional label.
 _NEAR = 3
-#: Pixels from one that is looked at to the next.
+#: Step in pixels of the search for visible links.
 _EACH = 4
 
 
 class LabelBox(NamedTuple):
-    """Where a word stands, in pixels."""
+    """The box of a label, in pixels."""
 
     left: float
     top: float
     right: float
     bottom: float
 
-    def meets(self, other: LabelBox) -> bool:
+    def overlaps(self, other: LabelBox) -> bool:
         return (
             self.left < other.right
             and other.left < self.right
@@ -44,14 +44,14 @@ class LabelBox(NamedTuple):
 
 
 def opaque(image: Image.Image) -> Image.Image:
-    """An image for formats that have no transparency: on white."""
+    """An image on white, for formats without transparency."""
     if image.mode != "RGBA":
         return image.convert("RGB")
     return Image.alpha_composite(Image.new("RGBA", image.size, (255,) * 4), image).convert("RGB")
 
 
 def caption(image: Image.Image, text: str) -> None:
-    """Write a word in the upper left corner of an image."""
+    """Write a text in the upper left corner of an image."""
     size = max(11, min(22, image.height // 22))
     font, written = writing(text, size)
     ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
@@ -84,7 +84,8 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     boxes: list[LabelBox] = []
     layer = Image.new("RGBA", image.size, (0, 0, 0, 0))
     draw = ImageDraw.Draw(layer)
-    links = _links_of_pixels(scene, camera) if any(one.of_link for one in scene.labels) else {}
+    needs_links = any(label.of_link for label in scene.labels)
+    links = _links_of_pixels(scene, camera) if needs_links else {}
     for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
         x, y = anchors[number]
         label = scene.labels[number]
@@ -110,7 +111,7 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
 
 
 def _draw_leader(draw: ImageDraw.ImageDraw, x: float, y: float, box: LabelBox, size: float) -> None:
-    """The empty box of a label, and a line from its point to it."""
+    """Draw the empty box of a label, and a line from its point to the box."""
     end = (min(max(x, box.left), box.right), min(max(y, box.top), box.bottom))
     draw.line([(x, y), end], fill=LEADER, width=max(1, round(size / 12)))
     radius = size / 7
@@ -119,22 +120,22 @@ def _draw_leader(draw: ImageDraw.ImageDraw, x: float, y: float, box: LabelBox, s
 
 
 def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
-    """Where the points of labels are in the image, by the number of the label."""
-    found = {}
+    """Positions of the points of labels in the image, by label number."""
+    anchors = {}
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
     for number, label in enumerate(scene.labels):
         point = np.array([label.point], dtype=np.float32)
-        seen = turned(placed(point, scene.frames[label.link]), rotation) + position
-        if not camera.is_orthographic and seen[0, 2] > -camera.near:
+        view_point = turned(placed(point, scene.frames[label.link]), rotation) + position
+        if not camera.is_orthographic and view_point[0, 2] > -camera.near:
             continue
-        x, y, _ = (float(part[0]) for part in camera.project(seen))
+        x, y, _ = (float(part[0]) for part in camera.project(view_point))
         if 0 <= x < camera.size[0] and 0 <= y < camera.size[1]:
-            found[number] = (x, y)
-    return found
+            anchors[number] = (x, y)
+    return anchors
 
 
 def _links_of_pixels(scene: Scene, camera: Camera) -> dict[str, Floats]:
-    """The pixels (n, 2) where each link is the nearest; one of four by four is looked at."""
+    """The pixels (n, 2) in which each link is visible; one of four by four is tested."""
     width, height = (max(1, edge // _EACH) for edge in camera.size)
     small = camera._replace(size=(width, height))
     items = tuple(item for item in scene.items if not item.material.overlay)
@@ -150,7 +151,7 @@ def _links_of_pixels(scene: Scene, camera: Camera) -> dict[str, Floats]:
 
 
 def _where_seen(x: float, y: float, text: str, pixels: Floats | None) -> tuple[float, float, str]:
-    """The place and the text of a label: where its link is seen, or that it is not."""
+    """The position and text of a label: in the visible part of its link, or marked as hidden."""
     if pixels is None:
         return x, y, f"{text} (hidden)"
     middle = pixels.mean(axis=0)
@@ -172,15 +173,15 @@ def _places(
 def _free(
     places: Iterable[LabelBox], whole: tuple[int, int], taken: Sequence[LabelBox]
 ) -> LabelBox | None:
-    """The first place within the image that meets no other box."""
+    """The first box within the image that overlaps no other box."""
     for box in places:
         inside = box.left >= 0 and box.top >= 0 and box.right <= whole[0] and box.bottom <= whole[1]
-        if inside and not any(map(box.meets, taken)):
+        if inside and not any(map(box.overlaps, taken)):
             return box
     return None
 
 
 def printable(text: str) -> str:
-    """A name from anywhere in one short line."""
+    """A name in one short line without control characters."""
     line = "".join(letter if letter.isprintable() else "?" for letter in text)
     return line if len(line) <= 60 else f"{line[:59]}…"

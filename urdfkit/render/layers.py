@@ -1,6 +1,6 @@
-"""What is drawn over a robot to explain it: frames, joints, masses, names.
+"""Overlays of a robot: frames, joints, masses, contacts, names.
 
-Signs are seen through what hides them, faintly. Their sizes follow from that of the robot.
+Hidden overlays are drawn faintly. Their sizes are proportional to the robot.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -31,41 +31,41 @@ MASS, WHOLE, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 
 CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.05, 0.60, 0.62, 0.35)
 #: Lengths as parts of the size of the robot.
 FRAME, ARC, BALL = 0.08, 0.075, 0.011
-#: Corners of an arc of a full turn.
+#: Corners of a full circle.
 _STEPS = 72
-#: What the colours of a layer mean.
+#: Legends of the layers.
 _LEGENDS = {
     "contacts": (
         ((*CLASH[:3], 1.0), "links overlap"),
         ((*NEIGHBOURS[:3], 1.0), "adjacent links overlap"),
     )
 }
-#: Why there is nothing to draw.
+#: Reasons for empty layers.
 _NOTHING = {
     "joints": "no joint moves",
     "mass": "no link has a mass",
     "inertia": "no link has a mass",
     "contacts": "no links overlap",
 }
-#: Labels about inertias that are not drawn.
+#: Most labels for inertias that are too large to be drawn.
 _MOST = 3
 
 
 class NoSuchLayer(UrdfkitError):
-    """A layer that has no such name."""
+    """An unknown layer."""
 
 
 def explained(
-    scene: Scene, context: Context, layers: Sequence[str], given: Mapping[str, float] | None = None
+    scene: Scene, context: Context, layers: Sequence[str], pose: Mapping[str, float] | None = None
 ) -> Scene:
-    """A scene with layers over it.
+    """A scene with overlays.
 
     Args:
         layers: names of `LAYERS`.
-        given: positions of joints, as for the scene.
+        pose: positions of joints, as for the scene.
 
     Raises:
-        NoSuchLayer: there is no layer of that name.
+        NoSuchLayer: a layer is unknown.
     """
     if not layers:
         return scene
@@ -81,13 +81,13 @@ def explained(
                 or f"; there are visual, collision, {', '.join(LAYERS)}"
             )
             raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
-        drawn = list(LAYERS[layer](scene, context, size, given or {}))
+        drawn = list(LAYERS[layer](scene, context, size, pose or {}))
         items += (thing for thing in drawn if isinstance(thing, SceneItem))
         labels += (thing for thing in drawn if isinstance(thing, Label))
         if drawn:
             legend += _LEGENDS.get(layer, ())
         else:
-            notes.append(f"nothing is drawn of '{layer}': {_NOTHING.get(layer, 'it has no links')}")
+            notes.append(f"layer '{layer}' is empty: {_NOTHING.get(layer, 'it has no links')}")
     return scene._replace(
         items=(*scene.items, *items),
         labels=(*scene.labels, *labels),
@@ -97,7 +97,7 @@ def explained(
 
 
 def extent(scene: Scene) -> float:
-    """The longest edge of the box around a robot, or around its frames, in m; 1 without a size."""
+    """The longest edge of the bounding box of a robot or its frames, in m; 1 without extent."""
     points = scene.points()
     if not len(points):
         points = single([frame.position for frame in scene.frames.values()])
@@ -107,36 +107,36 @@ def extent(scene: Scene) -> float:
 Drawn = Iterator["SceneItem | Label"]
 
 
-def _frames(scene: Scene, _context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
-    """x, y and z of every link in red, green and blue."""
+def _frames(scene: Scene, _context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
+    """The x, y and z axes of every link in red, green and blue."""
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
         for axis, colour in zip(IDENTITY, (RED, GREEN, BLUE), strict=True):
             yield sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
-def _names(scene: Scene, context: Context, _size: float, _given: Mapping[str, float]) -> Drawn:
-    """The name of every link that is seen; of all if no link shows anything."""
+def _names(scene: Scene, context: Context, _size: float, _pose: Mapping[str, float]) -> Drawn:
+    """The names of visible links, or of all links if no link has geometry."""
     of_link = any(not item.material.overlay for item in scene.items)
     for name in scene.frames:
         yield Label(name, name, middle(scene, name), of_link=of_link, is_optional=True)
 
 
 def middle(scene: Scene, link: str) -> Vector:
-    """The middle of what a link shows, in its frame; its origin if it shows nothing."""
-    shown = [
+    """The middle of the geometry of a link, in its frame; its origin without geometry."""
+    vertices = [
         item.vertices for item in scene.items if item.link == link and not item.material.overlay
     ]
-    if not shown:
+    if not vertices:
         return (0.0, 0.0, 0.0)
-    points = np.concatenate(shown)
+    points = np.concatenate(vertices)
     x, y, z = ((points.min(axis=0) + points.max(axis=0)) / 2).tolist()
     return (x, y, z)
 
 
-def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
-    """The axis and the name of every joint that moves, its range, and where in it the joint is."""
-    at = positions(context.tree, given)
+def _joints(scene: Scene, context: Context, size: float, pose: Mapping[str, float]) -> Drawn:
+    """The axis, name, range and position of every movable joint."""
+    at = positions(context.tree, pose)
     for joint in context.model.joints_by_name.values():
         ends = context.tree.ends(joint)
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
@@ -151,7 +151,7 @@ def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, flo
 
 
 def _turning(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
-    """The sector that a joint turns in, and a hand that shows where it stands."""
+    """The range of a revolute joint as a sector, and its position as a hand."""
     low, high = bounds(joint) or (-pi, pi)
     if high - low >= 2 * pi:
         low, high = -pi, pi
@@ -161,7 +161,7 @@ def _turning(parent: str, joint: Joint, here: Transform, radius: float, now: flo
 
 
 def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
-    """The way that a joint slides on, and a ball that shows where it stands."""
+    """The range of a prismatic joint as a rail, and its position as a ball."""
     ends = bounds(joint)
     if ends and ends[1] > ends[0]:
         rail = primitives.cylinder(radius * 0.45, ends[1] - ends[0])
@@ -171,8 +171,8 @@ def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: flo
     yield sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
 
 
-def _masses(scene: Scene, context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
-    """A ball at the centre of mass of each link, as large as its mass, and one of the robot."""
+def _masses(scene: Scene, context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
+    """Balls at the centres of mass of all links, sized by mass, and of the robot."""
     total = sum(link.mass for link in _with_mass(scene, context))
     if total <= 0:
         return
@@ -181,12 +181,12 @@ def _masses(scene: Scene, context: Context, size: float, _given: Mapping[str, fl
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
         yield sign(link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS)
-    found = composite_body(context.tree, scene.frames)
-    if found.properties:
-        center = found.properties.center
+    robot_body = composite_body(context.tree, scene.frames)
+    if robot_body.properties:
+        center = robot_body.properties.center
         ball = primitives.sphere(BALL * size * 1.3)
-        yield sign(found.root, "mass", ball, Transform(position=center), WHOLE)
-        yield Label(f"{found.mass:.4g} kg", found.root, center)
+        yield sign(robot_body.root, "mass", ball, Transform(position=center), WHOLE)
+        yield Label(f"{robot_body.mass:.4g} kg", robot_body.root, center)
 
 
 def _with_mass(scene: Scene, context: Context) -> list[Link]:
@@ -194,11 +194,11 @@ def _with_mass(scene: Scene, context: Context) -> list[Link]:
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
 
-def _boxes(scene: Scene, context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
-    """The box of even density that has the mass and the inertia of each link, as Gazebo shows.
+def _boxes(scene: Scene, context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
+    """The box of uniform density with the mass and inertia of each link, as in Gazebo.
 
-    One larger than the robot, or of a light link than half of it, hides what there is to see, and
-    is written in words.
+    A box that is larger than the robot (or half the robot, for a light link) would hide it, so it
+    is replaced by a label.
     """
     total = sum(link.mass for link in _with_mass(scene, context))
     large: list[Label] = []
@@ -222,22 +222,22 @@ def _boxes(scene: Scene, context: Context, size: float, _given: Mapping[str, flo
         yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
 
 
-def _contacts(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
-    """The collision shapes of links that overlap, and how deep; red unless they are adjacent."""
+def _contacts(scene: Scene, context: Context, size: float, pose: Mapping[str, float]) -> Drawn:
+    """The collision shapes and depths of overlapping links; red unless they are adjacent."""
     shapes: dict[str, list[SceneItem]] = {}
-    for item in build(context, given, ("collision",)).items:
+    for item in build(context, pose, ("collision",)).items:
         shapes.setdefault(item.link, []).append(item)
     root = context.tree.roots[0].name
     colours: dict[str, Colour] = {}
-    for pair in overlaps(context, given):
-        colour = NEIGHBOURS if pair.is_held else CLASH
+    for pair in overlaps(context, pose):
+        colour = NEIGHBOURS if pair.is_adjacent else CLASH
         for link in (pair.first, pair.second):
             colours[link] = CLASH if colours.get(link) == CLASH else colour
         point = _between(scene, shapes[pair.first], shapes[pair.second])
         ball = primitives.sphere(BALL * size * 0.7)
         yield sign(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
         yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
-    # Over opaque collision shapes, colours that are seen through would mix with theirs.
+    # Translucent colours would mix with opaque collision shapes.
     is_opaque = {item.role for item in scene.items} == {"collision"}
     for link, (*rgb, alpha) in colours.items():
         r, g, b = rgb
@@ -247,7 +247,7 @@ def _contacts(scene: Scene, context: Context, size: float, given: Mapping[str, f
 
 
 def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneItem]) -> Vector:
-    """The middle of what the boxes around two links have in common, in the world."""
+    """The middle of the intersection of the bounding boxes of two links, in the world."""
     ends = [
         bounds_of(np.concatenate([placed(item.vertices, scene.frames[item.link]) for item in of]))
         for of in (first, second)
@@ -257,7 +257,7 @@ def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneIte
     return (x, y, z)
 
 
-#: What can be drawn over a robot.
+#: Overlays by name.
 LAYERS: dict[
     str, Callable[[Scene, Context, float, Mapping[str, float]], Iterator[SceneItem | Label]]
 ] = {
@@ -277,14 +277,14 @@ def sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colo
 
 
 def _arrow(length: float, *, both: bool = False) -> Triangles:
-    """An arrow along z from the origin; from as far behind it if ``both``."""
+    """An arrow along z from the origin; ``both`` extends it backwards."""
     thin, thick = length * 0.028, length * 0.075
     start, neck = -0.75 * length if both else 0.0, length * 0.78
     return primitives.revolved((0.0, thin, thin, thick, 0.0), (start, start, neck, neck, length))
 
 
 def _sector(radius: float, low: float, high: float) -> Triangles:
-    """A sector of a disc about z, from an angle to another, in rad from x."""
+    """A sector of a disc about z between two angles, in rad from x."""
     count = max(2, int(_STEPS * min(high - low, 2 * pi) / (2 * pi)) + 1)
     angles = np.linspace(low, high, count)
     rim = np.stack((np.cos(angles), np.sin(angles), np.zeros(count)), axis=1) * radius

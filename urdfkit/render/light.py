@@ -1,4 +1,4 @@
-"""The lamps of the studio, and the shadows that the sun casts."""
+"""The lamps of the studio, and the shadows of the sun."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -11,21 +11,21 @@ from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import CameraTriangles, extent
 from urdfkit.render.thread_pool import Workers
 
-#: Texels of the edge of the shadow map.
+#: Texels along the edge of the shadow map.
 TEXELS = 1024
-#: Radius of the blur of a shadow's edge, as a part of the map.
+#: Blur radius of shadow edges, as a part of the map.
 SOFTNESS = 0.009
-#: Planes along the sun's rays are taken for less steep ones (the sine of the angle between).
+#: Least sine of the angle between surfaces and the sun's rays.
 LEAST_TILT = 0.15
-#: Places of a pixel in a square of so many, each with a pattern of samples of its own.
+#: Edge in pixels of squares in which each pixel has another sampling pattern.
 LATTICE = 4
 
 
 class Rig(NamedTuple):
-    """Directions to the lamps, unit vectors in the frame of the camera.
+    """Directions to the lamps, unit vectors in the camera frame.
 
-    The sun stands above the camera's left shoulder, a weak lamp at its right; so every view is
-    lit alike, and a robot that turns before the camera turns in the light.
+    The sun is above and to the left of the camera, a weak lamp to its right. The lamps move with
+    the camera, so that all views have the same light.
     """
 
     sun: Floats
@@ -36,26 +36,26 @@ class Rig(NamedTuple):
 def rig(camera: Camera) -> Rig:
     """Place the lamps for a camera."""
     up = np.asarray(camera.axes)[:, 2]
-    above = up if up[2] > -0.2 else np.array((0.0, 1.0, 0.0))  # from below the robot is lit, too
+    above = up if up[2] > -0.2 else np.array((0.0, 1.0, 0.0))  # views from below are lit, too
     sun = 1.0 * above + np.array((-0.55, 0.12, 0.62))
     fill = 0.25 * above + np.array((0.9, 0.0, 0.45))
     return Rig(*((v / np.linalg.norm(v)).astype(np.float32) for v in (sun, fill, up)))
 
 
 class ShadowMap(NamedTuple):
-    """Depths as the sun sees them, which decide what lies in shadow."""
+    """Depths from the direction of the sun, which determine shadows."""
 
-    axes: Floats  # rows are the directions across, along and to the sun, in the camera's frame
+    axes: Floats  # rows are the directions across, along and to the sun, in the camera frame
     origin: Floats  # (3,), of the map, in these axes
     scale: float  # texels per m
-    nearness: Floats  # (t, t), height in m of the nearest surface; 0 where there is none
+    nearness: Floats  # (t, t), height in m of the nearest surface; 0 without a surface
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
-        """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""
+        """Column and row in texels, and height in m, of points (n, 3) in the camera frame."""
         return self.placed(turned(points, self.axes))
 
     def placed(self, points: Floats) -> tuple[Floats, Floats, Floats]:
-        """The same of points in the axes of the map."""
+        """The same for points in the axes of the map."""
         x, y, z = (points[:, axis] - np.float32(self.origin[axis]) for axis in range(3))
         factor = np.float32(self.scale)
         x *= factor
@@ -64,16 +64,16 @@ class ShadowMap(NamedTuple):
 
 
 def shadow_map(
-    whole: CameraTriangles, faces: Integers, pieces: Iterable[slice], rig: Rig, workers: Workers
+    triangles: CameraTriangles, faces: Integers, pieces: Iterable[slice], rig: Rig, workers: Workers
 ) -> ShadowMap:
-    """The shadow map of some triangles.
+    """The shadow map of triangles.
 
     Args:
-        faces: (m, 3), those that cast a shadow.
+        faces: (m, 3), faces that cast shadows.
     """
     axes = _axes(rig)
-    seen = turned(whole.points, axes)
-    lowest, highest = extent(seen, pieces)
+    points = turned(triangles.points, axes)
+    lowest, highest = extent(points, pieces)
     edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
     origin = np.array((middle[0] - edge / 2, middle[1] - edge / 2, lowest[2]))
@@ -82,7 +82,7 @@ def shadow_map(
     result = ShadowMap(
         axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
     )
-    x, y, z = result.placed(seen)
+    x, y, z = result.placed(points)
     screen, _ = projected(x, y, z, faces, TEXELS)
     everything = np.arange(len(screen.top))
     offsets = np.array((0.5,), dtype=np.float32)
@@ -106,17 +106,18 @@ def _axes(rig: Rig) -> Floats:
 def sunlight(
     map_: ShadowMap, points: Floats, normals: Floats, pixel: Integers, width: int, taps: int
 ) -> Floats:
-    """How much of the sun surfaces see, (k,), from 0 to 1; grainy in a lattice of pixels.
+    """(k,), visible part of the sun, from 0 to 1, with grain in a lattice of pixels.
 
     Args:
-        points: (k, 3), in the camera's frame.
+        points: (k, 3), in the camera frame.
         normals: (k, 3).
         pixel: (k,), row times width plus column.
-        taps: samples of each.
+        taps: number of samples for each point.
     """
     texel = np.float32(1 / map_.scale)
     column, row, height = map_.coordinates(points + normals * (2 * texel))
-    # Around a point its own surface is as high as its plane: tilted ones do not shade themselves.
+    # Samples are compared with the plane of the surface, so that tilted surfaces do not shade
+    # themselves.
     across, along, towards = (dot(normals, axis) for axis in map_.axes)
     towards = np.maximum(towards, np.float32(LEAST_TILT)) * np.float32(-map_.scale)
     across /= towards
@@ -132,26 +133,24 @@ def sunlight(
         y = np.clip(row + up, 0, limit).astype(np.int32)
         plane = height + right * across + up * along
         lit += flat[y * np.int32(TEXELS) + x] <= plane
-    part: Floats = lit / np.float32(taps)
-    return part
+    return np.asarray(lit / np.float32(taps))
 
 
 def lattice(pixel: Integers, width: int) -> Integers:
-    """The place of pixels in their squares, from 0 to 15."""
+    """Index of pixels in their squares, from 0 to 15."""
     row, column = np.divmod(pixel, width)
-    result: Integers = row % LATTICE * LATTICE + column % LATTICE
-    return result
+    return np.asarray(row % LATTICE * LATTICE + column % LATTICE)
 
 
 def spiral(taps: int, power: float = 0.5) -> Floats:
-    """Points of a disc of radius 1, some of them for each place of a lattice.
+    """Sample points in the unit disc for each index of the lattice.
 
-    Those of all places together are one sunflower, so a square of pixels sees every part of the
-    disc, though each of them takes few samples.
+    The points of all indices together form a sunflower spiral, so that a square of pixels samples
+    the whole disc with few samples for each pixel.
 
     Args:
-        taps: how many.
-        power: 0.5 spreads them evenly, 1 puts more of them in the middle.
+        taps: number of points for each index.
+        power: 0.5 for a uniform distribution, 1 for more points in the middle.
 
     Returns:
         (16, taps, 2)

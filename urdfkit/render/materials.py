@@ -15,30 +15,30 @@ Colour = tuple[float, float, float, float]
 class SurfaceMaterial(NamedTuple):
     """The colour or the texture of a surface."""
 
-    rgba: Colour  # each part from 0 to 1, as written (sRGB); multiplied with the texture
-    texture: str | bytes | None = None  # path of an image, or its bytes; None without one
-    #: True for what explains the robot and is no part of it: it casts no shadow, and is seen
-    #: through what hides it.
+    rgba: Colour  # components from 0 to 1, as written (sRGB); multiplied with the texture
+    texture: str | bytes | None = None  # path or bytes of an image; None without a texture
+    #: True for overlays, which are not part of the robot: they cast no shadows, and are visible
+    #: through other surfaces.
     overlay: bool = False
 
 
-#: For what says nothing about its material.
+#: Surfaces without a material.
 PLAIN = SurfaceMaterial((0.72, 0.74, 0.77, 1.0))
-#: For the box that stands for a missing mesh; the name is drawn as stripes.
+#: Placeholders for missing meshes; this name stands for stripes.
 STRIPES = "urdfkit:stripes"
 PLACEHOLDER = SurfaceMaterial((1.0, 0.48, 0.0, 1.0), STRIPES)
-#: Collisions are seen through where visuals are shown, too.
+#: Collisions, translucent if visuals are drawn, too.
 COLLISION = SurfaceMaterial((0.93, 0.42, 0.12, 0.45))
 
 
 class ModelMaterials:
     """The materials of one model.
 
-    A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
-    the link's Gazebo material counts.
+    A material of the URDF overrides materials in a mesh file, as in RViz. Without both, the link's
+    Gazebo material is used.
 
     Args:
-        see_through: whether collisions show what is in them.
+        see_through: True for translucent collisions.
     """
 
     def __init__(self, context: Context, *, see_through: bool = True) -> None:
@@ -73,7 +73,7 @@ class ModelMaterials:
         return PLAIN
 
     def _written(self, material: Material) -> SurfaceMaterial:
-        """What a ``<material>`` says; a texture that is missing leaves the colour."""
+        """The material of a ``<material>``; if its texture is missing, only the colour."""
         texture = None
         if material.texture is not None:
             texture = self._context.files.find(material.texture)

@@ -1,4 +1,4 @@
-"""Ambient occlusion: how much of the sky the surroundings of a point in the image hide.
+"""Ambient occlusion: the part of the sky that the surroundings of a point hide.
 
 McGuire, Mara, Luebke: Scalable Ambient Obscurance, 2012, equation 1 of section 3, with exact
 positions instead of a pyramid of them, and the authors' falloff.
@@ -10,12 +10,12 @@ from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import lattice, spiral
 
-#: Largest radius in pixels, as a part of the image's height.
+#: Largest radius, as a part of the image's height.
 MAX_RADIUS = 0.2
-#: Nothing nearer than this part of the radius hides anything: surfaces do not hide themselves.
+#: Least distance of occluders, as a part of the radius, so that surfaces do not occlude themselves.
 BIAS = 0.02
 STRENGTH = 1.3
-#: In m; the sixth power of a smaller radius is none in single precision.
+#: Least radius in m; the sixth power of a smaller one is 0 in single precision.
 LEAST_RADIUS = 1e-5
 
 
@@ -28,15 +28,15 @@ def openness(
     radius: float,
     taps: int,
 ) -> Floats:
-    """How much of the sky points see, (k,), from 0 to 1; grainy in a lattice of pixels.
+    """(k,), visible part of the sky, from 0 to 1, with grain in a lattice of pixels.
 
     Args:
-        depth: (h, w), in m, of what is seen at the middle of each pixel; huge for nothing.
-        points: (k, 3), in the camera's frame.
+        depth: (h, w), in m, at the centre of each pixel; huge without a surface.
+        points: (k, 3), in the camera frame.
         normals: (k, 3).
-        pixel: (k,), where they are in the image.
-        radius: in m; what is further away hides nothing.
-        taps: samples of each.
+        pixel: (k,), indices of their pixels.
+        radius: in m; farther surfaces do not occlude.
+        taps: number of samples for each point.
     """
     if radius < LEAST_RADIUS:
         return np.ones(len(points), dtype=np.float32)
@@ -63,12 +63,11 @@ def openness(
         falloff = np.maximum(square - distance, 0)
         hidden += falloff * falloff * falloff * rise / (distance + np.float32(0.02) * square)
     factor = np.float32(5 * STRENGTH * radius / (taps * radius**6))
-    seen: Floats = np.exp(-hidden * factor)
-    return seen
+    return np.asarray(np.exp(-hidden * factor))
 
 
 def _reach(camera: Camera, radius: float, depth: Floats) -> Floats:
-    """A length in m at some depths (k,), in pixels, (k,)."""
+    """(k,), a length in m at depths (k,), in pixels."""
     reach = np.full(len(depth), radius * camera.scale, dtype=np.float32)
     if not camera.is_orthographic:
         reach /= depth

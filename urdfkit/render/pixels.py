@@ -1,4 +1,4 @@
-"""From fragments to pixels: light over lattices, sums, backgrounds and bytes."""
+"""Pixels from fragments: averages of light, sums, backgrounds and bytes."""
 
 from collections.abc import Callable, Sequence
 
@@ -9,7 +9,7 @@ from urdfkit.render.fragments import Fragments
 from urdfkit.render.light import LATTICE
 from urdfkit.render.textures import LINEAR
 
-#: Two colours, above and below, sRGB from 0 to 1.
+#: Two colours, at top and bottom, sRGB from 0 to 1.
 Background = tuple[tuple[float, float, float], tuple[float, float, float]]
 STUDIO: Background = ((0.925, 0.935, 0.95), (0.8, 0.82, 0.845))
 
@@ -17,17 +17,17 @@ STUDIO: Background = ((0.925, 0.935, 0.95), (0.8, 0.82, 0.845))
 def means(
     images: Sequence[Floats], depth: Floats, first: int, last: int, near: Callable[[Floats], Floats]
 ) -> list[Floats]:
-    """Means of light around each pixel of a band, (p,) of each image.
+    """(p,) for each image, means of light around each pixel of a band.
 
-    Two means over a lattice square, one of them shifted by a pixel, make a tent of 7x7 pixels: it
-    takes away all grain that the lattice makes.
+    Two means over a lattice square, one of them shifted by a pixel, form a tent filter of 7x7
+    pixels, which removes all grain of the lattice.
 
     Args:
-        images: (h, w) each, light that is grainy within the squares.
+        images: (h, w) each, light with grain within the squares.
         depth: (h, w), in m.
-        first: row of the band.
-        last: row after it.
-        near: of depths, how far apart in depth what belongs to one surface may be.
+        first: first row of the band.
+        last: row after the band.
+        near: maps depths to the greatest depth difference within one surface.
     """
     above, below = max(first - LATTICE + 1, 0), last + LATTICE - 1
     shown = np.flatnonzero(sum((image[above:below] < 1).any(axis=0) for image in images))
@@ -45,25 +45,25 @@ def means(
 
 
 def _tents(values: Sequence[Floats], distances: Floats, bound: Floats, axis: int) -> list[Floats]:
-    """Two means of images along an axis, over what is near to each pixel in depth."""
+    """Two means of images along an axis, over pixels of similar depth."""
     half = LATTICE // 2
-    alike = {}
+    is_near = {}
     for offset in range(-half, half + 1):
         here, there = _neighbours(offset, axis)
-        alike[offset] = np.abs(distances[there] - distances[here]) < bound[here]
+        is_near[offset] = np.abs(distances[there] - distances[here]) < bound[here]
     for offsets in (range(-half, half), range(1 - half, half + 1)):
         totals, count = [np.zeros_like(value) for value in values], np.zeros_like(distances)
         for offset in offsets:
             here, there = _neighbours(offset, axis)
-            count[here] += alike[offset]
+            count[here] += is_near[offset]
             for total, value in zip(totals, values, strict=True):
-                total[here] += value[there] * alike[offset]
+                total[here] += value[there] * is_near[offset]
         values = [total / count for total in totals]
     return list(values)
 
 
 def _neighbours(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
-    """The pixels that have a neighbour at an offset along an axis, and these neighbours."""
+    """The pixels with a neighbour at an offset along an axis, and these neighbours."""
     back, on = slice(max(-offset, 0), -offset if offset > 0 else None), slice(None)
     away = slice(max(offset, 0), offset if offset < 0 else None)
     return ((back, on), (away, on)) if axis == 0 else ((on, back), (on, away))
@@ -72,13 +72,13 @@ def _neighbours(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice,
 def matching(
     pixel: Integers, own: Floats, depth: Floats, near: Callable[[Floats], Floats]
 ) -> Integers:
-    """The neighbouring pixel whose depth is nearest to each fragment; its own if that is near.
+    """The adjacent pixel with the depth nearest to each fragment's; its own pixel if it is near.
 
     Args:
-        pixel: (k,), of the fragments, from the first of the band.
+        pixel: (k,), pixels of the fragments, counted from the start of the band.
         own: (k,), depth of the fragments, in m.
         depth: (rows, w), of the pixels of the band.
-        near: of depths, what is near.
+        near: as for `means`.
     """
     flat, width = depth.reshape(-1), depth.shape[1]
     place: Integers = pixel.copy()
@@ -93,26 +93,23 @@ def matching(
     return place
 
 
-def summed(some: Fragments, light: Floats, start: int, count: int) -> tuple[Floats, Floats]:
-    """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,).
+def summed(fragments: Fragments, light: Floats, start: int, count: int) -> tuple[Floats, Floats]:
+    """Sums of fragments in pixels: light (p, 3) multiplied with coverage, and coverage (p,).
 
     Args:
-        light: (k, 3), that they send.
-        start: number of the first pixel.
-        count: of pixels.
+        light: (k, 3), of the fragments.
+        start: index of the first pixel.
+        count: number of pixels.
     """
-    place = some.pixel - start
+    place = fragments.pixel - start
     result = np.empty((count, 3), dtype=np.float32)
     for channel in range(3):
-        result[:, channel] = np.bincount(place, light[:, channel] * some.weight, count)
-    return result, np.bincount(place, some.weight, count).astype(np.float32)
+        result[:, channel] = np.bincount(place, light[:, channel] * fragments.weight, count)
+    return result, np.bincount(place, fragments.weight, count).astype(np.float32)
 
 
 def gradient(background: Background, first: int, last: int, size: tuple[int, int]) -> Floats:
-    """The background of rows, (rows, w, 3), in linear light.
-
-    Its steps of 1/255 are mixed in a pattern, so that no bands are seen.
-    """
+    """(rows, w, 3), the background in linear light, dithered to avoid bands."""
     width, height = size
     above, below = 255 * np.array(background, dtype=np.float32)
     row, column = np.arange(first, last), np.arange(width)
@@ -124,7 +121,7 @@ def gradient(background: Background, first: int, last: int, size: tuple[int, int
 
 
 def encoded(light: Floats, alpha: Floats) -> Bytes:
-    """sRGB with alpha, (p, 4), of light that is multiplied with its alpha."""
+    """(p, 4), sRGB with alpha, of premultiplied light."""
     plain = light / np.maximum(alpha, np.float32(1e-6))[:, None]
     steps = np.float32(len(_TABLE) - 1)
     index = (np.clip(plain, 0, 1) * steps + np.float32(0.5)).astype(np.int32)
@@ -135,7 +132,7 @@ def encoded(light: Floats, alpha: Floats) -> Bytes:
 
 
 def _thresholds() -> Floats:
-    """Thresholds of ordered dithering from 0 to 1, (8, 8): Bayer's matrix."""
+    """(8, 8), thresholds of ordered dithering from 0 to 1: Bayer's matrix."""
     matrix = np.zeros((1, 1))
     for _ in range(3):
         matrix = np.block([[4 * matrix, 4 * matrix + 2], [4 * matrix + 3, 4 * matrix + 1]])
@@ -146,7 +143,7 @@ _THRESHOLDS = _thresholds()
 
 
 def _table() -> Bytes:
-    """sRGB of amounts of light from 0 to 1 (IEC 61966-2-1)."""
+    """sRGB values of linear light from 0 to 1 (IEC 61966-2-1)."""
     light = np.arange(1 << 14) / ((1 << 14) - 1)
     value = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
     table: Bytes = np.rint(value * 255).astype(np.uint8)

@@ -1,4 +1,4 @@
-"""URDF's shapes as triangles, with the normals of the true surface. Lengths in m."""
+"""Triangles of the URDF shapes, with the normals of the exact surface. Lengths in m."""
 
 from functools import cache
 from math import pi
@@ -8,7 +8,7 @@ import numpy as np
 
 from urdfkit.render.arrays import Floats, Integers, unit
 
-#: Sides of a circle, and rings of half a sphere: round at any size on a screen.
+#: Sides of a circle, and rings of a hemisphere: visually round at any size.
 SIDES, RINGS = 96, 24
 
 
@@ -22,7 +22,7 @@ class Triangles(NamedTuple):
 
 
 def box(x: float, y: float, z: float) -> Triangles:
-    """A box about its centre; every side shows the whole of a texture."""
+    """A box, centred at the origin; every side shows the whole texture."""
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=np.float32)
     vertices = np.empty((6, 4, 3), dtype=np.float32)
     for side in range(6):
@@ -45,7 +45,7 @@ def sphere(radius: float) -> Triangles:
 
 
 def capsule(radius: float, length: float) -> Triangles:
-    """A cylinder along z with half a sphere at each end; the length is that of the cylinder."""
+    """A cylinder of some length along z with a hemisphere at each end."""
     angles = np.linspace(0, pi / 2, RINGS + 1)
     r, z = radius * np.cos(angles), radius * np.sin(angles)
     outline = np.concatenate((r[::-1], r)), np.concatenate((-z[::-1] - length / 2, z + length / 2))
@@ -56,7 +56,7 @@ def capsule(radius: float, length: float) -> Triangles:
 
 
 def revolved(radii: tuple[float, ...], heights: tuple[float, ...]) -> Triangles:
-    """An outline of straight pieces turned about z; each piece is smooth around, flat along."""
+    """A solid of revolution about z from straight pieces, smooth around z, with edges between."""
     parts = []
     for i in range(len(radii) - 1):
         r, z = np.array(radii[i : i + 2]), np.array(heights[i : i + 2])
@@ -69,7 +69,7 @@ def revolved(radii: tuple[float, ...], heights: tuple[float, ...]) -> Triangles:
 
 
 def _lathe(radii: Floats, heights: Floats) -> tuple[Floats, Integers]:
-    """Vertices and faces of an outline turned about z, from below to above."""
+    """Vertices and faces of a surface of revolution about z; the outline is from below to above."""
     circle = _circle()
     vertices = np.empty((len(radii), SIDES, 3), dtype=np.float32)
     vertices[:, :, :2] = circle * radii[:, None, None]

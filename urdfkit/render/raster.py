@@ -1,11 +1,11 @@
-"""Which triangle is nearest at every sample of an image: scanlines, on numpy.
+"""Rasterisation: the nearest triangle at every sample of an image, by scanlines in numpy.
 
-A sample is won by the largest key: the bits of its nearness, and below them the number of the
-triangle. Positive floats are in order as integers, so one ``maximum.at`` does what a depth buffer
-does, and what comes out does not depend on the order of the work.
+The largest key wins a sample: the bits of the nearness, followed by the number of the triangle.
+Positive floats have the order of their bits as integers, so ``maximum.at`` acts as a depth buffer,
+and results do not depend on the order of processing.
 
-Both triangles at an edge compute where a row crosses it from the same two points in the same
-order, from above to below, so they neither overlap nor leave a gap.
+Both triangles at an edge compute its intersection with a row from the same two points in the same
+order, from top to bottom, so they neither overlap nor leave a gap.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys
 
-#: Samples that are worked on at a time: bounds memory whatever lies on top of what.
+#: Most samples at a time, which limits memory for any depth complexity.
 MAX_SAMPLES = 1 << 20
-#: Empty samples have this key, and triangles count from 1.
+#: Key of empty samples; triangles count from 1.
 EMPTY = np.uint64(0)
 _LOW, _HIGH = (0, 1) if sys.byteorder == "little" else (1, 0)
 
@@ -31,9 +31,9 @@ class Projected(NamedTuple):
     #: x and y: (n,), vertices in pixels from the upper left corner.
     x: Floats
     y: Floats
-    nearness: Floats  # (n,), positive, larger for what is nearer, linear in the image
-    corners: tuple[Integers, Integers, Integers]  # three times (m,), the indices of the vertices
-    #: top and bottom: (m,), the least and the greatest y of each triangle.
+    nearness: Floats  # (n,), positive, larger for nearer vertices, linear in the image
+    corners: tuple[Integers, Integers, Integers]  # three times (m,), indices of the vertices
+    #: top and bottom: (m,), least and greatest y of each triangle.
     top: Floats
     bottom: Floats
 
@@ -41,7 +41,7 @@ class Projected(NamedTuple):
 def projected(
     x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
 ) -> tuple[Projected, Integers]:
-    """Triangles that may be in an image of some width, and their numbers among all."""
+    """The triangles that may be in an image of a width, and their indices among all."""
     columns = [np.ascontiguousarray(faces[:, corner], dtype=np.int32) for corner in range(3)]
     xs, ys = ([values[column] for column in columns] for values in (x, y))
     top, bottom = np.minimum.reduce(ys), np.maximum.reduce(ys)
@@ -54,9 +54,9 @@ def projected(
 class Grid(NamedTuple):
     """Samples of a band of an image.
 
-    Every pixel has ``len(offsets)`` rows of samples, one sample in each row, at an offset of its
-    own from the left: rooks on a board that threaten one another nowhere. Edges of all
-    directions come out as smooth as with the square of that many samples.
+    Every pixel has ``len(offsets)`` rows of samples, one sample in each row, all at different
+    offsets from the left (n-rooks sampling). Edges of all directions are as smooth as with the
+    square of that number of samples.
     """
 
     width: int  # of the image in pixels
@@ -67,12 +67,12 @@ class Grid(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, int]:
-        """Rows of samples, samples in each."""
+        """Number of sample rows, and samples in each row."""
         return (self.last - self.first) * len(self.offsets), self.width
 
 
 def rooks(samples: int) -> Floats:
-    """Offsets of the samples of a pixel, far from one another: the golden ratio's order."""
+    """Offsets of the samples of a pixel, well distributed by the golden ratio."""
     order = np.argsort((np.arange(samples) * 0.6180339887498949) % 1.0, kind="stable")
     return ((np.argsort(order) + 0.5) / samples).astype(np.float32)
 
@@ -88,9 +88,9 @@ def nearest(
     """The keys of the samples of a band.
 
     Args:
-        chosen: numbers of those to draw.
-        above: keys that must be beaten to be seen at all; those of what is opaque.
-        below: keys that must not be reached; those of the layer before.
+        chosen: indices of the triangles to draw.
+        above: lower bounds of visible keys: the keys of opaque surfaces.
+        below: upper bounds of keys (exclusive): the keys of the previous layer.
 
     Returns:
         Keys in the shape of the grid; the lower half is the number of the triangle, from 1.
@@ -114,13 +114,13 @@ def nearest(
 
 
 def split(keys: Keys) -> tuple[Integers, Floats]:
-    """The numbers of the triangles, -1 for none, and their nearness."""
+    """The indices of the triangles, -1 for none, and their nearness."""
     halves = keys.view(np.uint32).reshape(*keys.shape, 2)
     return halves[..., _LOW].astype(np.int32) - 1, halves[..., _HIGH].copy().view(np.float32)
 
 
 class Spans(NamedTuple):
-    """Pieces of sample rows that one triangle covers."""
+    """Pieces of sample rows, each covered by one triangle."""
 
     place: Integers
     length: Integers
@@ -135,7 +135,7 @@ class Spans(NamedTuple):
 
 
 def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers, Integers]:
-    """The first sample row of each triangle in a band, and how many rows it has there."""
+    """The first sample row of each triangle in a band, and its number of rows in the band."""
     count = np.float32(len(grid.offsets))
     half = np.float32(0.5)
     first = np.ceil(triangles.top[numbers] * count - half)
@@ -155,8 +155,8 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     long_slope = (x2 - x0) / height
     upper_slope = _quotient(x1 - x0, y1 - y0)
     lower_slope = _quotient(x2 - x1, y2 - y1)
-    # The nearness is linear: its gradient along a row, from where the middle's row crosses
-    # the long edge to the middle.
+    # The nearness is linear: its gradient is computed on the row of the middle corner, between the
+    # long edge and the corner.
     along = (n2 - n0) / height
     across = x1 - (x0 + (y1 - y0) * long_slope)
     gradient = _quotient(n1 - (n0 + (y1 - y0) * along), across)
@@ -196,7 +196,7 @@ def _each_row(first: Integers, rows: Integers) -> tuple[Integers, Integers]:
 
 
 def _first_sample(x: Floats, offset: Floats, grid: Grid) -> Floats:
-    """The first sample of a row at or beyond x, within the grid."""
+    """The first sample of a row at or after x, within the grid."""
     return np.clip(np.ceil(x - offset), 0, np.float32(grid.width))
 
 
@@ -208,7 +208,7 @@ def _quotient(dividend: Floats, divisor: Floats) -> Floats:
 
 
 def _samples(spans: Spans) -> tuple[Integers, Keys]:
-    """The samples in some spans: their places in the band, and keys."""
+    """The samples of spans: their indices in the band, and keys."""
     starts = np.cumsum(spans.length) - spans.length
     count = int(spans.length.sum())
     places = np.arange(count)
@@ -250,7 +250,7 @@ def _pick(
 
 
 def _slices(counts: Integers, limit: int) -> Iterator[slice]:
-    """Pieces of a list whose counts sum to the limit at most, or that are one item."""
+    """Pieces of a list whose counts sum to at most the limit, or of a single item."""
     ends = np.cumsum(counts)
     start, total = 0, 0
     while start < len(counts):

@@ -1,4 +1,4 @@
-"""How large a robot is, in its image: a grid on the ground, or a bar under an orthographic view."""
+"""The scale of an image: a grid on the ground, or a bar in an orthographic view."""
 
 from math import floor, log10
 
@@ -8,19 +8,19 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
 from urdfkit.render.labels import INK
 
-#: Squares of the grid, and bars, in the width of an image, at least.
+#: Least numbers of grid squares and bars in the width of an image.
 _SQUARES, _BARS = 7, 6
-#: Sine of the angle above the horizon from which the grid can be told from a line.
+#: Sine of the elevation below which the grid looks like a line.
 _LEAST_RISE = 0.06
 
 
 def grid_step(camera: Camera, level: float) -> float:
     """The edge of a square of the grid on the ground, in m: 1, 2 or 5 times a power of ten.
 
-    It follows from the camera alone, so that it is the same in all images of an animation.
+    It only depends on the camera, so that it is the same in all images of an animation.
 
     Returns:
-        0 where the camera does not look down on the ground, or sees it without perspective.
+        0 if the camera does not look down on the ground, or is orthographic.
     """
     rise = camera.axes[2][2]
     if camera.is_orthographic or rise < _LEAST_RISE or camera.eye[2] <= level:
@@ -30,7 +30,7 @@ def grid_step(camera: Camera, level: float) -> float:
 
 
 def write_scale(image: Image.Image, camera: Camera, level: float) -> None:
-    """Write the scale into the lower left corner of an image, as large as a caption."""
+    """Write the scale into the lower left corner of an image."""
     bar = _round(camera.size[0] / camera.scale / _BARS) if camera.is_orthographic else 0.0
     length = bar or grid_step(camera, level)
     if not length:

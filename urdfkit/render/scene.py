@@ -1,4 +1,4 @@
-"""What an image shows: the triangles of a robot, link by link, and where the links are."""
+"""The contents of an image: the triangles of a robot by link, and the frames of the links."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from urdfkit.render.materials import PLACEHOLDER, Colour, ModelMaterials, Surfac
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
 
-#: The least edge of the box that stands for a missing mesh, as a part of the robot.
+#: Least edge of the placeholder for a missing mesh, as a part of the robot's size.
 PLACEHOLDER_SIZE = 0.045
 
-#: What is smaller than this part of that edge is not seen.
+#: Part of that edge below which a shape is invisible.
 SPECK = 0.05
 
-#: Above this number faces are as small as pixels, and flat ones look the same.
+#: Number of faces above which they are as small as pixels, and look smooth without normals.
 MAX_SMOOTH = 250_000
 
-#: In m; what is further away than this, or larger, is a wrong value and not drawn.
+#: Largest plausible coordinate in m; geometry beyond it is not drawn.
 LIMIT = 1e6
 
 
@@ -37,24 +37,24 @@ class SceneItem(NamedTuple):
     """Triangles of one material that move with one link."""
 
     link: str  # name of the link
-    role: str  # ``visual``, ``collision``, or the layer that it belongs to
-    label: str  # what it shows: the name of a mesh file or the kind of a shape
-    material: SurfaceMaterial  # its colour or texture
+    role: str  # ``visual``, ``collision``, or the name of a layer
+    label: str  # the name of a mesh file or the kind of a shape
+    material: SurfaceMaterial
     vertices: Floats  # (n, 3), in the frame of the link, in m
     faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside
     normals: Floats | None = None  # (n, 3), unit vectors; None if every face is flat
     uv: Floats | None = None  # (n, 2), texture coordinates with v upwards; None without a texture
-    #: (n, 4), of the vertices, instead of the colour of the material; None without them.
+    #: (n, 4), vertex colours instead of the colour of the material; None without.
     colors: Floats | None = None
 
     def moved(self, frame: Transform) -> SceneItem:
-        """The same from a frame to its parent."""
+        """The item transformed from a frame to its parent."""
         normals = None if self.normals is None else turned(self.normals, frame)
         return self._replace(vertices=placed(self.vertices, frame), normals=normals)
 
 
 class MissingMesh(NamedTuple):
-    """A mesh that a placeholder stands for."""
+    """A mesh that is replaced by a placeholder."""
 
     link: str  # name of the link
     role: str  # ``visual`` or ``collision``
@@ -63,51 +63,51 @@ class MissingMesh(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A word in an image."""
+    """A label in an image."""
 
-    text: str  # the word
-    link: str  # in whose frame the point is
-    point: Vector  # what it belongs to, in m
-    of_link: bool = False  # it belongs to all of the link, wherever that is seen
-    is_optional: bool = False  # omitted if the link is hidden or no place is free next to it
+    text: str
+    link: str  # the frame of the point
+    point: Vector  # the labelled point, in m
+    of_link: bool = False  # True if it labels the whole link, at its visible pixels
+    is_optional: bool = False  # True if it is omitted when the link is hidden or space is missing
 
 
 class Scene(NamedTuple):
     """A robot in a configuration."""
 
-    items: tuple[SceneItem, ...]  # what there is to draw
-    frames: Mapping[str, Transform]  # where each link is, by its name
-    missing: tuple[MissingMesh, ...] = ()  # the meshes that placeholders stand for
-    labels: tuple[Label, ...] = ()  # words to write
-    #: What there was nothing of to draw, or is not as it looks, a sentence each.
+    items: tuple[SceneItem, ...]
+    frames: Mapping[str, Transform]  # frames of the links by name
+    missing: tuple[MissingMesh, ...] = ()  # meshes replaced by placeholders
+    labels: tuple[Label, ...] = ()
+    #: Notes about empty layers and misleading contents, a sentence each.
     notes: tuple[str, ...] = ()
-    legend: tuple[tuple[Colour, str], ...] = ()  # what colours mean
+    legend: tuple[tuple[Colour, str], ...] = ()
 
     def points(self) -> Floats:
-        """All vertices in the world, (n, 3), in m; of overlays only if there is nothing else."""
+        """All vertices in the world, (n, 3), in m; overlays only if there is nothing else."""
         solids = [item for item in self.items if not item.material.overlay]
-        found = [placed(item.vertices, self.frames[item.link]) for item in solids or self.items]
-        return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
+        points = [placed(item.vertices, self.frames[item.link]) for item in solids or self.items]
+        return np.concatenate(points) if points else np.zeros((0, 3), dtype=np.float32)
 
     def level(self) -> float:
-        """The height of the lowest of these points, in m; 0 without one."""
+        """The height of the lowest of these points, in m; 0 without points."""
         points = self.points()
         return float(points[:, 2].min()) if len(points) else 0.0
 
 
-@np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
+@np.errstate(over="ignore", invalid="ignore")  # for implausible sizes
 def build(
     context: Context,
     positions: Mapping[str, float] | None = None,
     roles: tuple[str, ...] = ("visual",),
 ) -> Scene:
-    """The scene of a description.
+    """The scene of a robot.
 
-    Links that no root leads to are left out: they are nowhere.
+    Links without a path to a root have no frame and are omitted.
 
     Args:
-        positions: of joints, in rad or m; the others are at 0.
-        roles: of ``visual`` and ``collision``, what to show.
+        positions: positions of joints, in rad or m; the others are at 0.
+        roles: ``visual``, ``collision`` or both.
 
     Raises:
         Unavailable: the description cannot be read.
@@ -122,14 +122,14 @@ def build(
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                every = map(_sound, _items(meshes, materials, link.name, role, body))
-                found = [item for item in every if item]
-                items += found
-                if not found and body.shape and body.shape.kind == "mesh":
-                    reason = context.meshes.reason(body.shape) or "its triangles are nowhere"
+                candidates = map(_sound, _items(meshes, materials, link.name, role, body))
+                valid = [item for item in candidates if item]
+                items += valid
+                if not valid and body.shape and body.shape.kind == "mesh":
+                    reason = context.meshes.reason(body.shape) or "it has no valid triangles"
                     absent.append((link, role, body, reason))
     roots = {context.tree.root_of[item.link] for item in items}
-    note = f"{len(roots)} roots are drawn in one place: no joint says how they stand to one another"
+    note = f"{len(roots)} roots are drawn at the same position: no joint connects them"
     scene = Scene(tuple(items), frames, notes=(note,) if len(roots) > 1 else ())
     return _with_placeholders(scene, context, absent) if absent else scene
 
@@ -137,7 +137,7 @@ def build(
 def _with_placeholders(
     scene: Scene, context: Context, absent: list[tuple[Link, str, Body, str]]
 ) -> Scene:
-    """A box for each body whose mesh is missing; of each its link, role and the reason."""
+    """The scene with a box for each body whose mesh is missing."""
     least = PLACEHOLDER_SIZE * _reach(scene)
     boxes = (_placeholder(context, link, role, body, least) for link, role, body, _ in absent)
     missing = (
@@ -148,18 +148,18 @@ def _with_placeholders(
 
 
 class _SmoothMeshes:
-    """The meshes of a robot with normals, each made once: many links collide with their visuals."""
+    """The meshes of a robot with normals, each computed once: visuals and collisions share them."""
 
     def __init__(self, context: Context) -> None:
         self._meshes = context.meshes
         self._known: dict[int, Mesh] = {}
 
     def mesh(self, shape: Shape) -> Mesh | None:
-        """The mesh of a shape; smooth where it has no normals and is not as fine as pixels."""
+        """The mesh of a shape; normals are computed unless it has some or is very fine."""
         mesh = self._meshes.mesh(shape)
         if mesh is None:
             return None
-        if id(mesh) not in self._known:  # no other has its id: the context keeps all meshes
+        if id(mesh) not in self._known:  # ids are unique: the context keeps all meshes
             parts = (part if len(part.faces) > MAX_SMOOTH else shaded(part) for part in mesh.parts)
             self._known[id(mesh)] = mesh._replace(parts=tuple(parts))
         return self._known[id(mesh)]
@@ -168,7 +168,7 @@ class _SmoothMeshes:
 def _items(
     meshes: _SmoothMeshes, materials: ModelMaterials, link: str, role: str, body: Body
 ) -> Iterator[SceneItem]:
-    """What one visual or collision shows; nothing if its mesh is not to be had."""
+    """The items of one visual or collision; empty if its mesh is missing."""
     shape = body.shape
     if shape is None or not _is_near(body.origin):
         return
@@ -193,10 +193,7 @@ def _is_near(frame: Transform) -> bool:
 
 
 def _sound(item: SceneItem) -> SceneItem | None:
-    """An item of which every vertex is one of a face, and none is far away.
-
-    A bad or absurd number in a file sends vertices there; their faces are left out.
-    """
+    """An item without implausibly far vertices, whose faces are omitted, and unused vertices."""
     faces, vertices = item.faces, item.vertices
     good: Bools = np.abs(vertices).max(axis=1) < LIMIT
     if not good.all():
@@ -233,7 +230,7 @@ def _part(
 
 
 def _primitive(shape: Shape) -> primitives.Triangles | None:
-    """None for a shape that has no size, or is none of URDF's."""
+    """The triangles of a shape; None for a shape without a size or not of URDF."""
     if shape.kind == "box" and shape.size:
         return primitives.box(*shape.size)
     if shape.kind == "sphere" and shape.radius is not None:
@@ -247,10 +244,10 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
 
 
 def _placeholder(context: Context, link: Link, role: str, body: Body, least: float) -> SceneItem:
-    """A marked box where a mesh should be.
+    """A marked box instead of a mesh.
 
-    It is as large as another shape or mesh of the link; else it reaches to the joints
-    of its child links.
+    It is as large as another shape or mesh of the link, or else extends to the joints of its child
+    links.
     """
     size, frame = _placeholder_box(context, link, body, least)
     edges = np.array(size, dtype=np.float32)
@@ -266,10 +263,10 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
 def _placeholder_box(
     context: Context, link: Link, body: Body, least: float
 ) -> tuple[Vector, Transform]:
-    """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
+    """The edges of the placeholder of a mesh, in m, and the frame of its middle in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
-    # A speck stands for no collision rather than for the mesh.
+    # A speck usually disables collisions and does not show the size of the mesh.
     if known := next((half for half in halves if half and SPECK * least < max(half) < LIMIT), None):
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
@@ -279,7 +276,8 @@ def _placeholder_box(
         edges = highest - lowest
     else:
         origins = (joint.origin for joint in context.tree.children[link.name])
-        ends = np.array([(0.0, 0.0, 0.0), *(one.position for one in origins if _is_near(one))])
+        near = (origin.position for origin in origins if _is_near(origin))
+        ends = np.array([(0.0, 0.0, 0.0), *near])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
     (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
@@ -287,7 +285,7 @@ def _placeholder_box(
 
 
 def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
-    """The least and the greatest coordinates of a mesh in its link; None if it is not to be had."""
+    """The least and the greatest coordinates of a mesh in its link; None if it is missing."""
     if body.shape is None or body.shape.kind != "mesh":
         return None
     vertices = context.meshes.vertices(body.shape)
@@ -298,8 +296,9 @@ def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
 
 
 def _reach(scene: Scene) -> float:
-    """The size of what is known of a robot, in m."""
-    places = arrays.single([one.position for one in scene.frames.values() if _is_near(one)])
+    """The size of the geometry and frames of a robot, in m."""
+    near = [frame.position for frame in scene.frames.values() if _is_near(frame)]
+    places = arrays.single(near)
     points = np.concatenate((scene.points(), places))
     reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
     return reach or 1.0
@@ -310,11 +309,11 @@ def _filename(shape: Shape | None) -> str:
 
 
 def placed(points: Floats, frame: Transform) -> Floats:
-    """Points (n, 3) of a frame in its parent."""
+    """Points (n, 3), transformed from a frame to its parent."""
     moved: Floats = turned(points, frame) + arrays.single([frame.position])
     return moved
 
 
 def turned(vectors: Floats, frame: Transform) -> Floats:
-    """Directions (n, 3) of a frame in its parent."""
+    """Directions (n, 3), transformed from a frame to its parent."""
     return arrays.turned(vectors, np.asarray(frame.rotation))

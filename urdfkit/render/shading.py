@@ -1,4 +1,4 @@
-"""What colour a surface has in the light of the studio."""
+"""Shading of surfaces in the light of the studio."""
 
 from typing import NamedTuple
 
@@ -12,30 +12,30 @@ SUN = np.array((1.02, 0.99, 0.94), dtype=np.float32)
 FILL = np.array((0.12, 0.125, 0.135), dtype=np.float32)
 SKY = np.array((0.50, 0.52, 0.55), dtype=np.float32)
 FLOOR = np.array((0.27, 0.265, 0.26), dtype=np.float32)
-#: What a surface reflects straight on, and how sharp the highlight is.
+#: Reflectance at normal incidence, and exponent of the highlight.
 REFLECTANCE, SHININESS = 0.04, 42.0
-#: No paint is blacker.
+#: Least albedo.
 DARKEST = 0.012
-#: Above this brightness highlights are bent towards white.
+#: Brightness above which tones are compressed.
 KNEE = 0.72
 
 
 class Illumination(NamedTuple):
-    """How much light reaches each point of a surface."""
+    """The light that reaches points of a surface."""
 
-    sun: Floats  # (k,), the part of the sun that it sees
-    sky: Floats  # (k,), the part of the sky
+    sun: Floats  # (k,), visible part of the sun
+    sky: Floats  # (k,), visible part of the sky
 
 
 def shaded(
     albedo: Floats, position: Floats, normal: Floats, lit: Illumination, rig: Rig, *, parallel: bool
 ) -> Floats:
-    """The light that surfaces send to the viewer, (k, 3), from 0 to 1.
+    """(k, 3), light from surfaces to the viewer, from 0 to 1.
 
     Args:
         albedo: (k, 3), linear.
-        position: (k, 3), in the frame of the camera.
-        normal: (k, 3), unit vectors there.
+        position: (k, 3), in the camera frame.
+        normal: (k, 3), unit vectors in the camera frame.
         parallel: True if the image is orthographic.
     """
     if parallel:
@@ -60,7 +60,7 @@ def shaded(
 
 
 def tone(light: Floats) -> Floats:
-    """Amounts of light within 0 to 1: as they are below the knee, bent above it."""
+    """Tone mapping to the range 0 to 1: linear below the knee, compressed above."""
     over = np.maximum(light - np.float32(KNEE), 0)
     headroom = np.float32(1 - KNEE)
     bent = np.float32(KNEE) + headroom * (over / (over + headroom))

@@ -1,4 +1,4 @@
-"""All triangles of a scene in one list, in the frame of a camera, cut at its near plane."""
+"""All triangles of a scene in one list, in the camera frame, clipped at the near plane."""
 
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
@@ -12,16 +12,16 @@ from urdfkit.render.scene import Scene
 
 
 class CameraTriangles(NamedTuple):
-    """All triangles of a scene in the frame of the camera."""
+    """All triangles of a scene in the camera frame."""
 
-    points: Floats  # (n, 3), vertices in the frame of the camera
-    normals: Floats  # (n, 3), unit vectors there; 0 where faces are flat
-    uv: Floats | None  # (n, 2), 0 where there are none; None if nothing has a texture
-    colors: Floats | None  # (n, 4), 1 where there are none; None if nothing has any
+    points: Floats  # (n, 3), vertices
+    normals: Floats  # (n, 3), unit vectors; 0 if faces are flat
+    uv: Floats | None  # (n, 2), 0 if missing; None if no item has a texture
+    colors: Floats | None  # (n, 4), 1 if missing; None if no item has vertex colours
     faces: Integers  # (m, 3), indices of the vertices
-    item: Integers  # (m,), the index of the item in the scene
-    flat: Floats  # (m, 3), the normals of the faces
-    pieces: tuple[slice, ...]  # where in the list the vertices of each item are
+    item: Integers  # (m,), index of the item in the scene
+    flat: Floats  # (m, 3), normals of the faces
+    pieces: tuple[slice, ...]  # ranges of the vertices of the items
 
 
 def soup(scene: Scene, camera: Camera) -> CameraTriangles:
@@ -30,7 +30,7 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
     ends = list(accumulate((len(item.vertices) for item in scene.items), initial=0))
     total = ends[-1]
     colored = any(item.colors is not None for item in scene.items)
-    # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
+    # On meshes without texture coordinates, as Interbotix' STL files, one texel is used.
     textured = any(item.uv is not None or item.material.texture for item in scene.items)
     points, normals = (np.zeros((total, 3), dtype=np.float32) for _ in range(2))
     uv = np.zeros((total, 2), dtype=np.float32) if textured else None
@@ -55,20 +55,21 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
 
 
 def rows(values: Integers, chosen: Bools) -> Integers:
-    """The rows that are chosen; the same array, not a copy, if all of them are."""
+    """The chosen rows; the array itself, not a copy, if all are chosen."""
     return values if chosen.all() else values[chosen]
 
 
 def extent(points: Floats, pieces: Iterable[slice]) -> tuple[Floats, Floats]:
-    """The least and the greatest coordinates of some pieces of a list of points."""
+    """The least and the greatest coordinates of pieces of a list of points."""
     ends = [end for piece in pieces if len(points[piece]) for end in bounds(points[piece])]
     return bounds(np.array(ends, dtype=np.float32).reshape(-1, 3))
 
 
 def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
-    """Only what lies beyond the near plane of a camera.
+    """Clip triangles at the near plane of a camera.
 
-    A triangle with one corner before the plane becomes two, one with two becomes a smaller one.
+    A triangle with one corner in front of the plane becomes two triangles, one with two corners in
+    front becomes a smaller triangle.
     """
     plane = np.float32(-camera.near)
     before = whole.points[:, 2] > plane
@@ -76,12 +77,12 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
         return whole
     corners = before[whole.faces]
     count = corners.sum(axis=1)
-    kept = chosen_triangles(whole, count == 0)
+    clipped = chosen_triangles(whole, count == 0)
     for number in (1, 2):
         some = count == number
         if some.any():
-            kept = _add(kept, chosen_triangles(whole, some), corners[some], plane)
-    return kept
+            clipped = _add(clipped, chosen_triangles(whole, some), corners[some], plane)
+    return clipped
 
 
 def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
@@ -93,7 +94,7 @@ def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> Camera
 def _add(
     kept: CameraTriangles, cut: CameraTriangles, before: Bools, plane: np.float32
 ) -> CameraTriangles:
-    """Add what is left of triangles of which one corner lies alone on its side of the plane."""
+    """Add the clipped parts of triangles with one corner alone on its side of the plane."""
     faces = cut.faces
     single = before.sum(axis=1)[0] == 1
     lone = np.argmax(before if single else ~before, axis=1)
@@ -113,7 +114,7 @@ def _add(
 def _between(
     kept: CameraTriangles, start: Integers, end: Integers, plane: np.float32
 ) -> CameraTriangles:
-    """Add the points where edges cross the plane."""
+    """Add the intersections of edges with the plane."""
     z0, z1 = kept.points[start, 2], kept.points[end, 2]
     part = ((plane - z0) / (z1 - z0))[:, None]
 

@@ -1,4 +1,4 @@
-"""Images on surfaces: read once, halved as often as it takes, and sampled."""
+"""Textures: read once, with mipmaps on demand, and sampled."""
 
 import io
 from functools import cache, lru_cache
@@ -11,12 +11,12 @@ from urdfkit.mesh.texture_image import opened
 from urdfkit.render.arrays import Bytes, Floats, Integers
 from urdfkit.render.materials import STRIPES
 
-#: Larger images are halved when they are read; no rendered image shows more of them.
+#: Largest edge of a texture in pixels; larger images are reduced when they are read.
 MAX_EDGE = 2048
 
 
 class Texture:
-    """An image at any number of halvings; each is made when a surface first needs it.
+    """An image with mipmap levels, each computed on first use.
 
     Args:
         image: RGB.
@@ -27,7 +27,7 @@ class Texture:
         self.edge = max(image.size)
 
     def level(self, number: int) -> Bytes:
-        """(h, w, 3), sRGB, the first row below; each pixel is the mean of 4 ** number."""
+        """(h, w, 3), sRGB, bottom row first; each pixel is the mean of 4 ** number pixels."""
         levels = self._levels
         while len(levels) <= number:
             levels = [*levels, levels[-1].reduce(2)]
@@ -35,20 +35,20 @@ class Texture:
         return np.asarray(levels[number])[::-1]
 
     def jpeg(self) -> bytes:
-        """The image as a file that every browser shows."""
+        """The image as a JPEG file, for browsers."""
         file = io.BytesIO()
         self._levels[0].save(file, "JPEG", quality=88)
         return file.getvalue()
 
     def png(self) -> bytes:
-        """The image as a file without losses."""
+        """The image as a lossless file."""
         file = io.BytesIO()
         self._levels[0].save(file, "PNG")
         return file.getvalue()
 
 
 def srgb_to_linear(values: Floats) -> Floats:
-    """Colours as written to amounts of light (IEC 61966-2-1)."""
+    """sRGB values as linear light (IEC 61966-2-1)."""
     low = values / np.float32(12.92)
     high = ((values + np.float32(0.055)) / np.float32(1.055)) ** np.float32(2.4)
     linear: Floats = np.where(values <= 0.04045, low, high).astype(np.float32)
@@ -57,7 +57,7 @@ def srgb_to_linear(values: Floats) -> Floats:
 
 @lru_cache(maxsize=64)
 def texture(source: str | bytes) -> Texture | None:
-    """An image; None if it is none that Pillow reads, or too large to be meant.
+    """An image; None if Pillow cannot read it, or it is too large.
 
     Args:
         source: path of an image, or its bytes.
@@ -67,7 +67,7 @@ def texture(source: str | bytes) -> Texture | None:
     try:
         data = source if isinstance(source, bytes) else disk.read(source)
         with opened(data) as image:
-            image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # which spares JPEG most of the work
+            image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # much faster for JPEG
             image.thumbnail((MAX_EDGE, MAX_EDGE), Image.Resampling.BOX)
             return Texture(image.convert("RGB"))
     except (OSError, ValueError):
@@ -76,7 +76,7 @@ def texture(source: str | bytes) -> Texture | None:
 
 @cache
 def stripes() -> bytes:
-    """Slanting stripes in white and dark grey, which take a colour: a PNG."""
+    """A PNG file with diagonal stripes in white and dark grey."""
     x, y = np.meshgrid(np.arange(256), np.arange(256))
     bright = ((x + y) // 32 % 2 == 0)[..., None]
     white, grey = np.array((255, 255, 255)), np.array((58, 58, 62))
@@ -86,19 +86,19 @@ def stripes() -> bytes:
 
 
 def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:
-    """The colours at texture coordinates, (k, 3), in linear light; images repeat.
+    """(k, 3), colours at texture coordinates, in linear light; images repeat.
 
     Args:
         uv: (k, 2), v upwards.
-        spread: (k,), the edge of a pixel of the rendered image, as a part of the texture.
+        spread: (k,), edge of a pixel of the rendered image, as a part of the texture.
     """
     level = np.log2(np.maximum(spread * np.float32(image.edge), np.float32(1)))
     level = np.clip(np.rint(level), 0, int(np.log2(image.edge))).astype(np.int32)
-    found = np.empty((len(uv), 3), dtype=np.float32)
+    colours = np.empty((len(uv), 3), dtype=np.float32)
     for number in np.unique(level):
         some = np.flatnonzero(level == number)
-        found[some] = _bilinear(image.level(int(number)), uv[some])
-    return found
+        colours[some] = _bilinear(image.level(int(number)), uv[some])
+    return colours
 
 
 def _bilinear(pixels: Bytes, uv: Floats) -> Floats:
@@ -120,5 +120,5 @@ def _light(pixels: Bytes, row: Integers, column: Integers) -> Floats:
     return LINEAR[pixels[row, column]]
 
 
-#: The linear light of the bytes of sRGB.
+#: Linear light of the 256 sRGB values.
 LINEAR = srgb_to_linear(np.arange(256, dtype=np.float32) / np.float32(255))

@@ -1,4 +1,4 @@
-"""Bands of an image on several threads; what they do does not depend on their number."""
+"""Threads for bands of an image; results do not depend on their number."""
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -8,22 +8,22 @@ from urdfkit.core import limits
 
 T = TypeVar("T")
 
-#: More threads than this wait for one another.
+#: More threads would wait for each other.
 MAX_THREADS = 8
 
 
 class Workers:
-    """Threads that work on bands of rows; numpy lets them run side by side.
+    """Threads that process bands of rows; numpy allows them to run in parallel.
 
     Args:
-        threads: how many; as many as there are processors if None.
+        threads: number of threads; None for the number of processors.
     """
 
     def __init__(self, threads: int | None = None) -> None:
         self.threads = threads or min(MAX_THREADS, limits.processors())
 
     def each(self, things: Sequence[T], work: Callable[[T], object]) -> None:
-        """Call ``work(thing)`` for all of them."""
+        """Call ``work(thing)`` for each thing."""
         if self.threads == 1 or len(things) == 1:
             for thing in things:
                 work(thing)
@@ -33,6 +33,6 @@ class Workers:
                 pass
 
     def bands(self, rows: int, height: int, work: Callable[[int, int], None]) -> None:
-        """Call ``work(first, last)`` for all bands of some height; the last row is excluded."""
+        """Call ``work(first, last)`` for all bands of a height; the last row is excluded."""
         edges = [(first, min(first + height, rows)) for first in range(0, rows, height)]
         self.each(edges, lambda edge: work(*edge))

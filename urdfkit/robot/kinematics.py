@@ -98,6 +98,8 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transfo
         given: positions of joints, as for `positions`.
     """
     moved = positions(tree, given)
+    if not any(moved.values()):
+        return dict(tree.frames)
     placed = {root.name: Transform() for root in tree.roots}
     for joint in tree.spanning:
         parent, position = placed[joint.parent_name], moved.get(joint.name, 0.0)

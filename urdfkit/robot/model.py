@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
@@ -20,6 +19,7 @@ from urdfkit.core.spatial import (
     from_quaternion,
     from_rpy,
 )
+from urdfkit.core.static_typing import Generic, TypeVar
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step

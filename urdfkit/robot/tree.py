@@ -7,9 +7,9 @@ is recursive, and every walk visits a link once.
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from itertools import islice
-from typing import TypeVar
 
 from urdfkit.core.spatial import Transform
+from urdfkit.core.static_typing import TypeVar
 from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.text.source import shown
 

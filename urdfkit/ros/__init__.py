@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
-
+from urdfkit.core.static_typing import TYPE_CHECKING, Protocol
 from urdfkit.robot import DescribedRobot
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.targets import Targets
@@ -30,4 +27,4 @@ class RosDescription(DescribedRobot, Protocol):
     @property
     def targets(self) -> Targets: ...
 
-    def other_robot(self, path: str, arguments: Mapping[str, str]) -> RosDescription: ...
+    def names_in_robot(self, path: str) -> frozenset[str]: ...

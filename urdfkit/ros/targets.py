@@ -92,12 +92,22 @@ class TargetFacts(Record):
     simulates: bool = False  # True if forces move the links, so that they need a mass
     #: True if it makes a KDL tree of the robot, which lacks the inertia of the root.
     builds_kdl: bool = False
-    finds_packages: bool = True  # False if a mesh is a path to it, ``package://`` as well
+    finds_packages: bool = True  # False if it ignores packages: a mesh is a path
+    #: True if it looks for such a path in the directory of the URDF and in all above it.
+    searches_above: bool = False
     ignores_units: bool = False  # True if the numbers of COLLADA files are metres to it
     ignores_limits: bool = False  # True if it takes a joint without ``<limit>``, effort or velocity
     reads_capsules: bool = False  # True if it reads ``<capsule>`` in each version of URDF
     ignores_quaternions: bool = False  # True if it reads no ``quat_xyzw``, in no version of URDF
     reads_ball_joints: bool = False  # True if it reads joints of the type ``spherical``
+    #: True if floating and ball joints and limits must be those that MJCF allows.
+    reads_joints_as_mjcf: bool = False
+    #: True if it reads numbers as C does: hexadecimal, with any white space, ``inf`` in limits.
+    reads_c_numbers: bool = False
+    ignores_unknown_leaders: bool = False  # True if it takes a mimic of a joint that is missing
+    #: Tags of elements that may have the same name: ``joint``, ``material``.
+    repeatable_names: tuple[str, ...] = ()
+    rejects_recoloured: bool = False  # True if it rejects a material with two colours
     reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
     reads_planes: bool = False  # True if it reads the shape ``<plane>``
     reads_unnamed_materials: bool = False  # True if a material needs no name

@@ -1,8 +1,8 @@
-"""A process that checks models, and that a crash, a hang or memory use of a model may kill.
+"""A process that checks models, and that any of them may kill: by a crash, a hang, or its size.
 
-Among the standard pools, `concurrent.futures` has no time limit for a task, and loses all its
+Of the standard pools, `concurrent.futures` has no limit of time for a task, and loses all its
 processes with one of them; pebble has both, but its licence is the LGPL; billiard cannot start
-from a Dask process, which is daemonic. This pool is a process and two pipes.
+from a process of Dask, which is daemonic. This one is a process and two pipes.
 """
 
 from __future__ import annotations
@@ -19,21 +19,21 @@ from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
-#: Models after which the process is replaced, so that leaks do not add up.
+#: Models after which a new process begins, so that nothing that it keeps adds up.
 _MODELS = 2000
 
 
 class Settings(Record):
-    """Settings of the checks of a scan."""
+    """How models are checked."""
 
     options: Options  # of the check
-    seconds: float = 60.0  # time limit of a model
-    #: Limit of the address space of a process, in bytes; not available on Windows.
+    seconds: float = 60.0  # that a model may take
+    #: Address space that a process may take, in bytes; Windows has no such limit.
     memory: int = 4 * 2**30
 
 
 class Isolated:
-    """Checks models in a separate process; a context manager."""
+    """Checks models in a process of its own; use it in a ``with`` statement."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -47,10 +47,10 @@ class Isolated:
         self.end()
 
     def check(self, model: Model) -> ModelRow:
-        """The row of a model, even if the process dies.
+        """The row of a model, whatever happens to the process.
 
         Raises:
-            UrdfkitError: the process cannot start or rejects the options.
+            UrdfkitError: the process cannot start, or does not understand the options.
         """
         if self._left == 0:
             self._start()
@@ -85,8 +85,7 @@ class Isolated:
         return self._process.receive()
 
     def _death(self, model: Model, seconds: float) -> ModelRow:
-        # Another thread may have called `end`.
-        code = self._process.exit_code() if self._process else 0
+        code = self._process.exit_code() if self._process else 0  # none: `end` was called meanwhile
         self.end()
         limit = self._settings.seconds
         if seconds >= limit:
@@ -98,11 +97,11 @@ class Isolated:
 
 
 def main() -> None:
-    """Check the models from standard input until it ends, which it does when the parent dies."""
+    """Check what standard input names until it ends, which it does when the caller dies."""
     import faulthandler
     import signal
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the caller hears Ctrl-C, too
     parent = Parent()
     received = parent.received()
     settings: Settings = next(received)
@@ -115,7 +114,7 @@ def main() -> None:
     parent.send(None)
     resolver = Resolver(options.packages)
     for model in received:
-        # A native thread: loops in native code do not block it.
+        # A thread of C, which no loop in native code holds up.
         faulthandler.dump_traceback_later(settings.seconds, exit=True)
         row = check_model(model, options, resolver)
         faulthandler.cancel_dump_traceback_later()

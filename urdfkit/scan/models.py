@@ -1,4 +1,4 @@
-"""The models of the sources of a scan, one after another."""
+"""The models that the sources of a scan stand for, one after another."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
+from errno import ENOSPC
 from functools import partial
 from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
 from urdfkit.core.temporary import remove_abandoned, scratch
-from urdfkit.errors import UnreadableFile
+from urdfkit.errors import UnreadableFile, UnwritableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
 from urdfkit.workspace.file_head import read_head
@@ -30,23 +31,23 @@ if TYPE_CHECKING:
 
 try:
     from lzma import LZMAError
-except ImportError:  # Python without lzma
+except ImportError:  # this Python reads no such archives
 
     class LZMAError(Exception):  # type: ignore[no-redef]
         pass
 
 
-#: Suffixes of the models in a directory or an archive.
+#: What a directory or an archive stands for: every file with one of these suffixes.
 SUFFIXES = (".urdf", ".urdf.xacro")
-#: Other xacro files are robots if the root has a name, which libraries do not need.
+#: Other xacro files of a directory are robots if the root has a name, which no library needs.
 _NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
 _LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
-#: Limit of the extracted bytes of a small archive, and of the compression ratio of others.
+#: Bytes that archives of few bytes may hold, and how many times their own size others may.
 _LARGE, _MOST_TIMES = 2 * 10**9, 100
-#: Headers of the next member of a tar, such as a long name, and their largest size in bytes.
+#: What holds a long name or other facts about the next member of a tar, and their bytes at most.
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE,
     tarfile.SOLARIS_XHDTYPE,
@@ -55,10 +56,10 @@ _LARGEST_HEADER = 2**20
 
 
 class _HugeHeader(Exception):
-    """A header is larger than any valid one."""
+    """Nothing that describes a file is as large."""
 
 
-#: Errors of damaged or encrypted archives.
+#: What a damaged or encrypted archive raises.
 _UNREADABLE = (
     OSError, EOFError, RuntimeError, ValueError, IndexError, MemoryError,
     tarfile.TarError, zipfile.BadZipFile, zlib.error, LZMAError, _HugeHeader,
@@ -66,48 +67,74 @@ _UNREADABLE = (
 
 
 class Model(Record):
-    """A description in a collection."""
+    """A description of a collection."""
 
-    #: Name in the results: the path as in the source; for a member of an archive, the path of the
-    #: archive joined with the path in it.
+    #: By which it is known in the results: the path as the source gives it; of a member of an
+    #: archive, the path of the archive and that in it.
     name: str
-    path: str  # on disk
-    archive: str = ""  # the archive that contains it; empty if none
-    directory: str = ""  # to which the archive was extracted
+    path: str  # where it is on disk
+    archive: str = ""  # that it comes from; empty if from none
+    directory: str = ""  # that the archive was extracted to
+    #: Why there is nothing to check, such as a damaged archive; empty otherwise.
+    problem: str = ""
 
 
 def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
-    """The models of sources; models in archives have no path yet.
+    """The models of some sources; those in archives without a path as yet.
+
+    A source that cannot be read is one model with the problem: the scan goes on with the others.
 
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
-
-    Raises:
-        UnreadableFile: a source does not exist, or is not the list or archive of its suffix.
+        lists: real paths of the lists that name the sources.
     """
     for source in sources:
-        name = source.lower()
-        if os.path.isdir(source):
-            paths = (
-                path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD))
-            )
-            yield from (Model(path, path) for path in paths)
-        elif os.path.isfile(source) and name.endswith(_ARCHIVES):
-            yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
-        elif os.path.isfile(source) and name.endswith(_LISTS):
-            real = os.path.realpath(source)
-            if real in lists:
-                raise UnreadableFile(f"{source}: this list contains itself")
-            yield from models(_listed(source), lists | {real})
-        elif glob.has_magic(source) and not os.path.lexists(source):
-            yield from models(glob.iglob(source, recursive=True), lists)
-        else:
-            _require_readable(source)
-            yield Model(source, source)
+        try:
+            yield from _models_of(source, lists)
+        except UnreadableFile as error:
+            yield Model(source, "", problem=str(error))
+
+
+def require_sources(sources: Iterable[str]) -> None:
+    """Check that sources exist, before the first model is checked.
+
+    Raises:
+        UnreadableFile: a source does not exist, or is a glob that matches nothing.
+    """
+    for source in sources:
+        if not _is_glob(source):
+            if not os.path.isdir(source):
+                _require_readable(source)
+        elif next(glob.iglob(source, recursive=True), None) is None:
+            raise UnreadableFile(f"no file matches '{source}'")
+
+
+def _models_of(source: str, lists: frozenset[str]) -> Iterator[Model]:
+    name = source.lower()
+    if os.path.isdir(source):
+        found = (path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD)))
+        yield from (Model(path, path) for path in found)
+    elif os.path.isfile(source) and name.endswith(_ARCHIVES):
+        yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
+    elif os.path.isfile(source) and name.endswith(_LISTS):
+        real = os.path.realpath(source)
+        if real in lists:
+            raise UnreadableFile(f"{source}: this list names itself")
+        yield from models(_listed(source), lists | {real})
+    elif _is_glob(source):
+        require_sources([source])
+        yield from models(glob.iglob(source, recursive=True), lists)
+    else:
+        _require_readable(source)
+        yield Model(source, source)
+
+
+def _is_glob(source: str) -> bool:
+    return glob.has_magic(source) and not os.path.lexists(source)
 
 
 class _TarMember(tarfile.TarInfo):
-    """A member with small headers: tarfile reads headers of any size into memory."""
+    """A member whose headers are small: tarfile takes them into memory, whatever their size."""
 
     @classmethod
     def frombuf(cls, buf: bytes | bytearray, encoding: str | None, errors: str) -> Self:
@@ -118,34 +145,40 @@ class _TarMember(tarfile.TarInfo):
 
 
 class Extraction:
-    """The archives of a scan, extracted on demand; a context manager.
+    """The archives of a scan, each extracted when its first model is wanted.
 
-    The extracted files are removed at exit.
+    Use it in a ``with`` statement: the files are removed at its end.
     """
 
     def __init__(self) -> None:
         self._directories: dict[str, str] = {}
+        self._problems: dict[str, str] = {}
         self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
-        remove_abandoned()  # of killed scans
+        remove_abandoned()  # a scan that was killed may have nothing left to do
         return self
 
     def __exit__(self, *error: object) -> None:
         self._until_exit.close()
 
     def on_disk(self, model: Model) -> Model:
-        """The model with its path on disk.
+        """A model with the path where it is, or with the problem of its archive.
 
         Raises:
-            UnreadableFile: the archive is damaged, or too large for the disk.
+            UnwritableFile: its archive is too large for the disk.
         """
         if not model.archive:
             return model
         if model.archive not in self._directories:
             directory = self._until_exit.enter_context(scratch())
             self._directories[model.archive] = directory
-            _extract(model.archive, directory)
+            try:
+                _extract(model.archive, directory)
+            except UnreadableFile as error:
+                self._problems[model.archive] = str(error)
+        if problem := self._problems.get(model.archive):
+            return model._replace(problem=problem)
         directory = self._directories[model.archive]
         path = os.path.join(directory, model.name[len(model.archive) + 1 :])
         return model._replace(path=path, directory=directory)
@@ -159,7 +192,7 @@ def _require_readable(path: str) -> None:
 
 
 def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
-    """True for a file that is a model by its suffix or, for another xacro, by its head."""
+    """True for a file that is a model by its suffix or, if it is another xacro, by its head."""
     name = path.lower()  # SolidWorks writes .URDF
     if name.endswith(SUFFIXES):
         return True
@@ -167,14 +200,14 @@ def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
 
 
 def _listed(path: str) -> Iterator[str]:
-    """The lines of a list; paths are relative to the directory of the list."""
+    """The lines of a list; relative paths start at the directory of the list."""
     directory = os.path.dirname(path)
     try:
         with opened(path) as file:
             while data := file.readline(_LONGEST_LINE):
                 line = data.decode("utf-8").strip()
                 if "\0" in line:
-                    raise ValueError("it contains a NUL")
+                    raise ValueError("it holds a NUL")
                 if line and not line.startswith("#"):
                     yield os.path.join(directory, line)
     except (OSError, ValueError) as error:
@@ -187,20 +220,20 @@ def _members(archive: str) -> Iterator[str]:
     try:
         names = [
             name
-            for name, opens in (_tar_members if is_tar else _zip_members)(archive)
+            for name, opens in (_in_tar if is_tar else _in_zip)(archive)
             if _is_robot(name, partial(_head, opens))
         ]
     except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({_why(error)})") from error
     plain = map(os.path.normpath, names)
-    # Paths outside of the archive are not extracted; a file with such a path is another file.
+    # What lies outside of the archive is not extracted, and a file of that name is another one.
     yield from sorted(
         name for name in plain if not os.path.isabs(name) and name.split(os.sep)[0] != os.pardir
     )
 
 
-def _tar_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
-    """The files in an archive, each with a function that opens it before the next is requested."""
+def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """The files in an archive, each with what opens it before the next one is asked for."""
     size = 0
     with tarfile.open(archive, tarinfo=_TarMember) as tar:
         for member in tar:
@@ -212,10 +245,10 @@ def _tar_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | N
                 yield member.name, partial(tar.extractfile, member)
 
 
-def _zip_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """Like ``_in_tar``, for a ZIP archive."""
     with zipfile.ZipFile(archive) as packed:
-        _check_ratio(archive, sum(member.file_size for member in packed.infolist()))
+        _check_ratio(archive, sum(one.file_size for one in packed.infolist()))
         for member in packed.infolist():
             if not member.is_dir():
                 yield member.filename, partial(packed.open, member)
@@ -240,10 +273,12 @@ def _extract(archive: str, directory: str) -> None:
                 tar.extractall(directory, filter="data")
         else:
             with zipfile.ZipFile(archive) as packed:
-                _check_room(archive, sum(member.file_size for member in packed.infolist()), free)
+                _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
                 packed.extractall(directory)
     except _UNREADABLE as error:
-        raise UnreadableFile(f"{archive}: cannot be extracted ({_why(error)})") from error
+        message = f"{archive}: cannot be extracted ({_why(error)})"
+        is_full = isinstance(error, OSError) and error.errno == ENOSPC
+        raise (UnwritableFile if is_full else UnreadableFile)(message) from error
 
 
 def _why(error: Exception) -> str:
@@ -251,7 +286,7 @@ def _why(error: Exception) -> str:
 
 
 def _check_ratio(archive: str, size: int) -> None:
-    """Reject archives that would fill the disk."""
+    """Reject what would fill the disk, or never end, for a few bytes."""
     ratio = size / max(os.path.getsize(archive), 1)
     if size > _LARGE and ratio > _MOST_TIMES:
         raise UnreadableFile(
@@ -262,7 +297,7 @@ def _check_ratio(archive: str, size: int) -> None:
 
 def _check_room(archive: str, needed: int, free: int) -> None:
     if needed > free:
-        raise UnreadableFile(
+        raise UnwritableFile(
             f"{archive}: {needed / 1e9:.1f} GB when extracted; {free / 1e9:.1f} GB are free "
             f"in {tempfile.gettempdir()} (set TMPDIR to another directory)"
         )

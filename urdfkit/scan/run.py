@@ -1,27 +1,26 @@
-"""``scan``: checks the models of sources and writes a results directory.
+"""scan(): the models of some sources make a directory of results."""
 
-Its engines are local processes and Dask; both use `Isolated`.
-"""
+from __future__ import annotations
 
-import threading
 from collections.abc import Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from itertools import islice
-from queue import SimpleQueue
+from threading import Thread
 from typing import Any
 
-from urdfkit.core.installation import needing
 from urdfkit.core.progress import Progress
-from urdfkit.errors import UrdfkitError
-from urdfkit.scan.isolated import Isolated, Settings
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.scan.engines import dask, local
+from urdfkit.scan.isolated import Settings
 from urdfkit.scan.journal import Journal
-from urdfkit.scan.models import Extraction, Model, models
-from urdfkit.scan.rows import ModelRow
+from urdfkit.scan.models import Extraction, Model, models, require_sources
 
-#: Models of a Dask task: some tenths of a second. A killed scan repeats them.
-BATCH = 50
-#: Waiting and running tasks per processor: enough to keep it busy, few enough for memory.
-_AHEAD = 3
+
+class Scanned(Record):
+    """The outcome of a run."""
+
+    models: int  # how many were checked in this run
+    #: Sources that cannot be read, each with the reason; they have a row in the results, too.
+    unreadable: dict[str, str]
 
 
 def scan(
@@ -33,66 +32,75 @@ def scan(
     address: str = "",
     jobs: int = 1,
     progress: Progress | None = None,
-) -> int:
-    """Check the models of sources that are not yet in a results directory.
+) -> Scanned:
+    """Check the models of some sources that a directory of results does not hold yet.
 
     Args:
         sources: descriptions, directories, globs, archives, and files that list these.
-        directory: of the results; a stopped run is resumed.
+        directory: of the results; a run that was stopped goes on in it.
         engine: ``local`` or ``dask``.
-        address: of a Dask scheduler; empty for a cluster on this machine.
-        progress: called with the number of models checked in this run and the total number; 0 until
-            the models are counted.
-
-    Returns:
-        The number of models that were checked in this run.
+        address: of a scheduler of Dask; a cluster on this machine if empty.
+        progress: called with the number of models done in this run, and of all that it does; 0
+            until these are counted.
 
     Raises:
-        UrdfkitError: a source is unreadable, the results cannot be written, the options are
-            invalid, or Dask is not installed.
+        UrdfkitError: a source does not exist, there is no model in any, the results cannot be
+            written, the options mean nothing, or Dask is not installed.
     """
     sources = tuple(sources)
-    settings.options.resolved()  # rejects invalid options now
-    with Journal(directory, _effective_options(settings)) as journal, Extraction() as extraction:
-        checked = len(journal.done)
+    settings.options.resolved()  # a wrong option stops here
+    require_sources(sources)
+    unreadable: dict[str, str] = {}
+    with Journal(directory, _deciding(settings)) as journal, Extraction() as extraction:
+        known = len(journal.done)
         total = _counted(sources)
-        pending = map(extraction.on_disk, _new(models(sources), journal.done))
+        wanted = _wanted(models(sources), journal.done, extraction, unreadable)
         if engine == "dask":
-            rows = dask(pending, settings, jobs, address)
+            rows = dask(wanted, settings, jobs, address)
         else:
-            rows = local(pending, settings, jobs)
-        count = 0
+            rows = local(wanted, settings, jobs)
+        checked = 0
         for count, row in enumerate(rows, 1):
             journal.write(row)
+            checked += row.model not in unreadable
             if progress is not None:
-                progress(count, total[0] - checked if total else 0)
-    return count
+                progress(count, total[0] - known if total else 0)
+        if not journal.done:
+            raise UnreadableFile(f"there is no model in {', '.join(map(repr, sources))}")
+    return Scanned(checked, unreadable)
 
 
-def _new(candidates: Iterable[Model], done: set[str]) -> Iterator[Model]:
-    """The models that are not done, without repetitions."""
-    for model in candidates:
-        if model.name not in done:
-            done.add(model.name)
-            yield model
+def _wanted(
+    found: Iterable[Model], done: set[str], extraction: Extraction, unreadable: dict[str, str]
+) -> Iterator[Model]:
+    """The models that are not done; each once, though several sources name it.
+
+    Args:
+        unreadable: gets the sources that cannot be read.
+    """
+    for model in found:
+        is_new = model.name not in done
+        done.add(model.name)
+        ready = extraction.on_disk(model) if is_new else model
+        if ready.problem:
+            unreadable[ready.archive or ready.name] = ready.problem
+        if is_new:
+            yield ready
 
 
 def _counted(sources: tuple[str, ...]) -> list[int]:
-    """A list to which the number of all models is appended once they are counted."""
+    """A list that will hold the number of all models, once they are counted."""
     total: list[int] = []
 
     def count() -> None:
-        try:
-            total.append(sum(1 for _ in models(sources)))
-        except UrdfkitError:
-            pass  # the scan raises it
+        total.append(sum(1 for _ in models(sources)))
 
-    threading.Thread(target=count, daemon=True).start()
+    Thread(target=count, daemon=True).start()
     return total
 
 
-def _effective_options(settings: Settings) -> dict[str, Any]:
-    """The options that affect the results, as JSON."""
+def _deciding(settings: Settings) -> dict[str, Any]:
+    """What decides the results, as JSON."""
     options = settings.options
     return {
         "select": sorted(options.select),
@@ -102,109 +110,3 @@ def _effective_options(settings: Settings) -> dict[str, Any]:
         "seconds": settings.seconds,
         "memory": settings.memory,
     }
-
-
-def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[ModelRow]:
-    """The rows of models in the order of completion, from processes of this machine.
-
-    Args:
-        jobs: number of processes.
-
-    Raises:
-        UrdfkitError: a process cannot start or rejects the options.
-    """
-    processes = [Isolated(settings) for _ in range(jobs)]
-    idle: SimpleQueue[Isolated] = SimpleQueue()
-    for process in processes:
-        idle.put(process)
-
-    def check(model: Model) -> ModelRow:
-        process = idle.get()
-        try:
-            return process.check(model)
-        finally:
-            idle.put(process)
-
-    pool = ThreadPoolExecutor(jobs)
-    waiting: set[Future[ModelRow]] = set()
-    try:
-        for model in models:
-            waiting.add(pool.submit(check, model))
-            if len(waiting) >= _AHEAD * jobs:
-                done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-                yield from (task.result() for task in done)
-        while waiting:
-            done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-            yield from (task.result() for task in done)
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for process in processes:
-            process.end()  # for which the threads wait
-        pool.shutdown()
-        for process in processes:
-            process.end()  # a thread may have started it again in between
-
-
-def dask(
-    models: Iterable[Model], settings: Settings, jobs: int, address: str = ""
-) -> Iterator[ModelRow]:
-    """The rows of models in the order of completion, from Dask workers.
-
-    Dask replaces a worker that dies, and gives its tasks to others.
-
-    Args:
-        models: on a disk with the same path for all workers.
-        jobs: number of workers of a cluster on this machine.
-        address: of a scheduler; empty for a new cluster on this machine.
-
-    Raises:
-        MissingLibrary: Dask is not installed.
-        UrdfkitError: no scheduler answers, or a process cannot start or rejects the options.
-    """
-    with _dask_client(jobs, address) as client:
-        from distributed import as_completed
-        from distributed.scheduler import KilledWorker
-
-        source = iter(models)
-        batches = iter(lambda: list(islice(source, BATCH)), [])
-        batches_by_task: dict[object, list[Model]] = {}
-
-        def submit(count: int) -> Iterator[object]:
-            for batch in islice(batches, count):
-                task = client.submit(check_batch, batch, settings, pure=False)
-                batches_by_task[task.key] = batch
-                yield task
-
-        tasks = as_completed(list(submit(_AHEAD * max(1, sum(client.nthreads().values())))))
-        for task in tasks:
-            batch = batches_by_task.pop(task.key)
-            try:
-                rows = task.result()
-            except KilledWorker:
-                rows = [ModelRow(model.name, "died", "its Dask worker died") for model in batch]
-            for more in submit(1):
-                tasks.add(more)
-            yield from rows
-
-
-def _dask_client(jobs: int, address: str) -> Any:
-    with needing("--engine dask", "scan"):
-        from distributed import Client
-    local_cluster = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
-    try:
-        return Client(address) if address else Client(**local_cluster)
-    except (OSError, ValueError) as error:
-        raise UrdfkitError(f"no Dask scheduler at '{address}': {error}") from error
-
-
-_thread_data = threading.local()
-
-
-def check_batch(models: list[Model], settings: Settings) -> list[ModelRow]:
-    """The rows of models; a thread of a Dask worker reuses its process."""
-    current: tuple[Settings, Isolated] | None = getattr(_thread_data, "kept", None)
-    if current is None or current[0] != settings:
-        if current is not None:
-            current[1].end()
-        current = _thread_data.kept = (settings, Isolated(settings))
-    return [current[1].check(model) for model in models]

@@ -30,7 +30,7 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.snapshots import as_it_was
+from urdfkit.workspace.snapshots import check_out_snapshot
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics
@@ -295,7 +295,7 @@ def assert_unchanged_since(
 def _at_revision(description: Description, revision: str, directory: str) -> RobotModel:
     """The model in a revision; its files are written to a directory."""
     config = description.config
-    old = as_it_was(description.path, revision, directory, config.packages)
+    old = check_out_snapshot(description.path, revision, directory, config.packages)
     config = config._replace(packages=old.packages, robots=())
     then = Description(old.path, description.arguments, config)
     try:

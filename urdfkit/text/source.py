@@ -247,11 +247,17 @@ def without_directory(text: str, directory: str, instead: str = "") -> str:
 
     >>> without_directory("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
     'tried arm/a.stl and /opt/ws/a.stl'
+    >>> without_directory("searched /ws, /ws/arm", "/ws")
+    'searched ., arm'
     >>> without_directory("file:///ws/arm/a.stl", "/ws")
     'arm/a.stl'
     """
-    prefix = os.path.join(directory, "")
-    if prefix not in text or os.path.dirname(directory) == directory:
+    if directory not in text or os.path.dirname(directory) == directory:
         return text
-    text = re.sub(rf"\bfile:/*(?={re.escape(prefix)})", "", text)
-    return re.sub(rf"(?<![\w./\\-]){re.escape(prefix)}", lambda _: instead, text)
+    prefix = re.escape(os.path.join(directory, ""))
+    # Install commands keep their paths, and pages their end tags and base64 data.
+    text = re.sub(rf"(?<!@ )\bfile:/*(?={prefix})", "", text)
+    before = r"(?<!-e \")(?<![\w./\\<+-])"
+    text = re.sub(before + prefix, lambda _: instead, text)
+    itself = re.escape(directory) + r"(?![\w/\\-]|\.\w)"
+    return re.sub(before + itself, lambda _: instead.rstrip("/") or ".", text)

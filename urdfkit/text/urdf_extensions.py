@@ -2,8 +2,8 @@
 
 import os
 from functools import cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import nearest
 from urdfkit.text.document import Element
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar

@@ -4,7 +4,7 @@ import re
 from xml.parsers import expat
 
 from urdfkit.text.comments import without_comments
-from urdfkit.text.diagnostic import Edit, Fix, Problem
+from urdfkit.text.diagnostic import Edit, Fix, Problem, Severity
 from urdfkit.text.source import Source, Span
 
 # Compiled when needed, which is rare.
@@ -76,20 +76,22 @@ def without_declaration(source: Source, problems: list[Problem]) -> bytes:
         if without_comments(data[:start]).strip():
             return data
         problems.append(_before_declaration(Span(source, 0, start), end))
-    if not _is_valid(declaration.group()):
+    version = re.search(_VERSION, declaration.group())
+    is_known = version is not None and version.group(1) in (b"1.0", b"1.1")
+    is_well_formed = _is_well_formed(declaration.group())
+    if not (is_known and is_well_formed):
         at = Span(source, start, end)
         fix = Fix("replace the XML declaration", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
         message = "the XML declaration is not valid in XML 1.0"
-        problems.append(Problem("XML007", at, message, fix=fix))
+        # No parser rejects a declaration for its version alone.
+        severity = Severity.WARNING if is_well_formed else None
+        problems.append(Problem("XML007", at, message, fix=fix, severity=severity))
     # Source has already applied the encoding; the declaration has no other effect.
     return b" " * end + data[end:]
 
 
-def _is_valid(declaration: bytes) -> bool:
-    """True for an XML declaration that strict parsers accept."""
-    version = re.search(_VERSION, declaration)
-    if version is None or version.group(1) not in (b"1.0", b"1.1"):
-        return False
+def _is_well_formed(declaration: bytes) -> bool:
+    """True for an XML declaration that expat accepts."""
     try:
         expat.ParserCreate("utf-8").Parse(declaration + b"<a/>", True)
     except expat.ExpatError:

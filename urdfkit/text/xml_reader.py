@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import gc
 import re
-from typing import TYPE_CHECKING
 from xml.parsers import expat
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span

@@ -1,1 +1,1 @@
-"""The workspace around a robot: packages and files that belong to it, without ROS."""
+"""The workspace of a robot: its packages and files, found without ROS."""

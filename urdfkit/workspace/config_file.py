@@ -1,4 +1,4 @@
-"""The configuration file that holds for a file; most robots have none, and nothing more is read."""
+"""Search for the configuration file of a robot; most robots have none."""
 
 import os
 
@@ -9,16 +9,16 @@ FILES = ("urdfkit.toml", "pyproject.toml")
 
 
 def nearest(start: str) -> str | None:
-    """Path of the nearest configuration upwards of a file or directory, or None."""
+    """Path of the nearest configuration file, searching upwards; None if there is none."""
     for directory in upwards(os.path.abspath(start)):
         for name in FILES:
             path = os.path.join(directory, name)
-            if disk.is_file(path) and (name != "pyproject.toml" or _mentions_us(path)):
+            if disk.is_file(path) and (name != "pyproject.toml" or _has_section(path)):
                 return path
     return None
 
 
-def _mentions_us(path: str) -> bool:
+def _has_section(path: str) -> bool:
     try:
         return b"[tool.urdfkit" in disk.read(path)
     except OSError:

@@ -1,4 +1,4 @@
-"""Directories, whose listings are kept, and names looked up in them exactly as on disk."""
+"""Cached listings of directories, with case-sensitive lookup of names."""
 
 import os
 from collections.abc import Iterator
@@ -6,55 +6,55 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
 
-#: Directories that a build or a virtual environment makes, and one that macOS puts into archives.
+#: Directories created by a build or a virtual environment, and one that macOS adds to archives.
 _NOT_SOURCES = frozenset(
     "build install log devel node_modules site-packages __pycache__ __MACOSX".split()
 )
 
 
 def walk(directory: str) -> Iterator[str]:
-    """The files below a directory, sorted, apart from hidden ones and from what a build makes."""
+    """The files below a directory, sorted, without hidden directories and build results."""
     for parent, directories, files in disk.walk(directory):
         directories[:] = sorted(filter(is_walked, directories))
         yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 def is_walked(name: str) -> bool:
-    """False of hidden directories, and of those that are no sources."""
+    """False for hidden directories and for directories without sources."""
     return not name.startswith(".") and name not in _NOT_SOURCES
 
 
 class Directories:
-    """Listings of directories.
+    """Cached listings of directories.
 
-    A file is looked up in the listings instead of being asked for by its whole path: a hundred
-    meshes of one directory cost one listing, and a name that differs in case is distinguished on
-    file systems that do not care, too.
+    Files are looked up in the listings, not by their path: a hundred meshes of one directory cost
+    one listing, and names that differ in case are distinguished also on case-insensitive file
+    systems.
     """
 
     def __init__(self) -> None:
         self._entries: Memo[str, dict[str, bool] | None] = Memo()
-        #: What is neither a file nor a directory, such as a link that leads nowhere, by directory.
+        #: Names of entries that are neither files nor directories, such as broken links.
         self._others: dict[str, list[str]] = {}
         self._below: dict[str, list[str]] = {}
         self._links: set[str] = set()
         self._real: Memo[str, str] = Memo()
 
     def real(self, path: str) -> str:
-        """An absolute path without symbolic links on the way."""
+        """Absolute path with all symbolic links resolved."""
         if path not in self._real:
-            above, name = os.path.split(path)
-            is_plain = above != path and not disk.is_link(path)
-            at = os.path.join(self.real(above), name) if is_plain else disk.real(path)
-            self._real[path] = at
+            parent, name = os.path.split(path)
+            is_plain = parent != path and not disk.is_link(path)
+            real = os.path.join(self.real(parent), name) if is_plain else disk.real(path)
+            self._real[path] = real
         return self._real[path]
 
     def is_link(self, path: str) -> bool:
-        """True for a symbolic link in a directory whose entries were asked for."""
+        """True for a symbolic link in a directory that is already listed."""
         return path in self._links
 
     def entries(self, directory: str) -> dict[str, bool] | None:
-        """Names in a directory, True for directories; None if it cannot be read."""
+        """Names in a directory, with True for directories; None if it cannot be read."""
         if directory not in self._entries:
             try:
                 self._entries[directory] = self._list(directory)
@@ -63,26 +63,24 @@ class Directories:
         return self._entries[directory]
 
     def _list(self, directory: str) -> dict[str, bool]:
-        found: dict[str, bool] = {}
-        others: list[str] = []
+        entries: dict[str, bool] = {}
+        others: list[str] = []  # broken links; pipes and devices, which may never end
         for entry in disk.entries(directory):
-            if self._counts(entry):
-                found[entry.name] = _is_directory(entry)
+            if entry.is_symlink():
+                self._links.add(entry.path)
+                is_file, is_directory = disk.is_file(entry.path), disk.is_directory(entry.path)
+            else:
+                is_file, is_directory = entry.is_file(), entry.is_dir()
+            if is_file or is_directory:
+                entries[entry.name] = is_directory
             else:
                 others.append(entry.name)
         if others:
             self._others[directory] = others
-        return found
-
-    def _counts(self, entry: os.DirEntry[str]) -> bool:
-        """False for a symbolic link to nothing, and for pipes and devices, which may never end."""
-        if not entry.is_symlink():
-            return entry.is_file() or entry.is_dir()
-        self._links.add(entry.path)
-        return disk.is_file(entry.path) or disk.is_directory(entry.path)
+        return entries
 
     def find(self, directory: str, relative: str) -> str | None:
-        """The file at a path below a directory, spelled exactly so; None if there is none."""
+        """The file at a path below a directory, with exact case; None if it does not exist."""
         at = directory
         parts = _parts(relative)
         for number, part in enumerate(parts, start=1):
@@ -91,7 +89,7 @@ class Directories:
                 continue
             entries = self.entries(at)
             path = os.path.join(at, part)
-            if entries is None:  # it may still be open to those who know the names in it
+            if entries is None:  # files in an unreadable directory may still be readable
                 rest = os.path.join(at, *parts[number - 1 :])
                 return rest if _is_file(rest) else None
             if entries.get(part) is not (number < len(parts)):
@@ -100,7 +98,7 @@ class Directories:
         return at if parts and parts[-1] != ".." else None
 
     def find_ignoring_case(self, directory: str, relative: str) -> str | None:
-        """Like ``find``, but for a path whose case may differ; relative to the directory.
+        """Like ``find``, but ignores case, and returns a path relative to the directory.
 
         None if there is no such file, or several.
         """
@@ -114,7 +112,7 @@ class Directories:
                 continue
             entries = self.entries(at) or {}
             is_directory = number < len(parts)
-            names = [name for name in _alike(entries, part) if entries[name] is is_directory]
+            names = [name for name in _spellings(entries, part) if entries[name] is is_directory]
             if len(names) != 1:
                 return None
             parts_on_disk.append(names[0])
@@ -122,7 +120,7 @@ class Directories:
         return "/".join(parts_on_disk) or None
 
     def walk(self, directory: str) -> list[str]:
-        """As the function `walk`; with links that lead nowhere, pipes and devices."""
+        """Like the function `walk`; including broken links, pipes and devices."""
         top = os.path.abspath(directory)
         if top not in self._below:
             self._below[top] = self._walked(top)
@@ -131,42 +129,43 @@ class Directories:
 
     def _walked(self, top: str) -> list[str]:
         """The paths below a directory, relative to it."""
-        found: list[str] = []
-        stack = [""]  # relative to the top, each with a separator at its end
+        paths: list[str] = []
+        stack = [""]  # directories relative to the top, with a trailing separator
         while stack:
             relative = stack.pop()
             at = os.path.join(top, relative[:-1]) if relative else top
             entries = self.entries(at) or {}
             files = [name for name, is_directory in entries.items() if not is_directory]
             files += self._others.get(at, ())
-            found += [relative + name for name in sorted(files)]
+            paths += [relative + name for name in sorted(files)]
             stack += [
                 relative + name + os.sep
                 for name in sorted(entries, reverse=True)
                 if entries[name] and is_walked(name) and not self.is_link(os.path.join(at, name))
             ]
-        return found
+        return paths
 
     def files_below(self, directory: str, limit: int) -> list[str]:
-        """The files in a directory and below it, nearest first; hidden directories are left out.
+        """The files below a directory, nearest first, without hidden directories.
 
         Args:
-            limit: how many directories to list at most.
+            limit: most directories to list.
         """
-        found: list[str] = []
+        paths: list[str] = []
         queue = [directory]
-        for at in queue:  # grows while it is walked
+        for at in queue:  # grows during the iteration
+            prefix = os.path.join(at, "")
             for name, is_directory in sorted((self.entries(at) or {}).items()):
-                path = os.path.join(at, name)
+                path = prefix + name
                 if not is_directory:
-                    found.append(path)
-                elif len(queue) < limit and name[0] != "." and not self.is_link(path):
+                    paths.append(path)
+                elif len(queue) < limit and name[0] != "." and path not in self._links:
                     queue.append(path)
-        return found
+        return paths
 
 
-def _alike(entries: dict[str, bool], name: str) -> list[str]:
-    """The exact name if it is there, else those that differ from it in case only."""
+def _spellings(entries: dict[str, bool], name: str) -> list[str]:
+    """The exact name if it exists, otherwise the names that differ only in case."""
     if name in entries:
         return [name]
     folded = name.casefold()
@@ -175,13 +174,6 @@ def _alike(entries: dict[str, bool], name: str) -> list[str]:
 
 def _parts(relative: str) -> list[str]:
     return [part for part in relative.split("/") if part not in ("", ".")]
-
-
-def _is_directory(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_dir()
-    except OSError:  # a symbolic link in a circle
-        return False
 
 
 def _is_file(path: str) -> bool:

@@ -1,10 +1,10 @@
-"""Looking into files that may be anything."""
+"""Bounded reading of files of any kind."""
 
 from urdfkit.core import disk
 
 
 def read_head(path: str, most: int) -> bytes:
-    """The first bytes of a file; none of what cannot be read, or is a pipe, which may never end."""
+    """The first bytes of a file; empty if it is unreadable or not a regular file."""
     try:
         if not disk.is_file(path):
             return b""

@@ -1,20 +1,26 @@
-"""Which files git leaves out of a repository."""
+"""Files that git ignores."""
 
 import os
+from collections.abc import Iterator, Mapping
 from fnmatch import fnmatchcase
 
 from urdfkit.core import disk
+from urdfkit.core.paths import is_within, upwards
 from urdfkit.workspace.file_head import read_head
 
-#: Longer files are none that people write.
+#: Longer files are not written by people.
 MAX_BYTES = 1024 * 1024
+#: Variables that decide which git runs, and where it searches for a repository.
+_OF_GIT = ("PATH", "GIT_CEILING_DIRECTORIES", "GIT_DISCOVERY_ACROSS_FILESYSTEM")
+#: Variables with settings, which may refer to further files.
+_SETTINGS = ("GIT_CONFIG_COUNT", "GIT_CONFIG_PARAMETERS")
 
 
 class GitIgnored:
-    """The files that git ignores, asked for by path with ``in``.
+    """The files that git ignores; supports ``path in ignored``.
 
-    Starting git takes time, so it is asked only about a file that a line of some .gitignore or of
-    the repository's own list seems to be about.
+    Starting git takes time, so git is run only for a file that a pattern in some .gitignore or in
+    the repository's own list may match.
     """
 
     def __init__(self) -> None:
@@ -23,37 +29,42 @@ class GitIgnored:
     def __contains__(self, path: object) -> bool:
         if not isinstance(path, str):
             return False
-        words = self._above(os.path.dirname(disk.real(path)))
-        if not words or not _may_mean(words, path):
-            return False
-        from urdfkit.workspace.revisions import is_ignored
+        words = self._words_above(os.path.dirname(disk.real(path)))
+        return words is not None and _may_match(words, path) and is_ignored(path)
 
-        return is_ignored(path)
-
-    def _above(self, directory: str) -> set[str] | None:
-        """The words of the .gitignore files of a directory and those above it in its repository.
+    def _words_above(self, directory: str) -> set[str] | None:
+        """The words of the .gitignore files from a directory up to its repository.
 
         None outside of repositories.
         """
         if directory not in self._words:
-            above = os.path.dirname(directory)
+            parent = os.path.dirname(directory)
             if disk.exists(os.path.join(directory, ".git")):
                 words: set[str] | None = _words(os.path.join(directory, ".git", "info", "exclude"))
             else:
-                words = None if above == directory else self._above(above)
+                words = None if parent == directory else self._words_above(parent)
             self._words[directory] = words
             if words is not None:
                 self._words[directory] = words | _words(os.path.join(directory, ".gitignore"))
         return self._words[directory]
 
 
-def _may_mean(words: set[str], path: str) -> bool:
-    """True if a pattern may hit a path: its last word is, or matches, a part of it."""
+def is_ignored(path: str) -> bool:
+    """True if git ignores a file; False outside of repositories or without git."""
+    if not _log_ignore_files(path):
+        return False
+    from urdfkit.workspace.revisions import check_ignore  # imports subprocess
+
+    return check_ignore(path)
+
+
+def _may_match(words: set[str], path: str) -> bool:
+    """True if a pattern may match a path: its last word is, or matches, a part of the path."""
     parts = {part.lower() for part in path.replace(os.sep, "/").split("/")}
-    return any(_may_match(word, parts) for word in words)
+    return any(_may_match_part(word, parts) for word in words)
 
 
-def _may_match(word: str, parts: set[str]) -> bool:
+def _may_match_part(word: str, parts: set[str]) -> bool:
     if "\\" in word:
         return True
     if word.startswith("*") and _is_literal(word[1:]):
@@ -71,3 +82,59 @@ def _words(file: str) -> set[str]:
     lines = map(str.strip, text.split("\n"))
     patterns = [line.rstrip("/") for line in lines if line and not line.startswith(("#", "!"))]
     return {pattern.rpartition("/")[2].lower() for pattern in patterns}
+
+
+def _log_ignore_files(path: str) -> bool:
+    """Log the files that git reads for a decision, on which the result depends.
+
+    Returns:
+        False outside of repositories.
+    """
+    directories = upwards(disk.real(os.path.dirname(path)))
+    repositories = (at for at in directories if disk.exists(os.path.join(at, ".git")))
+    top = next(repositories, None)
+    if top is None:
+        return False
+    variables = disk.Environment()
+    for name in _OF_GIT:
+        variables.get(name)  # logs its value
+    if any(variables.get(name) for name in _SETTINGS):
+        disk.depends_on_more()
+    lists = (os.path.join(at, ".gitignore") for at in directories if is_within(at, top))
+    for file in (*lists, *_files_of_repository(top), *_files_of_user(variables)):
+        try:
+            text = disk.read(file).lower()
+        except OSError:
+            continue
+        if file.endswith("config") and (b"excludesfile" in text or b"[include" in text):
+            disk.depends_on_more()  # the configuration refers to further files
+    return True
+
+
+def _files_of_repository(top: str) -> Iterator[str]:
+    """The files of https://git-scm.com/docs/gitignore, and the index: its files are not ignored."""
+    git = os.path.join(top, ".git")
+    if disk.is_file(git):  # of a submodule or a linked working tree
+        git = _referenced_directory(git, top)
+    common = _referenced_directory(os.path.join(git, "commondir"), git) or git
+    yield from (os.path.join(git, "index"), os.path.join(git, "config.worktree"))
+    yield from (os.path.join(common, "config"), os.path.join(common, "info", "exclude"))
+
+
+def _files_of_user(variables: Mapping[str, str]) -> Iterator[str]:
+    home = os.path.expanduser("~")
+    settings = variables.get("XDG_CONFIG_HOME") or os.path.join(home, ".config")
+    yield from (os.path.join(settings, "git", name) for name in ("config", "ignore"))
+    yield variables.get("GIT_CONFIG_GLOBAL") or os.path.join(home, ".gitconfig")
+    yield variables.get("GIT_CONFIG_SYSTEM") or "/etc/gitconfig"
+
+
+def _referenced_directory(file: str, directory: str) -> str:
+    """The directory that a file of git refers to; empty if the file does not exist."""
+    try:
+        text = disk.read(file, 4096)
+    except OSError:
+        return ""
+    return os.path.normpath(
+        os.path.join(directory, os.fsdecode(text).removeprefix("gitdir:").strip())
+    )

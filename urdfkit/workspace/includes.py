@@ -1,4 +1,4 @@
-"""Which xacro file includes a file; read from the text, nothing is expanded."""
+"""Search for the xacro file that includes a file, in the text without expansion."""
 
 import os
 import re
@@ -11,58 +11,58 @@ from urdfkit.workspace.packages import Packages
 MAX_ENTRIES = 20_000
 MAX_FILES = 2000
 MAX_BYTES = 4 * 1024 * 1024
-#: Includes of includes that are followed upwards.
+#: Most nested includes that are followed upwards.
 MAX_DEPTH = 10
 
 _SUFFIXES = (".xacro", ".urdf", ".gazebo", ".xml", ".trans")
 
 
 def is_included(path: str, packages: Packages) -> bool:
-    """True if another file of the package, or of the directory without one, includes a file.
+    """True if another file of the package (or directory, without a package) includes a file.
 
-    True as well if there are too many files to know: silence is then the safer answer.
+    Also True if there are too many files to search: a missed finding is better than a false one.
     """
     return includer(path, packages) is not None
 
 
 def includer(path: str, packages: Packages) -> str | None:
-    """A file of the same package that includes a file; ``""`` if there are too many to search.
+    """The file of the same package that includes a file; ``""`` if there are too many to search.
 
     Includes are compared by file name: their directories may be expressions. Of several files the
-    nearest by directory counts: packages hold variants of a robot side by side. An ``<include>``
-    without its prefix counts, and so does the default of an argument, by which husky and jackal
-    are extended.
+    one in the nearest directory is returned: packages contain several variants of a robot. An
+    ``<include>`` without its prefix counts, and so does the default of an argument, which extends
+    husky and jackal.
     """
     package = packages.enclosing(path)
     path = os.path.abspath(path)
     directory = package[1] if package else os.path.dirname(path)
-    name = re.escape(os.path.basename(path).encode())
+    own_name = re.escape(os.path.basename(path).encode())
     pattern = re.compile(
-        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^>]*[/"'\s]""" + name + rb"""[)"'\s]"""
+        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^>]*[/"'\s]""" + own_name + rb"""[)"'\s]"""
     )
-    found: list[str] = []
+    includers: list[str] = []
     entries = searched = 0
     for parent, directories, files in disk.walk(directory):
-        deep_enough = package is None and parent != directory  # nothing says where to stop
+        is_too_deep = package is None and parent != directory  # a package would bound the search
         directories[:] = (
-            [] if deep_enough else sorted(n for n in directories if not n.startswith("."))
+            [] if is_too_deep else sorted(n for n in directories if not n.startswith("."))
         )
         entries += len(directories) + len(files)
-        for file in sorted(files):
-            if file.lower().endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
+        for name in sorted(files):
+            if name.lower().endswith(_SUFFIXES) and (file := os.path.join(parent, name)) != path:
                 searched += 1
-                if pattern.search(read_head(there, MAX_BYTES)):
-                    found.append(there)
+                if pattern.search(read_head(file, MAX_BYTES)):
+                    includers.append(file)
         if entries > MAX_ENTRIES or searched > MAX_FILES:
             return ""
-    return max(found, key=lambda there: len(os.path.commonpath((there, path))), default=None)
+    return max(includers, key=lambda file: len(os.path.commonpath((file, path))), default=None)
 
 
 def top_includer(path: str, packages: Packages) -> str | None:
-    """The file at the upper end of a chain of includes that ends at a file."""
-    found, above = None, includer(path, packages)
-    seen = {os.path.abspath(path)}
-    while above and above not in seen and len(seen) <= MAX_DEPTH:
-        seen.add(above)
-        found, above = above, includer(above, packages)
-    return found or above
+    """The outermost file in a chain of includes that ends at a file; None if there is none."""
+    top, parent = None, includer(path, packages)
+    visited = {os.path.abspath(path)}
+    while parent and parent not in visited and len(visited) <= MAX_DEPTH:
+        visited.add(parent)
+        top, parent = parent, includer(parent, packages)
+    return top or parent

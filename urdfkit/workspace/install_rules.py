@@ -1,6 +1,6 @@
-"""What the build of a package ships: whether a path of the source tree is installed.
+"""Whether the build of a package installs a path of the source tree.
 
-The answer is "yes" wherever the build file says something that is not understood here.
+The answer is True if the build file contains commands that are not understood here.
 """
 
 import os
@@ -15,12 +15,12 @@ from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
-#: Commands that may install what is not known here: other files, and functions of the package.
+#: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
     r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
     r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
 )
-#: Commands by which files come to be that the source tree does not have.
+#: Commands that create files that are not in the source tree.
 _MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
@@ -30,9 +30,9 @@ _WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
 
 
 def build_file(directory: str) -> str:
-    """The path of the file that the build of a package reads; empty if there is none.
+    """Path of the build file of a package; empty if there is none.
 
-    Of a package of type ament_python, colcon reads setup.py, whatever lies beside it.
+    For a package of type ament_python, colcon reads setup.py even next to a CMakeLists.txt.
     """
     names = ["CMakeLists.txt", "setup.py"]
     manifest = read_head(os.path.join(directory, "package.xml"), MAX_BYTES)
@@ -55,7 +55,7 @@ class InstallRules:
         return build_file(self._directory)
 
     def installs(self, relative: str) -> bool:
-        """True if a path below the package is installed, or if that is not clear."""
+        """True if a path below the package is, or may be, installed."""
         if not self.file:
             return True
         if self.file.endswith(".py"):
@@ -63,9 +63,9 @@ class InstallRules:
         return any(_overlap(relative, target) for target in self._targets) or self._is_unclear
 
     def misplaced(self, relative: str) -> str:
-        """Where a path is installed, if that is not below ``share/<package>`` as in the source.
+        """Target of a path that is not installed below ``share/<package>`` as in the source tree.
 
-        Empty if it is installed as it should be, not at all, or if that is not clear.
+        Empty if it is installed there, not at all, or if that is unknown.
         """
         if not self.file.endswith(".txt") or self._has_unclear_commands:
             return ""
@@ -80,15 +80,15 @@ class InstallRules:
             return True
         if top not in self._text:
             return False
-        listed = [path for path in self._listed if path.startswith(f"{top}/")]
+        listed = [path for path in self._literal_paths if path.startswith(f"{top}/")]
         if disk.is_directory(os.path.join(self._directory, relative)):
             return not listed or any(path.startswith(f"{relative.rstrip('/')}/") for path in listed)
         return not listed or any(fnmatch(relative, path) or path == f"{top}/" for path in listed)
 
     @cached_property
-    def _listed(self) -> list[str]:
-        """The paths and patterns that a setup.py writes out."""
-        import ast  # not needed where CMake builds
+    def _literal_paths(self) -> list[str]:
+        """The paths and patterns that are literals in a setup.py."""
+        import ast  # not needed for CMake
 
         from urdfkit.text import python_source
 
@@ -96,7 +96,7 @@ class InstallRules:
             nodes = list(ast.walk(python_source.parse(self._text)))
         except SyntaxError:
             return []
-        found = []
+        paths = []
         for node in nodes:
             parts = [node]
             if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "join":
@@ -104,12 +104,12 @@ class InstallRules:
             texts = [part.value for part in parts if isinstance(part, ast.Constant)]
             words = [text for text in texts if isinstance(text, str)]
             if len(words) == len(parts):
-                found.append(posixpath.join(*words).removeprefix("./"))
-        return found
+                paths.append(posixpath.join(*words).removeprefix("./"))
+        return paths
 
     @cached_property
     def makes_files(self) -> bool:
-        """True if the build makes or installs files that are elsewhere in the source tree."""
+        """True if the build creates files, or installs files of other directories."""
         return re.search(_MAKES, self._text) is not None
 
     def advice(self, top: str) -> str:
@@ -119,25 +119,25 @@ class InstallRules:
 
     @cached_property
     def _text(self) -> str:
-        """The build file; of CMake without its comments, which the templates of ROS are full of."""
+        """The text of the build file, without the comments of CMake."""
         text = read_head(self.file, MAX_BYTES).decode("utf-8", "replace")
         return text if self.file.endswith(".py") else re.sub(r"#.*", "", text)
 
     @cached_property
     def _targets(self) -> list[str]:
-        """What is installed, below the package's directory under ``share``."""
+        """Installed paths, relative to ``share/<package>``."""
         share = f"share/{self._package}"
         targets = [rule.target for rule in read_rules(self._directory, self._package)]
         return [t[len(share) + 1 :] for t in targets if t == share or t.startswith(f"{share}/")]
 
     @cached_property
     def _is_unclear(self) -> bool:
-        """True if the CMake file installs nothing that is known, or something else as well."""
+        """True if the CMake file has no known install rules, or unknown commands as well."""
         return not self._targets or self._has_unclear_commands
 
     @cached_property
     def _has_unclear_commands(self) -> bool:
-        """True if other commands of the CMake file may install what is not known here."""
+        """True if other commands of the CMake file may install files."""
         if re.search(_UNCLEAR, self._text):
             return True
         known = set(known_variables(self._package))
@@ -150,8 +150,9 @@ class InstallRules:
 
 
 def is_expanded(path: str) -> bool:
-    """True if the nearest CMake file above a xacro expands it: ``xacro_add_files`` and its like."""
-    files = (os.path.join(above, "CMakeLists.txt") for above in upwards(os.path.dirname(path)))
+    """True if the nearest CMake file above a xacro expands it, as with ``xacro_add_files``."""
+    directories = upwards(os.path.dirname(path))
+    files = (os.path.join(directory, "CMakeLists.txt") for directory in directories)
     text = read_head(next(filter(disk.is_file, files), ""), MAX_BYTES).decode("utf-8", "replace")
     name = re.escape(os.path.basename(path))
     command = rf"""\bxacro_add\w*\s*\([^()]*(?<=[\s/"(]){name}\b"""
@@ -159,7 +160,7 @@ def is_expanded(path: str) -> bool:
 
 
 def _overlap(path: str, target: str) -> bool:
-    """True if one of two paths holds the other."""
+    """True if one of two paths contains the other."""
     if not target or path == target:
         return True
     return path.startswith(f"{target}/") or target.startswith(f"{path}/")

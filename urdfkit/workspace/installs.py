@@ -1,7 +1,7 @@
-"""Where a package's files lie in its source tree, as its CMakeLists.txt installs them.
+"""Install rules of a CMakeLists.txt: the source files of paths in the installed package.
 
-``$(find pkg)/urdf/x`` speaks of the installed package. Most packages install a directory under its
-own name; some move directories, and then the file exists only after a build.
+``$(find pkg)/urdf/x`` refers to the installed package. Most packages install a directory under its
+own name; others rename directories, and then the path exists only after a build.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _END_OF_SOURCES = frozenset(
 
 
 class Installed(Record):
-    """One thing that a build installs."""
+    """One install rule for a file or directory."""
 
     source: str  # path below the package's directory
-    target: str  # where it is installed, below the prefix
+    target: str  # path below the install prefix
 
     def place(self, path: str) -> str:
-        """Where a path below the package's directory is installed; empty if it is not."""
+        """Installed path of a path below the package's directory; empty if it is not installed."""
         if path == self.source or path.startswith(f"{self.source}/"):
             return posixpath.normpath(self.target + path[len(self.source) :])
         return ""
@@ -46,22 +46,22 @@ class Installed(Record):
 
 class _Command(Record):
     name: str
-    arguments: tuple[tuple[str, bool], ...]  # text, quoted
+    arguments: tuple[tuple[str, bool], ...]  # text, and whether it is quoted
 
 
 def source_paths(rules: Iterable[Installed], package: str, relative: str) -> list[str]:
     """The paths in a source tree that may be installed at ``share/<package>/<relative>``."""
     wanted = posixpath.normpath(f"share/{package}/{relative}")
-    found = []
+    paths = []
     for rule in rules:
         if wanted == rule.target or wanted.startswith(f"{rule.target}/"):
             rest = wanted[len(rule.target) :]
-            found.append(posixpath.normpath(rule.source + rest))
-    return found
+            paths.append(posixpath.normpath(rule.source + rest))
+    return paths
 
 
 def read_rules(directory: str, package: str) -> list[Installed]:
-    """What the CMakeLists.txt of a package installs; conditions are taken as true."""
+    """Install rules of the CMakeLists.txt of a package; conditions are assumed to be true."""
     text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
         "utf-8", "replace"
     )
@@ -72,7 +72,7 @@ def read_rules(directory: str, package: str) -> list[Installed]:
 
 
 def known_variables(package: str) -> dict[str, str]:
-    """Variables that CMake or catkin sets, as paths below the prefix."""
+    """Variables that CMake or catkin sets, as paths below the install prefix."""
     share = f"share/{package}"
     return {
         "PROJECT_NAME": package,
@@ -113,17 +113,17 @@ def _commands(text: str) -> Iterator[_Command]:
 
 
 class _CMakeReader:
-    """Runs the commands that matter here; the body of a loop is run for each of its items."""
+    """Interprets the commands for install rules; the body of a loop is run for each item."""
 
     def __init__(self, variables: dict[str, str]) -> None:
         self.rules: list[Installed] = []
         self._variables = variables
         self._loops: list[tuple[str, list[str], list[_Command]]] = []
-        self._read = 0
+        self._count = 0
 
     def read(self, command: _Command) -> None:
-        self._read += 1
-        if self._read > MAX_COMMANDS:
+        self._count += 1
+        if self._count > MAX_COMMANDS:
             return
         if command.name == "foreach":
             self._loops.append((*_loop(command, self._variables), []))
@@ -147,11 +147,11 @@ class _CMakeReader:
             return
         variable, items, body = self._loops.pop()
         for item in items:
-            # Inside another loop this lengthens the body of that one.
+            # Inside another loop, this extends the body of the outer loop.
             self.read(_Command("set", ((variable, False), (item, False))))
             for command in body:
                 self.read(command)
-            if self._read > MAX_COMMANDS:
+            if self._count > MAX_COMMANDS:
                 return
 
 
@@ -167,11 +167,11 @@ def _loop(command: _Command, variables: dict[str, str]) -> tuple[str, list[str]]
 
 
 def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
-    """The arguments with their variables replaced; an unknown variable stays as it is."""
+    """The arguments with their variables replaced; unknown variables do not change."""
     words: list[str] = []
     for text, quoted in command.arguments:
         value = text
-        for _ in range(5):  # a variable in the name of a variable
+        for _ in range(5):  # names of variables may contain variables
             replaced = re.sub(_VARIABLE, lambda m: variables.get(m.group(1), m.group()), value)
             if replaced == value or len(replaced) > MAX_BYTES:
                 break
@@ -181,7 +181,7 @@ def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
 
 
 def _to_share(words: list[str]) -> list[str]:
-    """The directories that ``ament_auto_package(INSTALL_TO_SHARE ...)`` names."""
+    """The directories of ``ament_auto_package(INSTALL_TO_SHARE ...)``."""
     if "INSTALL_TO_SHARE" not in words:
         return []
     directories = words[words.index("INSTALL_TO_SHARE") + 1 :]

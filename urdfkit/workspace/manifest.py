@@ -1,4 +1,4 @@
-"""The package.xml around a file: what the package is called, built with, and depends on."""
+"""The package.xml of a file's package: its name, build system and dependencies."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.package_references import mentions
+from urdfkit.workspace.package_references import package_references
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -26,10 +26,9 @@ _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
 _SUBMODULE = rb"(?m)^\s*path\s*=\s*(.+?)\s*$"
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
-
 #: Tags that every package.xml has.
 REQUIRED = ("name", "version", "description", "maintainer", "license")
-#: The other tags that every format has, and those of single formats.
+#: Other tags of all formats, and tags of single formats.
 _OPTIONAL = frozenset(
     "author build_depend buildtool_depend conflict export replace test_depend url".split()
 )
@@ -44,37 +43,37 @@ _BY_FORMAT = {
 
 
 class Manifest(Record):
-    """What a package.xml says."""
+    """A package.xml."""
 
-    path: str  # of it
-    package: str  # its name
-    data: bytes  # its text without comments
+    path: str
+    package: str  # name of the package
+    data: bytes  # the text without comments
 
     @property
     def dependencies(self) -> frozenset[str]:
-        """Names of packages, of every kind of dependency."""
+        """Names of the packages in dependencies of all kinds."""
         return _dependencies(self.data)
 
     @property
     def dependency_tag(self) -> str:
-        """What its format calls a dependency that is needed to run."""
+        """The tag for a dependency at run time, which depends on the format."""
         number = re.search(_FORMAT, self.data)
         return "exec_depend" if number and number.group(1) in (b"2", b"3") else "run_depend"
 
     @property
     def ros(self) -> int | None:
-        """1 or 2 by the build system; None if it does not say, or has one for each."""
+        """ROS version 1 or 2 by the build system; None if none or both are declared."""
         systems = set(re.findall(_BUILD, self.data))
         return {b"catkin": 1, b"ament": 2}[systems.pop()] if len(systems) == 1 else None
 
 
-@lru_cache(maxsize=8)  # a robot may name a thousand packages that are missing
+@lru_cache(maxsize=8)  # a robot may refer to a thousand missing packages
 def _dependencies(data: bytes) -> frozenset[str]:
     return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, data))
 
 
 def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
-    """The package.xml of the package that a file lies in; None outside of packages."""
+    """The package.xml of the package that contains a file; None outside of packages."""
     enclosing = resolver.packages.enclosing(path)
     if enclosing is None:
         return None
@@ -90,10 +89,10 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
 
 
 def is_known_dependency(name: str, path: str, resolver: Resolver) -> bool:
-    """True if a package is elsewhere, not mistyped.
+    """True if the name of a missing package is probably right.
 
-    ROS has it, the package that a file lies in declares it, or the repository has a submodule that
-    is not checked out, which may hold it.
+    The package comes with ROS, the package of the file declares it, or the repository has a
+    submodule that is not checked out and may contain it.
     """
     manifest = manifest_of(resolver, path)
     return (
@@ -115,27 +114,27 @@ def _lacks_submodule(repository: str) -> bool:
 
 
 def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
-    """True if a package needs another one, perhaps by way of more: the reverse makes a cycle.
+    """True if a package depends on another, also indirectly: the reverse would make a cycle.
 
-    What its descriptions use counts, declared or not.
+    References in its descriptions count as well as declared dependencies.
 
     Args:
-        other: name of the one that it may need.
+        other: name of the possible dependency.
         near: path of a file from which packages are searched.
     """
-    seen = {name}
-    waiting = [name]
-    for one in waiting:  # grows while it is walked
-        needed = _needs(one, near, resolver)
-        if other in needed:
+    visited = {name}
+    queue = [name]
+    for package in queue:  # grows during the iteration
+        dependencies = _dependencies_of(package, near, resolver)
+        if other in dependencies:
             return True
-        waiting += sorted(needed - seen)
-        seen |= needed
+        queue += sorted(dependencies - visited)
+        visited |= dependencies
     return False
 
 
-def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
-    """The packages that one declares or uses; none of what is installed or not there."""
+def _dependencies_of(name: str, near: str, resolver: Resolver) -> frozenset[str]:
+    """The packages that a package declares or uses; empty if it is installed or missing."""
     try:
         directory = resolver.package(name, near)
     except PackageNotFound:
@@ -151,18 +150,18 @@ def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
         for path in files
         if path.endswith((".urdf", ".xacro"))
     ]
-    used = {found.package for text in texts for found in mentions(text)}
+    used = {reference.package for text in texts for reference in package_references(text)}
     return manifest.dependencies.union(used) - {name}
 
 
 def known_tags(number: str | None) -> frozenset[str]:
-    """The tags of a format, which is 1 where none is written; none for an unknown format."""
+    """The tags of a format, by default 1; empty for an unknown format."""
     own = _BY_FORMAT.get(number or "1")
     return own.union(REQUIRED, _OPTIONAL) if own else frozenset()
 
 
 def nearest_manifest(path: str) -> str | None:
-    """The package.xml around a file, whatever is in it."""
+    """Path of the nearest package.xml above a file, which may be invalid; None if there is none."""
     directories = upwards(os.path.dirname(os.path.abspath(path)))
     files = (os.path.join(directory, "package.xml") for directory in directories)
     return next(filter(disk.is_file, files), None)

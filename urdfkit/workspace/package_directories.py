@@ -1,4 +1,4 @@
-"""Directories as packages: which package a directory is, and whether it is a repository."""
+"""Names of packages by directory, and detection of repositories."""
 
 import os
 from collections.abc import Mapping
@@ -10,26 +10,26 @@ from urdfkit.workspace.file_head import read_head
 
 
 class PackageDirectories:
-    """The names of packages by directory; everything is read once."""
+    """The names of packages by directory, cached."""
 
     def __init__(self, listings: Directories) -> None:
-        self.listings = listings  # what is in directories
+        self.listings = listings
         self._names: dict[str, str | None] = {}
 
     def name_of(self, directory: str) -> str | None:
-        """The name of the package whose directory this is; None if it is no package's."""
+        """Name of the package in a directory; None if it is not a package."""
         if directory not in self._names:
             self._names[directory] = _package_name(directory)
         return self._names[directory]
 
     def is_repository(self, directory: str) -> bool:
-        """True of the top of a repository, unless it is a submodule of another one."""
-        mark = os.path.join(directory, ".git")
-        # Not by its listing: those of the directories above change all the time.
-        return disk.has_name(mark) and b"/modules/" not in read_head(mark, 4096)
+        """True for the top directory of a repository that is not a submodule."""
+        path = os.path.join(directory, ".git")
+        # Directories above a repository are not listed: their contents change all the time.
+        return disk.has_name(path) and b"/modules/" not in read_head(path, 4096)
 
     def names_in(self, directory: str) -> Mapping[str, bool]:
-        """Names in a directory, True for directories; empty if it cannot be read."""
+        """Names in a directory, with True for directories; empty if it cannot be read."""
         return self.listings.entries(directory) or {}
 
 
@@ -37,9 +37,9 @@ def _package_name(directory: str) -> str | None:
     data = read_marker(directory, "package.xml")
     if data:
         name = data.partition(b"<name>")[2].partition(b"</name>")[0].strip()
-        is_one = b"<" not in name and len(name.split()) == 1
-        return name.decode("utf-8", "replace") if is_one else None
-    # rosbuild: the name is that of the directory.
+        is_valid = b"<" not in name and len(name.split()) == 1
+        return name.decode("utf-8", "replace") if is_valid else None
+    # rosbuild: the name of the package is the name of its directory.
     if b"<package" in read_marker(directory, "manifest.xml"):
         return os.path.basename(directory)
     return None

@@ -1,7 +1,7 @@
-"""Packages that the text of a description mentions: ``$(find pkg)`` and ``package://pkg``.
+"""References to packages in the text of a description: ``$(find pkg)`` and ``package://pkg``.
 
-The text names more than the expansion: what a macro that is not called here refers to is needed by
-those who call it.
+The text contains more references than the expansion: those in an uncalled macro are needed by the
+files that call it.
 """
 
 from __future__ import annotations
@@ -14,46 +14,46 @@ from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.packages import Packages
 
-#: The substitution of xacro and of launch files, and the package in it.
+#: The substitution ``$(find pkg)`` of xacro and launch files; the group is the package.
 FIND = r"\$\(find\s+([A-Za-z][\w.-]*)\s*\)"
-_MENTION = rf"""(?sx)<!--.*?(?:-->|\Z)
+_REFERENCE = rf"""(?sx)<!--.*?(?:-->|\Z)
       | {FIND}(/[^\s"'<>]*)?
       | package://([A-Za-z][\w.-]*)(/[^\s"'<>]*)?
     """.encode()
 
 
 class PackageReference(Record):
-    """A package at one place in a text."""
+    """A reference to a package in a text."""
 
-    package: str  # its name
-    #: The path behind it, as far as it is written plainly; a directory if it goes on with an
-    #: expression.
-    relative: str
+    package: str  # name of the package
+    relative: str  # the path after it, up to the directory before an expression
     span: Span  # the whole reference
 
 
-def are_in(sources: Iterable[Source]) -> bool:
-    """True if texts mention packages."""
+def have_references(sources: Iterable[Source]) -> bool:
+    """True if texts refer to packages."""
     return any(b"package://" in source.data or b"$(find" in source.data for source in sources)
 
 
-def mentions(source: Source) -> Iterator[PackageReference]:
-    """The packages in a text, in its order, outside of comments."""
-    if not are_in((source,)):
+def package_references(source: Source) -> Iterator[PackageReference]:
+    """The references in a text, in order, outside of comments."""
+    if not have_references((source,)):
         return
-    for match in re.finditer(_MENTION, source.data):
-        found = match.group(1) or match.group(3)
-        if found:
+    for match in re.finditer(_REFERENCE, source.data):
+        package = match.group(1) or match.group(3)
+        if package:
             path = (match.group(2) or match.group(4) or b"").decode("utf-8", "replace")
-            yield PackageReference(found.decode(), _plain(path), Span(source, *match.span()))
+            yield PackageReference(package.decode(), _plain(path), Span(source, *match.span()))
 
 
-def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[PackageReference]:
-    """What the sources mention that lie in the package of the first."""
-    home = packages.enclosing(sources[0].path)
+def references_of_package(
+    sources: tuple[Source, ...], packages: Packages
+) -> Iterator[PackageReference]:
+    """The references in those sources that are in the package of the first source."""
+    package = packages.enclosing(sources[0].path)
     for source in sources:
-        if home and packages.enclosing(source.path) == home:
-            yield from mentions(source)
+        if package and packages.enclosing(source.path) == package:
+            yield from package_references(source)
 
 
 def _plain(path: str) -> str:

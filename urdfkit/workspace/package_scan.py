@@ -1,4 +1,4 @@
-"""Scanning a directory for packages, breadth first and within bounds."""
+"""Bounded breadth-first scan of a directory for packages."""
 
 import os
 import time
@@ -9,15 +9,15 @@ from urdfkit.core.words import counted
 from urdfkit.workspace.directories import is_walked
 from urdfkit.workspace.package_directories import PackageDirectories
 
-#: A scan stops here and says so. Real workspaces have some thousand directories.
+#: Limits of a scan, which reports that it stopped. Real workspaces have some thousand directories.
 MAX_DIRECTORIES = 20_000
 MAX_SECONDS = 2.0
 
 
 class PackageScan:
-    """The packages below a directory, breadth first, no further than has been asked for.
+    """The packages below a directory; the scan continues only as far as queries require.
 
-    Of two packages with one name, the nearest to the root counts, then the first by path.
+    Of two packages with the same name, the nearest to the root counts, then the first by path.
     """
 
     def __init__(
@@ -30,35 +30,35 @@ class PackageScan:
         self._queue: list[tuple[str, int]] = [(root, 0)]
         self._next = 0
         self._seconds = 0.0
-        self._found: dict[str, str] = {}
+        self._packages: dict[str, str] = {}
         self._linked: set[str] = set()
 
     def find(self, name: str) -> str | None:
-        """The directory of a package; None if there is none."""
+        """The directory of a package; None if it is not found."""
         started = time.monotonic()
-        while name not in self._found and self._more(started):
+        while name not in self._packages and self._may_continue(started):
             self._visit(*self._queue[self._next])
             self._next += 1
         self._seconds += time.monotonic() - started
-        return self._found.get(name)
+        return self._packages.get(name)
 
     def all(self) -> dict[str, str]:
         self.find("")
-        return self._found
+        return self._packages
 
-    def words(self) -> str:
-        """What was scanned, and how far."""
+    def summary(self) -> str:
+        """The scanned directory, the number of packages and whether a limit stopped the scan."""
         self.find("")
         is_done = self._next == len(self._queue)
         stopped = "" if is_done else f", stopped after {self._next} directories"
-        return f"{self.root} ({counted(len(self._found), 'package')}{stopped})"
+        return f"{self.root} ({counted(len(self._packages), 'package')}{stopped})"
 
-    def _more(self, started: float) -> bool:
+    def _may_continue(self, started: float) -> bool:
         if self._next >= min(len(self._queue), MAX_DIRECTORIES):
             return False
         if self._seconds + time.monotonic() - started < MAX_SECONDS:
             return True
-        disk.depends_on_more()  # on a faster machine it would have gone on
+        disk.depends_on_more()  # a faster machine would continue
         return False
 
     def _visit(self, directory: str, depth: int) -> None:
@@ -66,7 +66,7 @@ class PackageScan:
         if "package.xml" in entries or "manifest.xml" in entries:
             name = self._directories.name_of(directory)
             if name:
-                self._found.setdefault(name, directory)
+                self._packages.setdefault(name, directory)
                 if not self._nested and depth:
                     return
         if depth >= self._depth:
@@ -74,27 +74,28 @@ class PackageScan:
         for entry in sorted(entries):
             if entries[entry] and is_walked(entry):
                 path = os.path.join(directory, entry)
-                if not self._is_left_out(path):
+                if not self._is_excluded(path):
                     self._queue.append((path, depth + 1))
 
-    def _is_left_out(self, path: str) -> bool:
-        """True of a symbolic link to where another led, to a directory around it, or outside."""
+    def _is_excluded(self, path: str) -> bool:
+        """True for a symbolic link to a visited target, to its own parents, or to the outside."""
         if not self._directories.listings.is_link(path):
             return False
         real = disk.real(path)
-        is_circle = real in self._linked or is_within(path, real)
-        if is_circle or (self._nested and self._leads_out(path, real)):
+        is_repeated = real in self._linked or is_within(path, real)
+        if is_repeated or (self._nested and self._leaves_repository(path, real)):
             return True
         self._linked.add(real)
         return False
 
-    def _leads_out(self, path: str, real: str) -> bool:
-        """True if a link leads out of the repository that it is a part of.
+    def _leaves_repository(self, path: str, real: str) -> bool:
+        """True if the target of a link is outside of the link's repository.
 
-        Its author may be a stranger. In the ``src`` of a workspace the user puts links himself.
+        The author of a repository is not trusted. Links in the ``src`` of a workspace are the
+        user's own.
         """
-        above = list(upwards(os.path.dirname(path)))
-        repository = next((at for at in above if disk.exists(os.path.join(at, ".git"))), None)
-        if repository is None and os.path.basename(above[0]) == "src":
+        parents = list(upwards(os.path.dirname(path)))
+        repository = next((at for at in parents if disk.exists(os.path.join(at, ".git"))), None)
+        if repository is None and os.path.basename(parents[0]) == "src":
             return False
         return not is_within(real, disk.real(repository or self.root))

@@ -1,16 +1,16 @@
-"""Finding ROS packages without ROS."""
+"""Search for ROS packages, without ROS."""
 
 from __future__ import annotations
 
 import os
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.package_directories import PackageDirectories, read_marker
 from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
@@ -18,7 +18,7 @@ from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
 if TYPE_CHECKING:
     from urdfkit.workspace.package_scan import PackageScan
 
-#: Depth of a scan inside a repository or workspace, and of one outside of it.
+#: Depth of a scan inside a repository or workspace, and outside of it.
 DEPTH_INSIDE = 12
 DEPTH_OUTSIDE = 4
 
@@ -26,19 +26,19 @@ _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
 class Candidate(Record):
-    """A directory that may be the package of a name."""
+    """A directory that may be a package."""
 
-    directory: str  # the package's directory
-    certain: bool = True  # False if it only has the name of the package, without a ``package.xml``
-    trusted: bool = False  # True if the environment of the user names it
+    directory: str
+    certain: bool = True  # False if only the name matches, without a ``package.xml``
+    trusted: bool = False  # True if the environment of the user refers to it
 
 
 class Packages:
-    """Finds packages; everything is read once.
+    """Finds packages; results are cached.
 
     Args:
-        explicit: directories by package name, which win over every search.
-        environment: ``AMENT_PREFIX_PATH`` and ``ROS_PACKAGE_PATH`` are read from it.
+        explicit: directories by package name, which override every search.
+        environment: defines ``AMENT_PREFIX_PATH`` and ``ROS_PACKAGE_PATH``.
     """
 
     def __init__(
@@ -55,89 +55,84 @@ class Packages:
         self._directories_of: Memo[str, str] = Memo()
 
     def directory_of(self, path: str) -> str:
-        """The absolute directory of a file; worked out once, as a robot names a hundred meshes."""
+        """The absolute directory of a file; cached, as a robot may refer to a hundred meshes."""
         if path not in self._directories_of:
             self._directories_of[path] = os.path.dirname(os.path.abspath(path))
         return self._directories_of[path]
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
-        """The directories that may be a package, the best first of those that are certain.
+        """The directories that may be a package; certain candidates in order of preference.
 
         Args:
-            near: path of the file that refers to it.
+            near: path of the file that refers to the package.
         """
         if name in self.explicit:
             if disk.is_directory(self.explicit[name]):
                 yield Candidate(self.explicit[name])
             return
         if name in ("", ".", "..") or "/" in name or "\\" in name:
-            return  # a path; below AMENT_PREFIX_PATH it would lead to any directory
+            return  # a path, which could leave AMENT_PREFIX_PATH
         start = self.directory_of(near)
-        yield from (Candidate(at) for own, at in self._roots.around(start) if own == name)
+        packages = self._roots.enclosing_packages(start)
+        yield from (Candidate(directory) for package, directory in packages if package == name)
         for directory in self._in_environment(name):
             yield Candidate(directory, trusted=True)
-        # A build may install this directory under its name, whatever package.xml lies elsewhere.
-        yield from (Candidate(at, certain=False) for at in self._named(name, near))
+        # A build may install this directory under its name, even if a package.xml is elsewhere.
+        yield from (Candidate(at, certain=False) for at in self._parents_named(name, near))
         for level in self.levels(near):
-            found = self._scan(level).find(name)
-            if found:
-                yield Candidate(found)
+            if package_directory := self._scan(level).find(name):
+                yield Candidate(package_directory)
         for directory in self.siblings_named(name, near):
             yield Candidate(directory, certain=False)
 
     def searched(self, name: str, near: str) -> tuple[str, ...]:
-        """Where ``candidates`` looks, in words a user can check."""
+        """The locations that ``candidates`` searches, for a message."""
         if name in self.explicit:
             return (f"{self.explicit[name]} (given for {name}; no such directory)",)
         start = self.directory_of(near)
-        if start not in self._searched:  # a robot may name a missing package a hundred times
-            self._searched[start] = self._search_of(start, near)
+        if start not in self._searched:  # a robot may refer to a missing package a hundred times
+            self._searched[start] = (
+                f"{start} and its parent directories",
+                f"AMENT_PREFIX_PATH ({os.pathsep.join(self.prefixes) or 'not set'})",
+                f"ROS_PACKAGE_PATH ({os.pathsep.join(self.ros1_paths) or 'not set'})",
+                *(self._scan(level).summary() for level in self.levels(near)),
+            )
         return self._searched[start]
 
-    def _search_of(self, start: str, near: str) -> tuple[str, ...]:
-        reported = [f"{start} and its parent directories"]
-        for variable, paths in (
-            ("AMENT_PREFIX_PATH", self.prefixes),
-            ("ROS_PACKAGE_PATH", self.ros1_paths),
-        ):
-            reported.append(f"{variable} ({os.pathsep.join(paths) or 'not set'})")
-        return (*reported, *(self._scan(level).words() for level in self.levels(near)))
-
     def known(self, near: str) -> dict[str, str]:
-        """The packages around a file: directories by name, the nearest of each name."""
-        found: dict[str, str] = {}
-        start = self.directory_of(near)
-        for name, at in self._roots.around(start):
-            found.setdefault(name, at)
+        """The directories of the packages in the workspace of a file, by name; nearest first."""
+        packages: dict[str, str] = {}
+        for name, directory in self._roots.enclosing_packages(self.directory_of(near)):
+            packages.setdefault(name, directory)
         for level in self.levels(near):
             for name, directory in self._scan(level).all().items():
-                found.setdefault(name, directory)
-        return found
+                packages.setdefault(name, directory)
+        return packages
 
     def enclosing(self, path: str) -> tuple[str, str] | None:
-        """Name and directory of the package that a file lies in."""
+        """Name and directory of the package that contains a file."""
         return self._roots.enclosing(self.directory_of(path))
 
     def workspace(self, near: str) -> str:
-        """The repository or workspace of a file, else its package, else its directory."""
+        """The repository or workspace of a file, otherwise its package, otherwise its directory."""
         return self.root(near).directory
 
     def root(self, near: str) -> Root:
-        """Where the search for packages that a file refers to ends, and what says so."""
+        """The root of the search for packages that a file refers to."""
         return self._roots.root(self.directory_of(near))
 
     def searches(self, directory: str, near: str) -> bool:
-        """True if the packages in a directory are looked for on behalf of a file."""
+        """True if a directory is searched for packages that a file refers to."""
         return any(is_within(directory, level.root) for level in self.levels(near))
 
     def levels(self, near: str) -> tuple[ScannedDirectory, ...]:
-        """What is scanned for packages that a file refers to, from the inside out."""
+        """The directories that are scanned for packages that a file refers to, innermost first."""
         return self._roots.levels(self.directory_of(near))
 
     def gazebo_model_paths(self, near: str) -> Iterator[tuple[str, str]]:
-        """What packages export as ``gazebo_model_path``, as package directory and path below it.
+        """Paths that packages export as ``gazebo_model_path``: package directory and relative path.
 
-        gazebo_ros adds these to Gazebo's model path.
+        gazebo_ros adds them to Gazebo's model path.
         """
         for directory in self.known(near).values():
             for match in re.finditer(_MODEL_PATH, read_marker(directory, "package.xml")):
@@ -148,27 +143,23 @@ class Packages:
                         yield directory, relative
 
     def is_shared(self, directory: str) -> bool:
-        """True of home, /tmp and the like, which hold more than one project's things."""
-        return directory in self._roots.too_wide
+        """True for home, /tmp and others, which contain files of more than one project."""
+        return directory in self._roots.shared
 
     def name_of(self, directory: str) -> str | None:
-        """The name of the package whose directory this is; None if it is no package's."""
+        """Name of the package in a directory; None if it is not a package."""
         return self._packages.name_of(directory)
 
     def siblings_named(self, name: str, near: str) -> Iterator[str]:
-        """Directories of that name next to those above a file, from the inside out."""
-        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
-        for directory in above:
+        """Directories of a name next to the parent directories of a file, innermost first."""
+        parents = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
+        for directory in parents:
             sibling = os.path.join(directory, name)
-            if sibling not in above and disk.is_directory(sibling):
+            if sibling not in parents and disk.is_directory(sibling):
                 yield sibling
 
-    def _may_be_around(self, directory: str, near: str) -> bool:
-        """False of a directory above a file that lies outside of its repository or workspace."""
-        return not self.root(near).mark or self.searches(directory, near)
-
     def _scan(self, level: ScannedDirectory) -> PackageScan:
-        from urdfkit.workspace.package_scan import PackageScan  # most packages are around the robot
+        from urdfkit.workspace.package_scan import PackageScan  # often the robot's package suffices
 
         if level not in self._scans:
             depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
@@ -186,23 +177,22 @@ class Packages:
             direct = os.path.join(path, name)
             if self.name_of(direct) == name:
                 yield direct
-            found = self._scan(ScannedDirectory(path, False)).find(name)
-            if found:
-                yield found
+            if scanned := self._scan(ScannedDirectory(path, False)).find(name):
+                yield scanned
 
-    def _named(self, name: str, near: str) -> list[str]:
-        """The directories of that name around a file, the innermost first."""
+    def _parents_named(self, name: str, near: str) -> list[str]:
+        """The parent directories of a file with a name, in its workspace; innermost first."""
         return [
             directory
             for directory in upwards(self.directory_of(near))
             if name
             and os.path.basename(directory) == name
-            and directory not in self._roots.too_wide
-            if self._may_be_around(directory, near)
+            and directory not in self._roots.shared
+            and (not self.root(near).mark or self.searches(directory, near))
         ]
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:
-    """The directories that a variable such as ``AMENT_PREFIX_PATH`` names."""
+    """The directories in a variable such as ``AMENT_PREFIX_PATH``."""
     parts = environment.get(variable, "").split(os.pathsep)
     return [os.path.abspath(part) for part in parts if part]

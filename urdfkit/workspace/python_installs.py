@@ -1,4 +1,4 @@
-"""What the setup.py of a package installs: its ``data_files``, read as a syntax tree."""
+"""Installed files of a setup.py: its ``data_files``, read from the syntax tree."""
 
 import ast
 import os
@@ -14,10 +14,10 @@ _MAX_DEPTH = 20
 
 
 def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
-    """Paths below a package's directory, with wildcards, that are installed at a path of it.
+    """Source paths of a package, with wildcards, that are installed at a path of it.
 
-    setuptools puts the files of a list into its directory by their last names alone:
-    ``glob('launch/*/*.py')`` makes one flat directory.
+    setuptools installs the files of a list into one directory, by their base names:
+    ``glob('launch/*/*.py')`` results in a flat directory.
     """
     text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
     try:
@@ -36,7 +36,7 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
 
 
 class _Constants:
-    """The constants of a program, by the names of its module."""
+    """Evaluates constant expressions of a module."""
 
     def __init__(self, tree: ast.Module) -> None:
         self._tree = tree
@@ -49,7 +49,7 @@ class _Constants:
         }
 
     def data_files(self) -> Iterator[tuple[ast.expr, ast.expr]]:
-        """The directories that are installed, and the lists of their files."""
+        """Pairs of a target directory and its list of files."""
         for node in ast.walk(self._tree):
             if isinstance(node, ast.keyword) and node.arg == "data_files":
                 value = self._value(node.value)
@@ -69,29 +69,29 @@ class _Constants:
             yield self.text(node.args[0]) or ""
 
     def text(self, node: ast.expr, depth: int = 0) -> str | None:
-        """The text that an expression gives; None if it is not known."""
+        """The string value of an expression; None if unknown."""
         node = self._value(node)
         if isinstance(node, ast.Constant):
             return node.value if isinstance(node.value, str) else None
         parts: list[ast.expr] = []
-        between = ""
+        separator = ""
         if isinstance(node, ast.BinOp):
             parts = [node.left, node.right]
         elif isinstance(node, ast.JoinedStr):
             parts = [
-                one.value if isinstance(one, ast.FormattedValue) else one for one in node.values
+                part.value if isinstance(part, ast.FormattedValue) else part for part in node.values
             ]
         elif isinstance(node, ast.Call) and _called(node) == "join":
-            parts, between = node.args, "/"
+            parts, separator = node.args, "/"
         texts = [self.text(part, depth + 1) for part in parts] if depth < _MAX_DEPTH else []
         known = [text for text in texts if text is not None]
-        return between.join(known) if texts and len(known) == len(texts) else None
+        return separator.join(known) if texts and len(known) == len(texts) else None
 
     def _value(self, node: ast.expr) -> ast.expr:
-        found = self._values.get(node.id) if isinstance(node, ast.Name) else None
-        return found or node
+        value = self._values.get(node.id) if isinstance(node, ast.Name) else None
+        return value or node
 
 
 def _called(call: ast.Call) -> str:
-    """The last part of what is called."""
+    """Name of the called function, without its module."""
     return getattr(call.func, "attr", "") or getattr(call.func, "id", "")

@@ -1,4 +1,4 @@
-"""References of a robot to files, as they are written and what they lead to."""
+"""References of a robot to files: their parts, and the files that they resolve to."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ DRIVE = r"/?[A-Za-z]:/"
 
 
 class ResolvedReference(Record):
-    """What a reference leads to."""
+    """The result of resolving a reference."""
 
     reference: str  # as written
-    #: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or another one in
-    #: small letters.
+    #: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or another scheme
+    #: in lower case.
     scheme: str
-    package: str | None = None  # name of the package that is referred to, or None
-    directory: str | None = None  # of that package, or None if it is not found
-    relative: str = ""  # the path below the package, or below the file that refers to it
-    path: str | None = None  # the file, or None if there is none
+    package: str | None = None  # name of the package, if any
+    directory: str | None = None  # of the package, or None if it is not found
+    relative: str = ""  # the path below the package, or below the referring file
+    path: str | None = None  # the file, or None if it is not found
     tried: tuple[str, ...] = ()  # the paths that were tried, in order
     searched: tuple[str, ...] = ()  # where the package was searched, if it is not found
-    outside: str | None = None  # a file that the reference leads to and that the model may not read
+    outside: str | None = None  # an existing file that the model may not read
 
     @property
     def attempts(self) -> str:
-        """The paths that were tried, for a message; relative where below the current directory."""
+        """The tried paths, for a message; relative if below the current directory."""
         try:
-            here = os.path.join(os.getcwd(), "")
-        except OSError:  # the current directory is gone
-            here = ""
-        return ", ".join(path.removeprefix(here) for path in self.tried)
+            current = os.path.join(os.getcwd(), "")
+        except OSError:  # the current directory is deleted
+            current = ""
+        return ", ".join(path.removeprefix(current) for path in self.tried)
 
 
 def split_scheme(text: str) -> tuple[str, str]:
-    """The scheme before ``://``, in small letters, and the rest; without one, all is the rest.
+    """The scheme before ``://``, in lower case, and the rest; an empty scheme if there is none.
 
-    One letter is no scheme but a drive.
+    A single letter is a drive, not a scheme.
     """
     scheme, is_written, rest = text.partition("://")
     letters = scheme.replace("+", "").replace(".", "").replace("-", "")
@@ -50,7 +50,7 @@ def split_scheme(text: str) -> tuple[str, str]:
 
 
 def spellings(text: str) -> Iterator[str]:
-    """The path as written, and with its percent escapes resolved."""
+    """The path as written, and with its percent escapes decoded."""
     yield text
     if "%" in text:
         data = text.encode("utf-8", "replace")

@@ -1,7 +1,6 @@
-"""From the references of a robot to files: package://, model://, file://, relative paths.
+"""Resolution of a robot's file references: package://, model://, file://, relative paths.
 
-A missing package and a missing file are two different things: the first says nothing about the
-file, only that this machine does not have the package.
+A missing package is not a missing file: the package may exist on another machine.
 """
 
 from __future__ import annotations
@@ -23,20 +22,20 @@ from urdfkit.workspace.package_files import PackageFiles, join
 from urdfkit.workspace.packages import Packages, path_list
 from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
 
-#: Why a file is not read, behind its path.
+#: Why a file is not read; follows its path in a message.
 OUTSIDE = "is outside the workspace and the packages of this model"
 
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
 class Resolver:
-    """Finds packages and files; everything is read once.
+    """Finds packages and files; results are cached.
 
     Args:
-        packages: directories of ROS packages by name; they win over every search.
-        environment: that of the process unless given.
-        texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
-            the buffers of an editor.
+        packages: directories of ROS packages by name, which override every search.
+        environment: by default that of the process.
+        texts: contents of files that differ from the disk, by path: unwritten fixes, or the
+            buffers of an editor.
 
     Raises:
         UnreadableFile: the directory of a package is missing.
@@ -58,32 +57,33 @@ class Resolver:
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._located: Memo[tuple[str, str, str], ResolvedReference] = Memo()
         self._texts = _by_real_path(texts or {})
-        #: Those that are in use; the texts of thousands of robots are not kept.
+        #: Sources in use; the texts of thousands of robots are not cached.
         self._sources: Memo[tuple[object, ...], ref[Source]] = Memo()
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
         self._admits_everything = False
         self._admitted_roots: set[str] = set()
         self._admitted_levels: set[str] = set()
-        self._without_levels: list[str] = []  # files whose levels nobody has asked for yet
+        self._without_levels: list[str] = []  # files whose levels are not computed yet
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
-        """One for other texts, which knows what this one has found of packages and directories."""
+        """A resolver for other texts, which shares the cached packages and directories."""
         other = Resolver.__new__(Resolver)
         vars(other).update(vars(self))
         other._texts = _by_real_path(texts)
         return other
 
     def text(self, path: str) -> bytes | None:
-        """The bytes that stand for those of a file on disk; None if nothing does."""
+        """The contents that replace a file on disk; None if it is not replaced."""
         return self._texts.get(disk.real(path)) if self._texts else None
 
     def admit(self, path: str, *, trust: bool = False) -> None:
-        """The user names a file: models may read what lies in its workspace.
+        """Allow models to read the workspace of a file that the user names.
+
+        Before the first call, every file is admitted.
 
         Args:
-            path: of the file; before one is admitted, the caller vouches for what it reads.
-            trust: they may read everything.
+            trust: True to allow everything.
         """
         self._admits_everything = self._admits_everything or trust
         workspace = self.packages.workspace(path)
@@ -93,27 +93,27 @@ class Resolver:
             self._without_levels.append(path)
 
     def admits(self, path: str) -> bool:
-        """True if a model may read a file, as far as the files are known that the user named."""
+        """True if a model may read a file, according to the files that the user named so far."""
         if self._admits_everything or not self.admitted:
             return True
-        return self._is_within_reach(path, self._admitted_roots, self._levels_of_admitted)
+        return self._is_reachable(path, self._admitted_roots, self._levels_of_admitted)
 
     def _levels_of_admitted(self) -> set[str]:
         while self._without_levels:
             self._admitted_levels |= self._levels(self._without_levels.pop())
         return self._admitted_levels
 
-    def given(self, path: str) -> Source:
-        """A text file that the user names, wherever it lies; models may read what is around it.
+    def admit_and_read(self, path: str) -> Source:
+        """Read a text file that the user names, and allow models to read its workspace.
 
         Raises:
-            UnreadableFile: it is missing, a directory, too large, or may not be opened.
+            UnreadableFile: it is missing, a directory, too large, or not readable.
         """
         self.admit(path)
         return self._read(path)
 
     def read(self, path: str) -> Source:
-        """A text file that something else names, by the bytes that stand for it if some do.
+        """Read a text file that another file refers to.
 
         Raises:
             UnreadableFile: it is missing, a directory, too large, not readable, or outside.
@@ -123,7 +123,7 @@ class Resolver:
         return self._read(path)
 
     def readable(self, path: str) -> Source | None:
-        """A file as of `read`; None if it cannot be read."""
+        """Like `read`; None if the file cannot be read."""
         try:
             return self.read(path)
         except UnreadableFile:
@@ -136,7 +136,7 @@ class Resolver:
         try:
             key = (path, *disk.version(path))
         except (OSError, ValueError):
-            return Source.read(path)  # which fails, and says why
+            return Source.read(path)  # raises the reason
         known = self._sources.get(key)
         source = known() if known else None
         if source is None:
@@ -148,10 +148,10 @@ class Resolver:
         """The directory of a ROS package.
 
         Args:
-            near: path of the file in which the reference stands.
+            near: path of the file that contains the reference.
 
         Raises:
-            PackageNotFound: with what was searched.
+            PackageNotFound: with the searched locations.
         """
         candidate = self._package_files.choose(name, near, None)
         if candidate is None:
@@ -159,27 +159,27 @@ class Resolver:
         return candidate.directory
 
     def locate(self, reference: str, near: str, top: str | None = None) -> ResolvedReference:
-        """The file that a mesh or texture reference leads to.
+        """The file that a mesh or texture reference resolves to.
 
         Args:
             reference: the value of the ``filename`` attribute.
-            near: path of the file in which the reference stands.
-            top: path of the checked file, if another; relative references start there first.
+            near: path of the file that contains the reference.
+            top: path of the checked file, if different; relative paths are tried from there first.
         """
         top = top or near
         key = (reference, self.packages.directory_of(near), self.packages.directory_of(top))
         if key not in self._located:
-            found = self._locate(reference, near, top)
-            if found.path is not None and not self.admits(found.path):
-                found = found._replace(path=None, outside=found.path)
-            self._located[key] = found
+            resolved = self._locate(reference, near, top)
+            if resolved.path is not None and not self.admits(resolved.path):
+                resolved = resolved._replace(path=None, outside=resolved.path)
+            self._located[key] = resolved
         return self._located[key]
 
     def installed(self, path: str) -> str | None:
-        """The file in the source tree that a build would install at a path, if there is one.
+        """The source file that a build would install at a path of a package; None if unknown.
 
-        ``$(find pkg)/urdf/x`` is a plain path once the package is found; where the package is
-        a source tree that installs its files in another layout, nothing is there.
+        ``$(find pkg)/urdf/x`` resolves to a path that does not exist in a source tree if the build
+        installs its files in another layout.
         """
         package = self.packages.enclosing(path)
         if package is None:
@@ -189,19 +189,19 @@ class Resolver:
         return next(self._package_files.as_installed(name, directory, relative), None)
 
     def allows(self, path: str, near: str) -> bool:
-        """True if a model may read a file: one of its workspace or of a package.
+        """True if a model may read a file: it is in the model's workspace or in a package.
 
-        Symbolic links count as what they lead to, except in packages that the user's
-        environment names: ``colcon build --symlink-install`` fills those with links. Devices
-        and pipes, which may have no end, are rejected.
+        Symbolic links are resolved, except in packages of the user's environment, which ``colcon
+        build --symlink-install`` fills with links. Devices and pipes are rejected, since reading
+        them may never end.
 
         Args:
             path: the file, which need not exist.
         """
-        return self._is_within_reach(path, self._roots(near), lambda: self._levels(near))
+        return self._is_reachable(path, self._roots(near), lambda: self._levels(near))
 
     def _roots(self, near: str) -> set[str]:
-        """The real directories of the workspaces of a file and of what it is a link to."""
+        """The real directories of the workspaces of a file and of its link target."""
         near = os.path.abspath(near)
         real = self.directories.real
         return {real(self.packages.workspace(at)) for at in (near, real(near))}
@@ -211,13 +211,13 @@ class Resolver:
         levels = self.packages.levels(os.path.abspath(near))
         return {self.directories.real(level.root) for level in levels}
 
-    def _is_within_reach(self, path: str, roots: set[str], levels: Callable[[], set[str]]) -> bool:
+    def _is_reachable(self, path: str, roots: set[str], levels: Callable[[], set[str]]) -> bool:
         """True if a file is in a workspace or in a package that is scanned or chosen.
 
         Args:
             path: the file.
-            roots: real directories of workspaces, of which there may be thousands.
-            levels: gives the real directories that are scanned for packages.
+            roots: real directories of workspaces, possibly thousands.
+            levels: returns the real directories that are scanned for packages.
         """
         path = os.path.abspath(path)
         if "\0" in path:
@@ -227,22 +227,22 @@ class Resolver:
             if not S_ISREG(mode) and not S_ISDIR(mode):
                 return False
         except OSError:
-            pass  # missing: only its place counts
+            pass  # a missing file is judged by its path
         real = self.directories.real(path)
         chosen = self._package_files.chosen
         if not roots.isdisjoint(upwards(real)):
             return True
-        certain = (self.directories.real(one.directory) for one in chosen if one.certain)
+        certain = (self.directories.real(item.directory) for item in chosen if item.certain)
         if any(is_within(real, directory) for directory in certain):
             return True
         if any(is_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True
         package = self.packages.enclosing(real)
-        around = [package[1]] if package else []
-        around += [
+        enclosing = [package[1]] if package else []
+        enclosing += [
             candidate.directory for candidate in chosen if is_within(real, candidate.directory)
         ]
-        return any(not levels().isdisjoint(upwards(directory)) for directory in around)
+        return any(not levels().isdisjoint(upwards(directory)) for directory in enclosing)
 
     def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
@@ -252,7 +252,7 @@ class Resolver:
             if scheme == "model":
                 return self._in_models(reference, name, rest, near)
             if not slash and os.path.splitext(name)[1]:
-                name, relative = "", name  # a file without a package, as onshape-to-robot writes it
+                name, relative = "", name  # no package, as in files of onshape-to-robot
             return self._in_package(reference, scheme, name, relative, near)
         if scheme == "file" or text.startswith("file:/"):
             rest = rest if scheme else text[len("file:") :]
@@ -278,14 +278,14 @@ class Resolver:
             name,
             candidate.directory,
             relative,
-            path or self._around(name, relative, near),
+            path or self._in_parents(name, relative, near),
             tuple(tried),
         )
 
-    def _around(self, name: str, relative: str, near: str) -> str | None:
-        """The file of a package in a directory around a file of it, or of no package.
+    def _in_parents(self, name: str, relative: str, near: str) -> str | None:
+        """The file of a package in a parent directory of a file of the package, or of no package.
 
-        The build of a repository may copy several of its directories into one package.
+        A build may copy several directories of a repository into one package.
         """
         package = self.packages.enclosing(near)
         if not relative or (package and package[0] != name):
@@ -301,12 +301,12 @@ class Resolver:
         return None
 
     def _in_models(self, reference: str, name: str, rest: str, near: str) -> ResolvedReference:
-        """As Gazebo finds it: below its model path, which packages may add to."""
+        """The file below Gazebo's model path, which packages may extend."""
         tried: list[str] = []
-        below = [(directory, rest) for paths in self._model_paths.values() for directory in paths]
+        places = [(directory, rest) for paths in self._model_paths.values() for directory in paths]
         exported = self.packages.gazebo_model_paths(near)
-        below += [(directory, f"{path}/{rest}".lstrip("/")) for directory, path in exported]
-        for directory, relative in below:
+        places += [(directory, f"{path}/{rest}".lstrip("/")) for directory, path in exported]
+        for directory, relative in places:
             tried.append(join(directory, relative))
             path = self.directories.find(directory, relative)
             if path:
@@ -326,14 +326,13 @@ class Resolver:
 
     def _absolute(self, reference: str, text: str) -> ResolvedReference:
         tried: list[str] = []
-        found = None
+        file = None
         for spelling in spellings(text):
             path = os.path.normpath(spelling.lstrip("/") if re.match(DRIVE, spelling) else spelling)
             tried.append(path)
-            found = self.directories.find(*os.path.split(path)) or self.installed(path)
-            if found:
+            if file := self.directories.find(*os.path.split(path)) or self.installed(path):
                 break
-        return ResolvedReference(reference, "absolute", None, None, text, found, tuple(tried))
+        return ResolvedReference(reference, "absolute", None, None, text, file, tuple(tried))
 
     def _relative(self, reference: str, text: str, near: str, top: str) -> ResolvedReference:
         tried: list[str] = []

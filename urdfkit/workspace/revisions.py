@@ -1,4 +1,4 @@
-"""Files as they were in a git revision."""
+"""Files of git revisions, by running git."""
 
 from __future__ import annotations
 
@@ -6,46 +6,46 @@ import os
 import subprocess
 from collections.abc import Mapping
 
+from urdfkit.core import disk
 from urdfkit.errors import UrdfkitError
-from urdfkit.workspace import ignore_files
 
-#: Larger files are meshes, pictures and recordings, which say little about the model itself.
+#: Larger files are meshes, images and recordings, which are not needed to compare models.
 MAX_BYTES = 8 * 1024 * 1024
 
-#: Seconds until git is ended: a pipe in place of one of its files blocks it for ever.
+#: Seconds until git is terminated: a pipe in place of one of its files blocks it forever.
 MAX_SECONDS = 60.0
 MAX_SECONDS_IGNORED = 5.0
 
-_OF_A_HOOK = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WORK_TREE"))
+_HOOK_VARIABLES = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WORK_TREE"))
 
 
 def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES) -> str:
-    """Write the files of a revision of the repository around a path into a directory.
+    """Write the files of a revision into a directory.
 
-    Neither the working tree nor the index of the repository is touched.
+    Neither the working tree nor the index of the repository is changed.
 
     Args:
-        path: of a file in the repository, that may be gone by now.
+        path: of a file in the repository, which may be deleted.
         revision: a tag, branch or commit.
-        largest: files over so many bytes are left out.
+        largest: larger files are omitted, in bytes.
 
     Returns:
         The top directory of the repository.
 
     Raises:
-        UrdfkitError: the path is in no repository, there is no such revision, or git is not
-            there.
+        UrdfkitError: the path is not in a repository, the revision does not exist, or git is not
+            installed.
     """
     top = _top(path)
     commit = _commit(top, revision)
     tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
-    names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
+    entries = (entry for entry in tree.split(b"\0") if _is_included(entry, largest))
+    names = b"\0".join(entry.partition(b"\t")[2] for entry in entries)
     from urdfkit.core.temporary import scratch  # not needed to list ignored files
 
     objects = _git(top, "rev-parse", "--git-path", "objects")
     with scratch() as empty:
-        # A repository without the filters and hooks that the configuration of an unpacked one may
-        # name: git would run them.
+        # A new repository has no filters and hooks, which git would run; an untrusted one may.
         _git(empty, "init", "-q", "--template=")
         own = {
             "GIT_DIR": os.path.join(empty, ".git"),
@@ -55,15 +55,15 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
         _git(empty, "read-tree", commit, variables=own)
         prefix = f"--prefix={os.path.join(directory, '')}"
         words = ("checkout-index", "-z", "--stdin", prefix)
-        _git(empty, *words, variables=own, given=names)
+        _git(empty, *words, variables=own, stdin=names)
     return top
 
 
 def locate(path: str, revision: str) -> str:
-    """Where a file of a revision is, or was, in the working tree around the current directory.
+    """Path of a file of a revision in the current working tree, where it may be deleted.
 
     Args:
-        path: from the current directory, else from the top of the repository, as git counts.
+        path: relative to the current directory, or to the top of the repository as in git.
         revision: a tag, branch or commit.
 
     Raises:
@@ -81,27 +81,28 @@ def locate(path: str, revision: str) -> str:
     raise UrdfkitError(f"no file '{path}' in revision '{revision}' of {top}")
 
 
-def is_ignored(path: str) -> bool:
-    """True if the repository around a file ignores it; not where there is none, or no git."""
-    ignore_files.note(path)
+def check_ignore(path: str) -> bool:
+    """True if git ignores a file; False outside of repositories or without git."""
     try:
         words = ("check-ignore", "-q", "--", os.path.abspath(path))
         _git(_directory(path), *words, seconds=MAX_SECONDS_IGNORED)
-    except UrdfkitError:
+    except UrdfkitError as error:
+        if getattr(error.__cause__, "returncode", None) != 1:
+            disk.depends_on_more()  # git is missing, fails, or rejects the repository
         return False
     return True
 
 
 def _directory(path: str) -> str:
-    """The nearest directory around a path that exists."""
-    where = os.path.dirname(os.path.abspath(path))
-    while not os.path.isdir(where):
-        where = os.path.dirname(where)
-    return where
+    """The nearest existing parent directory of a path."""
+    directory = os.path.dirname(os.path.abspath(path))
+    while not os.path.isdir(directory):
+        directory = os.path.dirname(directory)
+    return directory
 
 
 def _top(path: str) -> str:
-    """The top directory of the repository around a path."""
+    """The top directory of the repository of a path."""
     top = _git(_directory(path), "rev-parse", "--show-toplevel")
     return os.path.realpath(os.fsdecode(top.rstrip(b"\n")))
 
@@ -114,45 +115,41 @@ def _commit(top: str, revision: str) -> str:
         raise UrdfkitError(f"no git revision '{revision}' in {top}") from error
 
 
-def _is_wanted(entry: bytes, largest: int) -> bool:
+def _is_included(entry: bytes, largest: int) -> bool:
     """True if an entry of ls-tree is a file or a link, and not too large."""
     fields = entry.partition(b"\t")[0].split()
     if len(fields) != 4 or fields[1] != b"blob":
         return False
-    # The size of an object that a partial clone lacks is "BAD"; git then says which file it is.
+    # The size of an object that is missing in a partial clone is "BAD"; git reports its name later.
     return not fields[3].isdigit() or int(fields[3]) <= largest
-
-
-def _name(entry: bytes) -> bytes:
-    return entry.partition(b"\t")[2]
 
 
 def _git(
     directory: str,
     *words: str,
     variables: Mapping[str, str] | None = None,
-    given: bytes = b"",
+    stdin: bytes = b"",
     seconds: float = MAX_SECONDS,
 ) -> bytes:
-    """Output of git, run in a directory and not in the repository of a hook that called us.
+    """Output of git, run in a directory, without the variables of a hook that runs urdfkit.
 
-    The configuration of an unpacked repository may name programs: of a monitor, or of a remote
-    from which git fetches missing objects. Neither is run.
+    The configuration of an untrusted repository may name programs: a file system monitor, or the
+    remote from which git fetches missing objects. They are not run.
     """
-    environment = {name: value for name, value in os.environ.items() if name not in _OF_A_HOOK}
+    environment = {name: value for name, value in os.environ.items() if name not in _HOOK_VARIABLES}
     environment |= {"GIT_ALLOW_PROTOCOL": "", **(variables or {})}
     command = ["git", "-c", "core.fsmonitor=false", "-C", directory, *words]
     try:
-        done = subprocess.run(
-            command, check=True, capture_output=True, env=environment, input=given, timeout=seconds
+        process = subprocess.run(
+            command, check=True, capture_output=True, env=environment, input=stdin, timeout=seconds
         )
     except FileNotFoundError as error:
         raise UrdfkitError("git is not installed") from error
-    except (OSError, ValueError) as error:  # no permission; a NUL in a name
+    except (OSError, ValueError) as error:  # permission denied; a NUL in a name
         raise UrdfkitError(f"git cannot be run: {error}") from error
     except subprocess.TimeoutExpired as error:
         raise UrdfkitError(f"git {words[0]} takes more than {seconds:g} s") from error
     except subprocess.CalledProcessError as error:
         text = error.stderr.decode(errors="replace").strip()
         raise UrdfkitError(f"git {words[0]}: {text}") from error
-    return done.stdout
+    return process.stdout

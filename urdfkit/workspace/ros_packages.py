@@ -1,8 +1,8 @@
-"""Packages that come with ROS, by name: a launch file may use them where no ROS is installed."""
+"""Names of packages that come with ROS, which a robot may use even if ROS is not installed."""
 
-#: Packages of the desktop and simulation installations of ROS 1 and 2, and of the stacks that
-#: nearly every robot uses. Sources: the metapackages of REP 131, 142, 150 and 2001, and the
-#: repositories ros_control, ros2_control, navigation, nav2, MoveIt, gazebo_ros_pkgs and ros_gz.
+#: Packages of the desktop and simulation installations of ROS 1 and 2, and of common stacks.
+#: Sources: the metapackages of REP 131, 142, 150 and 2001, and the repositories ros_control,
+#: ros2_control, navigation, nav2, MoveIt, gazebo_ros_pkgs and ros_gz.
 _NAMES = frozenset(
     """
     actionlib amcl ament_index_python angles base_local_planner bondpy camera_info_manager
@@ -60,5 +60,5 @@ _NAMES = frozenset(
 
 
 def comes_with_ros(name: str) -> bool:
-    """True for a package that comes with ROS or one of its usual stacks."""
+    """True for a package of ROS or of a common stack."""
     return name in _NAMES

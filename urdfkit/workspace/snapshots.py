@@ -1,4 +1,4 @@
-"""A description as it was in a git revision, with the packages around it as they were."""
+"""A description in a git revision, with the packages of its repository."""
 
 from __future__ import annotations
 
@@ -12,50 +12,49 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import MAX_BYTES, check_out
 
 
-class OldFile(Record):
-    """A file of a git revision in a directory of its own."""
+class Snapshot(Record):
+    """A file of a git revision, in a checkout of the repository."""
 
-    path: str  # of the file there
-    top: str  # of the repository that it is from
-    #: Directories by name: of the repository as they were, else as they are.
-    packages: dict[str, str]
+    path: str  # of the file in the checkout
+    top: str  # top directory of the original repository
+    packages: dict[str, str]  # directories by name; in the checkout if they are in the repository
 
 
-def as_it_was(
+def check_out_snapshot(
     path: str,
     revision: str,
     directory: str,
     packages: Mapping[str, str] | None = None,
     largest: int = MAX_BYTES,
-) -> OldFile:
-    """Put a file as it was, and everything around it, into a directory.
+) -> Snapshot:
+    """Check out the repository of a file in a revision.
 
     Args:
-        path: of the file in the working tree, where it need not be any more.
+        path: of the file in the working tree, where it may be deleted.
         revision: a tag, branch or commit.
-        directory: an empty one.
-        packages: directories of ROS packages, as they are now.
-        largest: files over so many bytes are left out.
+        directory: an empty directory.
+        packages: directories of ROS packages in the working tree.
+        largest: larger files are omitted, in bytes.
 
     Raises:
-        UrdfkitError: there is no such revision, the file is not in it, or git is not there.
+        UrdfkitError: the revision does not exist, the file is not in it, or git is not installed.
     """
     real = os.path.realpath(path)
     top = check_out(real, revision, directory, largest)
     old = _moved(real, top, directory)
     if not os.path.exists(old):
         raise UrdfkitError(f"{path} is not in revision {revision}")
-    return OldFile(old, top, _packages(real, packages or {}, top, directory))
+    return Snapshot(old, top, _packages(real, packages or {}, top, directory))
 
 
-def _packages(path: str, given: Mapping[str, str], top: str, directory: str) -> dict[str, str]:
-    """The packages that the file may need: of the repository as they were, else as they are."""
-    around = Resolver().packages.known(path)
-    outside = {name: at for name, at in around.items() if not is_within(os.path.realpath(at), top)}
-    old = {name: _moved(os.path.realpath(at), top, directory) for name, at in given.items()}
+def _packages(path: str, explicit: Mapping[str, str], top: str, directory: str) -> dict[str, str]:
+    """The packages that the file may need; in the checkout if they are in the repository."""
+    known = Resolver().packages.known(path)
+    outside = {name: at for name, at in known.items() if not is_within(os.path.realpath(at), top)}
+    old = {name: _moved(os.path.realpath(at), top, directory) for name, at in explicit.items()}
     return outside | {name: at for name, at in old.items() if os.path.isdir(at)}
 
 
 def _moved(path: str, top: str, directory: str) -> str:
-    """A path of the repository in the directory that holds its old files; others stay."""
+    """The path in the checkout, if it is in the repository."""
     return os.path.join(directory, os.path.relpath(path, top)) if is_within(path, top) else path

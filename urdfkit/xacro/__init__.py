@@ -1,6 +1,6 @@
-"""xacro files as Documents: expanded without ROS, with the place of every element.
+"""Expansion of xacro files into Documents, without ROS, with the source location of every element.
 
-This package is the only one that uses xacro.
+Only this package imports xacro.
 """
 
 import gc
@@ -19,39 +19,40 @@ from urdfkit.xacro.errors import FAILED
 from urdfkit.xacro.expansion import ExpansionRequest, ExpansionRun
 from urdfkit.xacro.expansion_log import Message
 from urdfkit.xacro.origin import Origin
-from urdfkit.xacro.recovery import attempt
+from urdfkit.xacro.recovery import expand_repeatedly
 from urdfkit.xacro.usage import Usage, usage
 
 
 class Xacro:
-    """The outcome of an expansion.
+    """The result of an expansion.
 
     Attributes:
-        document: expanded; None if there was an error.
-        problems: errors and warnings, each with its place.
-        macros, properties, arguments: what the files define.
-        defaults: of the arguments, by name, as written; empty for one without.
+        document: the expanded document; None after an error.
+        problems: errors and warnings with their source locations.
+        macros, properties, arguments: the definitions in the files.
+        defaults: of the arguments, by name, as written; empty for an argument without a default.
         messages: of xacro and of the model, in order.
-        sources: the xacro files that were read, the checked one first.
+        sources: the xacro files that were read, the checked file first.
         data_files: paths of the YAML files that were read.
-        dependencies: included and loaded files, missing ones too, as the models spell them.
-        first_error: text of the first error, as stock xacro words it; None without one.
+        dependencies: included and loaded files, also missing ones, as the models spell them.
+        first_error: text of the first error, as in stock xacro; None without an error.
     """
 
     def __init__(self, run: ExpansionRun, resolver: Resolver) -> None:
         log = run.log
         self.sources = tuple(run.reader.sources.values())
         problems = [
-            *(one for source in self.sources for one in encoding_problems(source, strict=True)),
+            *(item for source in self.sources for item in encoding_problems(source, strict=True)),
             *log.problems,
         ]
         if log.first_error is not None:
-            from urdfkit.xacro.fragment import as_part
+            from urdfkit.xacro.fragment import merge_missing_names
 
-            problems = as_part(run.request.source, resolver.packages, problems, run.document)
+            source = run.request.source
+            problems = merge_missing_names(source, resolver.packages, problems, run.document)
         self._included = frozenset(run.included)
         if log.first_error is not None and not self.is_complete:
-            # What was not included may use the first value of a property.
+            # A file that was not included may use the first value of a property.
             problems = [problem for problem in problems if problem.code != "XAC008"]
         self.problems = tuple(problems)
         self.macros = tuple(run.defined.macros)
@@ -60,8 +61,8 @@ class Xacro:
         self.defaults = run.defined.argument_defaults()
         self.messages = tuple(log.messages)
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
-        named = (path for path in run.dependencies if FAILED not in path)
-        self.dependencies = tuple(dict.fromkeys(named))
+        paths = (path for path in run.dependencies if FAILED not in path)
+        self.dependencies = tuple(dict.fromkeys(paths))
         self.first_error = log.first_error
         self._dom = run.document if log.first_error is None else None
         self.document: Document | None = None
@@ -70,12 +71,12 @@ class Xacro:
 
     @cached_property
     def usage(self) -> Usage:
-        """What the files mention, evaluated or not."""
+        """The names that the files use, evaluated or not."""
         return usage(self.sources)
 
     @property
     def is_complete(self) -> bool:
-        """True if every include of the files was read, so that nothing else can use a name."""
+        """True if all includes of the files were read, so that no other file can use a name."""
         return not self.unread_includes
 
     @property
@@ -85,7 +86,7 @@ class Xacro:
 
     @property
     def is_library(self) -> bool:
-        """True if the file only defines macros for others."""
+        """True if the file only defines macros for other files."""
         return self.document is not None and not self.document.root.child("link")
 
     def inputs(self, attribute: Attribute) -> tuple[Origin, ...]:
@@ -96,20 +97,20 @@ class Xacro:
         return inputs_of(self._dom, attribute.element, attribute.name)
 
     def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
-        """Where in YAML files the values of an attribute or element stand, if it was traced."""
+        """The locations in YAML files of the values of an attribute or element, if traced."""
         from urdfkit.xacro.trace import data_places
 
         return data_places(self._dom, at) if self._dom is not None else ()
 
     def comments(self) -> Iterator[str]:
-        """The comments of the expanded document; xacro drops those above its own tags."""
+        """The comments of the expanded document; xacro drops comments above its own tags."""
         return dom.comments(self._dom) if self._dom is not None else iter(())
 
     def text(self) -> str:
         """The expanded document as the ``xacro`` command prints it.
 
         Raises:
-            ValueError: there is none, because of an error.
+            ValueError: the expansion failed.
         """
         if self._dom is None:
             raise ValueError(self.first_error)
@@ -128,24 +129,24 @@ def expand(
 ) -> Xacro:
     """Expand a xacro file.
 
-    All errors are found, not the first only: an expression that fails counts as reported and
-    the expansion goes on without it, as it does without a tag that fails.
+    All errors are found, not only the first: an expression or tag that fails is reported, and the
+    expansion continues without it.
 
     Args:
         source: the file.
-        resolver: finds packages, and knows which files may be read.
+        resolver: finds packages, and decides which files may be read.
         arguments: values of ``xacro:arg`` by name.
         trust: do not sandbox expressions, read any file and variable.
-        root_dir: relative paths of the command line start there.
-        traced: note where every value comes from, for ``Xacro.inputs``; slower.
-        frame: the launch file that loads it, if one does.
+        root_dir: base directory of relative paths of the command line.
+        traced: record the origin of every value, for ``Xacro.inputs``; slower.
+        frame: the launch file that loads it, if any.
     """
     collecting = gc.isenabled()
-    gc.disable()  # the trees are large and live until the end
+    gc.disable()  # the trees are large and needed until the end
     try:
-        given = dict(arguments or {})
-        request = ExpansionRequest(source, resolver, given, trust, root_dir, traced, frame)
-        return Xacro(attempt(request), resolver)
+        values = dict(arguments or {})
+        request = ExpansionRequest(source, resolver, values, trust, root_dir, traced, frame)
+        return Xacro(expand_repeatedly(request), resolver)
     finally:
         if collecting:
             gc.enable()

@@ -1,28 +1,29 @@
-"""How large a value may be that an expression makes, and how its size is counted."""
+"""Limits for the size of values of expressions, and how the size is computed."""
 
 from collections.abc import Iterator
-from typing import Any
 
-#: Characters and items of one value, counted as often as they are shared.
+from urdfkit.core.static_typing import Any
+
+#: Characters and items of one value; shared parts are counted each time.
 MAX_LENGTH = 1_000_000
-#: Levels of one value. Python hashes, and lets go of, some nested values by recursion in C,
-#: where the end is a crash; the same of iterators over iterators.
+#: Levels of one value. Python hashes and frees some nested values, and iterators over iterators,
+#: by recursion in C, which crashes if it is too deep.
 MAX_DEPTH = 100
 #: Bits of an integer.
 MAX_BITS = 1024
 #: Items of a set, and keys of a table.
 MAX_HASHED = 10_000
-#: Comparisons of what is hashed. With equal hashes every item is compared with all others, which
-#: a model can bring about with numbers; hashes of texts are no model's to choose.
+#: Comparisons of hashed values. Items with equal hashes are all compared with each other, which a
+#: model can cause with numbers; it cannot choose the hashes of strings.
 MAX_COMPARISONS = 100_000
-#: Bits of an integer that counts for one item; of a longer one, every character that it shows.
+#: Bits of an integer that counts as one item; of a longer integer, every digit counts.
 _SMALL_BITS = 64
 
 _SCALARS = frozenset({int, float, bool, type(None)})
 
 
 class UnsafeExpression(Exception):
-    """The expression does what no model needs to do."""
+    """The expression uses a feature that no model needs."""
 
 
 class TooLarge(Exception):
@@ -30,11 +31,11 @@ class TooLarge(Exception):
 
 
 def extent(value: Any) -> int:
-    """How large a value is: characters and items, counted as often as they are shared.
+    """Size of a value in characters and items; shared parts are counted each time.
 
     Raises:
-        TooLarge: it is larger than MAX_LENGTH, or nested more than MAX_DEPTH deep.
-        UnsafeExpression: it holds an iterator; of these a chain could be made.
+        TooLarge: it is larger than MAX_LENGTH, or nested deeper than MAX_DEPTH.
+        UnsafeExpression: it contains an iterator, which could be part of a long chain.
     """
     total = 0
     level = [value]
@@ -59,17 +60,17 @@ def extent(value: Any) -> int:
 
 
 def _add_parts(item: Any, parts: list[Any]) -> int:
-    """Add the parts of a value that have an extent of their own; the number of all."""
+    """Append the parts of a value whose size is to be computed; returns the number of all parts."""
     if isinstance(item, dict):
         parts += dict.keys(item)
         parts += dict.values(item)
-        if is_name_space(item):
+        if is_namespace(item):
             parts.append(vars(item)["parent"])
         return 2 * len(item)
     if isinstance(item, slice):
         parts += (item.start, item.stop, item.step)
         return 3
-    # Not by its own iterator: xacro's lists of YAML wrap every item.
+    # The base class iterates: xacro's lists of YAML wrap every item.
     items = list(list.__iter__(item) if isinstance(item, list) else item)
     types = set(map(type, items))
     if not types <= _SCALARS:
@@ -82,24 +83,24 @@ def _add_parts(item: Any, parts: list[Any]) -> int:
 
 
 def digits(number: int) -> int:
-    """The characters of a long integer; 0 of one that counts as an item."""
+    """The digits of a long integer; 0 for an integer that counts as one item."""
     bits = number.bit_length()
     return bits // 3 if bits > _SMALL_BITS else 0
 
 
-def is_name_space(table: Any) -> bool:
-    """True for a name space of xacro; asked of its variables, as it makes keys of attributes."""
+def is_namespace(table: Any) -> bool:
+    """True for a namespace of xacro; its variables are tested, as its attributes are its keys."""
     return "parent" in getattr(table, "__dict__", ())
 
 
-def sized(values: Any) -> Any:
-    """The values of an iterator as a list; anything else as it is."""
+def materialized(values: Any) -> Any:
+    """The values of an iterator as a list; any other value unchanged."""
     return list(values) if isinstance(values, Iterator) else values
 
 
-def hashed(*arguments: Any) -> tuple[Any, ...]:
-    """Arguments whose items may be hashed."""
-    arguments = tuple(sized(values) for values in arguments)
+def checked_for_hashing(*arguments: Any) -> tuple[Any, ...]:
+    """The arguments, after a check that hashing their items does not take too long."""
+    arguments = tuple(materialized(values) for values in arguments)
     for values in arguments:
         if hasattr(values, "__len__"):
             check_comparisons(values)
@@ -107,12 +108,12 @@ def hashed(*arguments: Any) -> tuple[Any, ...]:
 
 
 def check_comparisons(values: Any) -> None:
-    """Refuse items that may take too long to hash."""
+    """Reject items that may take too long to hash."""
     if len(values) > MAX_HASHED:
         raise TooLarge(f"a set or a table of more than {MAX_HASHED} items")
     numbers = [value for value in values if not isinstance(value, str)]
     if len(numbers) * (len(numbers) + extent(numbers)) > 2 * MAX_COMPARISONS:
-        raise TooLarge(f"a set or a table of {len(numbers)} items that are no texts")
+        raise TooLarge(f"a set or a table of {len(numbers)} items that are not strings")
 
 
 def check_length(length: int) -> None:
@@ -126,4 +127,4 @@ def check_bits(bits: int) -> None:
 
 
 def _about(number: int) -> str:
-    return f"{min(number, 10**300):.3g}"  # a float holds no more
+    return f"{min(number, 10**300):.3g}"  # the largest float

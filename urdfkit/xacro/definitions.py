@@ -1,61 +1,60 @@
-"""What the files of one expansion define: macros, properties and arguments."""
+"""Macros, properties and arguments that the files of an expansion define."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.origin import Origin
 
-#: Holds spaces: a name space of xacro makes keys of its attributes, and no model has this one.
+#: Contains spaces: the attributes of a xacro namespace are its keys, and no model has this key.
 _KEY = "annotations of urdfkit"
 
 
 class Definition(Record):
-    """Something that a xacro file defines: a macro, a property or an argument."""
+    """A definition of a macro, a property or an argument."""
 
-    name: str  # of it
+    name: str
     tag: Tag  # the defining tag
     frame: CallFrame | None  # the calls that led to the definition
     attributes: dict[str, str]  # of the tag, as written
 
 
 class TableAnnotations:
-    """What urdfkit knows of the names in one of xacro's tables of properties and parameters."""
+    """Notes of urdfkit on the names in one of xacro's tables of properties and parameters."""
 
     __slots__ = ("definers", "inputs", "used")
 
     def __init__(self) -> None:
-        self.definers: dict[str, Node] = {}  # the elements that define them
-        self.used: set[str] = set()  # those that were looked up since
-        #: What the expressions of their values looked up, if the run is traced.
+        self.definers: dict[str, Node] = {}  # the elements that define the names
+        self.used: set[str] = set()  # names that were looked up since their definition
+        #: The names that the expressions of the values looked up, if the run is traced.
         self.inputs: dict[str, tuple[Origin, ...]] = {}
 
 
 def annotations_of(table: Any) -> TableAnnotations:
-    """The annotations of a table; the built-in names are in no such table and have none."""
+    """The annotations of a table; empty for built-in names, which are not in such a table."""
     variables: dict[str, Any] = getattr(table, "__dict__", {})
-    found: TableAnnotations | None = variables.get(_KEY)
-    if found is None:
-        found = variables[_KEY] = TableAnnotations()
-    return found
+    annotations: TableAnnotations | None = variables.get(_KEY)
+    if annotations is None:
+        annotations = variables[_KEY] = TableAnnotations()
+    return annotations
 
 
 class Definitions:
-    """What the files define, in order, and the arguments that they are given."""
+    """The definitions of the files, in order, and the values of the arguments."""
 
     def __init__(
-        self, source: Source, sources: Mapping[str, Source], given: Mapping[str, str]
+        self, source: Source, sources: Mapping[str, Source], values: Mapping[str, str]
     ) -> None:
         self.source = source  # the checked file
         self.sources = sources  # the xacro files that were read, by path
-        self.given = dict(given)  # values of ``xacro:arg`` by name
-        #: macros and properties: everything that was defined.
+        self.values = dict(values)  # of ``xacro:arg`` by name, as passed by the user
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
         self.arguments: list[Definition] = []  # every ``xacro:arg`` of the files, evaluated or not
@@ -71,7 +70,7 @@ class Definitions:
         self.macros.append(_definition(node)._replace(name=name))
 
     def add_value(self, table: Any, key: str, definer: Any) -> Problem | None:
-        """Add a property or a macro parameter that gets a value; what is odd about it."""
+        """Add a property or a macro parameter with a value; returns a problem with it, if any."""
         if not isinstance(definer, Node):
             return None
         annotations = annotations_of(table)
@@ -93,19 +92,19 @@ class Definitions:
 
 
 def _redefinition(key: str, node: Node, earlier: Node | None) -> Problem | None:
-    """A property that gets a second value in one block before its first one is used."""
+    """The problem of a property that is redefined in the same block before its value is used."""
     if earlier is None:
         return None
-    one, other = earlier.tag_at, node.tag_at
-    same_block = one.source is other.source and earlier.around == node.around
-    same_value = earlier.written().get("value") == node.written().get("value")
-    if not same_block or same_value or earlier.tagName != node.tagName or one == other:
+    first, second = earlier.tag_at, node.tag_at
+    same_block = first.source is second.source and earlier.parent_start == node.parent_start
+    same_value = earlier.raw_attributes().get("value") == node.raw_attributes().get("value")
+    if not same_block or same_value or earlier.tagName != node.tagName or first == second:
         return None
     message = f"property '{key}' is defined again before its first value is used"
-    span = other.attribute_spans().get("name", other.span)
-    related = (Related(one.span, "first defined here"),)
+    span = second.attribute_spans().get("name", second.span)
+    related = (Related(first.span, "first defined here"),)
     return Problem("XAC008", span, message, frame=node.frame, related=related)
 
 
 def _definition(node: Node) -> Definition:
-    return Definition(node.getAttribute("name"), node.tag_at, node.frame, node.written())
+    return Definition(node.getAttribute("name"), node.tag_at, node.frame, node.raw_attributes())

@@ -1,13 +1,13 @@
-"""xacro's errors and warnings as Problems: what went wrong, where, and what to do."""
+"""xacro's errors and warnings as Problems, with message, source location and help."""
 
 import math
 import os
 import re
 from collections.abc import Iterable
 from types import FrameType
-from typing import Any
 
 from urdfkit.core import disk
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
@@ -19,7 +19,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
 from urdfkit.xacro.messages import bare_property, explain, macro_of
-from urdfkit.xacro.substitution import EnvironmentRefused
+from urdfkit.xacro.substitution import ForbiddenVariable
 from urdfkit.xacro.yaml_files import YamlTooLarge
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
@@ -31,7 +31,7 @@ def related(span: Span, message: str) -> tuple[Related, ...]:
 
 
 def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
-    """The element that xacro is working on, and the variables of the function that does."""
+    """The element that xacro is processing, and the local variables of the processing function."""
     while frame is not None:
         local = frame.f_locals
         node = local.get("elt", local.get("node"))
@@ -40,9 +40,9 @@ def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
             and hasattr(node, "nodeType")
             and "_urdfkit_xacro" in str(frame.f_globals.get("__name__"))
         ):
-            holder = node if isinstance(node, Node) else node.parentNode
-            if isinstance(holder, Node):
-                return holder, local
+            element = node if isinstance(node, Node) else node.parentNode
+            if isinstance(element, Node):
+                return element, local
         frame = frame.f_back
     return None, {}
 
@@ -54,49 +54,49 @@ def problem(
     used: LocatedExpression,
     frame: FrameType,
 ) -> Problem:
-    """An expression that failed, at its place.
+    """The problem of an expression that failed.
 
     Args:
-        located: the expression. Inside a property the place is the property's definition, and
-            its uses are related.
-        used: the expression that needs it, which xacro is evaluating.
+        located: the expression. Inside a property, the problem is located at the definition of the
+            property, and its uses are related.
+        used: the expression that uses it, which xacro is evaluating.
     """
-    if wanting := argument_of_missing_file(defined, root_cause(error)):
-        return wanting
+    if missing := argument_of_missing_file(defined, root_cause(error)):
+        return missing
     node, local = node_in(frame)
     if bare := bare_property(defined, root_cause(error)):
         return _without_prefix(*bare, node and locate(node, local, used).span)
     if node is None:
-        return _made(defined, error, located, ErrorLocation(Span(defined.source, 0, 0), None))
+        return _problem_at(ErrorLocation(Span(defined.source, 0, 0), None), defined, error, located)
     if located.resolving:
         table, key = located.resolving[-1]
         definer = annotations_of(table).definers.get(key)
         if definer is not None:
             notes = related(locate(node, local, used).span, f"needed here for '{key}'")
-            made = _made(defined, error, located, locate(definer, {}, located))
-            return made._replace(related=notes)
-    made = _made(defined, error, located, locate(node, local, located))
-    notes = _in_yaml(root_cause(error)) or _definitions(local, located)
-    return made._replace(related=notes)
-
-
-def _in_yaml(cause: BaseException) -> tuple[Related, ...]:
-    return related(cause.span, cause.reason) if isinstance(cause, BrokenYaml) else ()
+            location = locate(definer, {}, located)
+            return _problem_at(location, defined, error, located)._replace(related=notes)
+    cause = root_cause(error)
+    if isinstance(cause, BrokenYaml):
+        notes = related(cause.span, cause.reason)
+    else:
+        notes = _definitions(local, located)
+    location = locate(node, local, located)
+    return _problem_at(location, defined, error, located)._replace(related=notes)
 
 
 def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Related, ...]:
-    """Where the names of a failing expression were defined."""
-    found: list[Related] = []
+    """The definitions of the names in a failing expression."""
+    notes: list[Related] = []
     table = local.get("symbols", local.get("table"))
     for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
         definer = _definer(name, table)
         if definer is not None and definer.tagName == "xacro:property":
-            found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
-    return tuple(found)
+            notes.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
+    return tuple(notes)
 
 
 def _definer(name: str, table: Any) -> Node | None:
-    """What defines a name in a table of symbols, or in the nearest one around it that has it."""
+    """The element that defines a name in a table of symbols, or in the nearest outer table."""
     while table is not None:
         definer = annotations_of(table).definers.get(name)
         if definer is not None:
@@ -105,8 +105,8 @@ def _definer(name: str, table: Any) -> Node | None:
     return None
 
 
-def _made(
-    defined: Definitions, error: Exception, located: LocatedExpression, at: ErrorLocation
+def _problem_at(
+    at: ErrorLocation, defined: Definitions, error: Exception, located: LocatedExpression
 ) -> Problem:
     code, message, help = classify(defined, error)
     token = located.token if located.token.startswith("$") else ""
@@ -118,29 +118,29 @@ def _made(
 
 
 def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
-    """One problem for all uses: who writes ``<property>`` uses it everywhere."""
+    """The problem of a ``<property>`` without prefix; one for all of its uses."""
     return Problem(
         "XAC001",
         at,
         f"name '{name}' is not defined: xacro ignores a <property> without the prefix",
-        "write <xacro:property>, and the prefix at the other tags of xacro, too",
+        "write <xacro:property>, and add the prefix to the other xacro tags",
         related=related(use, "needed here") if use else (),
     )
 
 
 def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Problem | None:
-    """A file that is missing because an argument has only a placeholder for a default.
+    """The problem of a file that is missing because the default of an argument is a placeholder.
 
-    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such directory exists; the path
-    of a file that is empty unless given leads to the directory of the description.
+    The default of Universal Robots' ``ur_type`` is ``ur5x``, and no such directory exists; with an
+    empty default, a path resolves to the directory of the description.
     """
     if not isinstance(cause, OSError) or not cause.filename:
         return None
-    optional = [one for one in defined.arguments if one.name not in defined.given]
+    optional = [item for item in defined.arguments if item.name not in defined.values]
     if isinstance(cause, FileNotFoundError):
         argument = _placeholder(optional, cause.filename)
     elif isinstance(cause, IsADirectoryError):
-        empty = [one for one in optional if one.attributes.get("default") == ""]
+        empty = [item for item in optional if item.attributes.get("default") == ""]
         argument = empty[0] if len(empty) == 1 else None
     else:
         return None
@@ -148,37 +148,37 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
         return None
     at = argument.tag.attribute_spans().get("default", argument.tag.span)
     message = (
-        f"argument '{argument.name}' must be given: with its default "
-        f"'{argument.attributes['default']}' files are missing that the model needs"
+        f"argument '{argument.name}' is required: with its default "
+        f"'{argument.attributes['default']}', files of the model are missing"
     )
     return Problem("XAC010", at, message, _pass(defined, argument.name), argument=argument.name)
 
 
 def _placeholder(optional: Iterable[Definition], file: str) -> Definition | None:
-    """The argument whose default stands in the path of a file for a directory that is not there."""
+    """The argument whose default is the name of a missing directory in the path of a file."""
     parts = os.path.dirname(os.path.abspath(file)).split(os.sep)
     for argument in optional:
         default = argument.attributes.get("default", "")
         if len(default) > 2 and default in parts:
-            above = os.sep.join(parts[: parts.index(default)])
-            if disk.is_directory(above) and not disk.exists(os.path.join(above, default)):
+            parent = os.sep.join(parts[: parts.index(default)])
+            if disk.is_directory(parent) and not disk.exists(os.path.join(parent, default)):
                 return argument
     return None
 
 
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
     cause = root_cause(error)
-    if isinstance(cause, (UnsafeExpression, EnvironmentRefused)):
+    if isinstance(cause, (UnsafeExpression, ForbiddenVariable)):
         rejected = "rejected: " if isinstance(cause, UnsafeExpression) else ""
         return "XAC009", f"{rejected}{cause}", ""
     if isinstance(cause, (TooLarge, DocumentTooLarge, YamlTooLarge)):
         return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
-        return "XAC013", "macros, includes or properties refer to themselves without end", ""
+        return "XAC013", "infinite recursion of macros, includes or properties", ""
     if isinstance(cause, PackageNotFound):
         searched = ", ".join(cause.searched) or "nothing to search"
         message = f"package '{cause.name}' is not found; searched: {searched}"
-        return "XAC011", message, f"name its directory: --package {cause.name}=DIR"
+        return "XAC011", message, f"pass its directory: --package {cause.name}=DIR"
     if isinstance(cause, EscapesRoots):
         help = "move the file into a package, or add --trust if you trust the author of the model"
         return "XAC009", str(cause), help
@@ -192,19 +192,19 @@ def _how_to_pass(defined: Definitions, missing: BaseException) -> str:
     others = {name: default for name, default in defined.argument_defaults().items() if default}
     text = _pass(defined, str(missing))
     if others:
-        text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in others.items())
+        text += "; other arguments: " + ", ".join(f"{n} (default {d})" for n, d in others.items())
     return text
 
 
 def _pass(defined: Definitions, name: str) -> str:
-    """How to give an argument; and the misspelt one, if there is one."""
+    """How to pass an argument, and the misspelt argument that was passed instead, if any."""
     known = defined.argument_defaults()
-    mistake = nearest(name, [given for given in defined.given if given not in known])
+    mistake = nearest(name, [passed for passed in defined.values if passed not in known])
     return f"pass it: {name}:=VALUE" + (f", not {mistake}:=" if mistake else "")
 
 
 def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
-    """An argument that is used above the ``<xacro:arg>`` that gives it a default."""
+    """The problem of an argument that is used above the ``<xacro:arg>`` with its default."""
     node, _ = node_in(frame)
     at = declaration.tag_at.span if node is None else node.tag_at.span
     use = re.compile(rb"\$\(\s*arg\s+%s\s*\)" % re.escape(name.encode()))
@@ -213,7 +213,7 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
     return Problem(
         "XAC020",
         at,
-        f"argument '{name}' is used above its <xacro:arg>, where xacro has no default for it yet",
+        f"argument '{name}' is used above its <xacro:arg>, before xacro reads its default",
         f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
         node.frame if node is not None else None,
         related(declaration.tag_at.span, "declared here"),
@@ -222,7 +222,7 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
 
 
 def macro_notes(error: BaseException) -> tuple[Related, ...]:
-    """Where the macro is defined whose call failed."""
+    """A note on the definition of the macro whose call failed."""
     macro = macro_of(error)
     if macro is None:
         return ()
@@ -231,10 +231,11 @@ def macro_notes(error: BaseException) -> tuple[Related, ...]:
 
 
 def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
-    """What xacro warns of, at the element it works on; None if it has no effect.
+    """The problem of a warning of xacro; None if it has no effect.
 
     Args:
-        local: the variables of the function that works on it.
+        node: the element that xacro is processing.
+        local: the local variables of the processing function.
     """
     if text.startswith("redefining global symbol: "):
         return _shadowing(text.rpartition(": ")[2], node, getattr(local.get("m"), "body", None))
@@ -250,24 +251,24 @@ def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
 
 
 def _shadowing(name: str, node: Node, macro: Any) -> Problem | None:
-    """A property or a macro parameter with the name of a constant or a function."""
+    """The problem of a property or macro parameter with the name of a constant or function."""
     constant = {"pi": math.pi, "e": math.e, "tau": math.tau}.get(name)
     spans = node.tag_at.attribute_spans()
-    what = f"the constant {name} = {constant:.6g}" if constant else f"the function {name}()"
+    hidden = f"the constant {name} = {constant:.6g}" if constant else f"the function {name}()"
     if node.tagName == "xacro:property":
-        if constant and _is_near(node.written().get("value", ""), constant):
+        if constant and _is_near(node.raw_attributes().get("value", ""), constant):
             return None  # it repeats the constant; XAC007 reports inexact ones
         at = spans.get("name", node.tag_at.span)
         help = "rename the property" + (", or delete it: xacro defines pi" if name == "pi" else "")
-        return Problem("XAC017", at, f"property '{name}' hides {what}", help, node.frame)
+        return Problem("XAC017", at, f"property '{name}' hides {hidden}", help, node.frame)
     if isinstance(macro, Node):
         params = macro.tag_at.attribute_spans().get("params", macro.tag_at.span)
-        found = re.search(rb"(?<![\w*])%s(?!\w)" % re.escape(name.encode()), params.text.encode())
-        start, end = found.span() if found else (0, params.end - params.start)
+        match = re.search(rb"(?<![\w*])%s(?!\w)" % re.escape(name.encode()), params.text.encode())
+        start, end = match.span() if match else (0, params.end - params.start)
         at = Span(params.source, params.start + start, params.start + end)
-        who = f"parameter '{name}' of macro '{macro.getAttribute('name')}'"
-        return Problem("XAC017", at, f"{who} hides {what}", "rename the parameter", macro.frame)
-    return Problem("XAC017", node.tag_at.span, f"'{name}' hides {what}", "", node.frame)
+        message = f"parameter '{name}' of macro '{macro.getAttribute('name')}' hides {hidden}"
+        return Problem("XAC017", at, message, "rename the parameter", macro.frame)
+    return Problem("XAC017", node.tag_at.span, f"'{name}' hides {hidden}", "", node.frame)
 
 
 def _is_near(text: str, value: float) -> bool:
@@ -278,13 +279,13 @@ def _is_near(text: str, value: float) -> bool:
 
 
 def _deprecated_call(node: Node, old: str, new: str) -> Problem:
-    """A function that moved into a name space; the fix renames the one call in the tag."""
+    """The problem of a function that moved into a namespace; the fix renames the call."""
     message, help = f"{old}() without its namespace is deprecated", f"write {new}()"
     pattern = re.compile(rb"(?<![\w.])" + old.encode() + rb"(?=\s*\()")
     at = node.tag_at.span
-    found = pattern.search(at.source.data, at.start, at.end)
-    if found is None:
+    match = pattern.search(at.source.data, at.start, at.end)
+    if match is None:
         return Problem("XAC017", at, message, help, node.frame, severity=Severity.INFO)
-    span = Span(at.source, *found.span())
+    span = Span(at.source, *match.span())
     fix = Fix(help, (Edit(span, new),), safe=True)
     return Problem("XAC017", span, message, help, node.frame, fix=fix, severity=Severity.INFO)

@@ -1,16 +1,16 @@
-"""The DOM that xacro works on, with nodes that know where they were written.
+"""The DOM of xacro, whose nodes have source locations.
 
-xacro rewrites a ``minidom`` tree in place and copies pieces of it with ``cloneNode``. Node is a
-``minidom.Element`` whose place survives that: the parser sets it, ``cloneNode`` hands it on.
+xacro rewrites a ``minidom`` tree in place and copies parts of it with ``cloneNode``. Node is a
+``minidom.Element`` with a location, which the parser sets and ``cloneNode`` copies.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import Any
 from xml.dom import minidom
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
@@ -21,7 +21,7 @@ TEXT = minidom.Node.TEXT_NODE
 COMMENT = minidom.Node.COMMENT_NODE
 CDATA = minidom.Node.CDATA_SECTION_NODE
 
-# minidom's stubs describe the DOM, not the attributes that its own code works with.
+# minidom's stubs describe the DOM, not its internal attributes.
 _StockElement: Any = minidom.Element
 _StockAttr: Any = minidom.Attr
 _StockText: Any = minidom.Text
@@ -30,14 +30,14 @@ Dom = Any  #: a ``minidom.Document`` whose elements are Nodes
 
 
 class Attr(_StockAttr):  # type: ignore[misc]
-    """An attribute: a name and a value, which are no properties.
+    """An attribute, with name and value as plain attributes.
 
-    That of ``minidom`` has a text node for every value besides, which nothing uses and which
-    takes most of the time.
+    ``minidom``'s class also creates a text node for every value, which is unused and takes most of
+    the time.
     """
 
     nodeName = value = ""  # noqa: N815
-    childNodes = _NodeList()  # noqa: N815 - the name of the DOM; there are none
+    childNodes = _NodeList()  # noqa: N815 - the name of the DOM; always empty
 
     def __init__(
         self,
@@ -57,14 +57,14 @@ class Attr(_StockAttr):  # type: ignore[misc]
 
 
 class Text(_StockText):  # type: ignore[misc]
-    """A text, whose ``data`` is an attribute and no property."""
+    """A text, with ``data`` as a plain attribute."""
 
     data = ""
-    #: Where in the file what comes behind it begins, if there is a ``$`` in it.
-    ends: int | None = None
+    #: Offset of the end in the file, if the text contains a ``$``.
+    end_offset: int | None = None
 
     def __init__(self, data: str = "", document: Any = None) -> None:
-        self.data = data  # the text
+        self.data = data
         self.ownerDocument = document
         self.parentNode = self.previousSibling = self.nextSibling = None
 
@@ -73,21 +73,21 @@ class Node(_StockElement):  # type: ignore[misc]
     """An element of a xacro file.
 
     Attributes:
-        tag_at: where it was written.
-        around: where in the file the element around it begins; -1 for a root.
+        tag_at: source location.
+        parent_start: offset of the parent element in the file; -1 for a root.
         raw: names and values of its attributes as written, alternating.
         frame: the innermost macro call or include that led here.
-        given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
-        traces: what the expressions of its attributes looked up, if the run is traced.
-        budget: what the whole expansion may make.
-        cursor: number of the child that was looked for last.
+        added: the ``<xacro:attribute>`` tags of attributes that were added, by name.
+        traces: the names that the expressions of its attributes looked up, if the run is traced.
+        budget: of the whole run.
+        cursor: index of the child that was searched last.
     """
 
     tag_at: Tag
-    around: int
+    parent_start: int
     raw: list[str]
     frame: CallFrame | None
-    given: dict[str, Tag] | None = None
+    added: dict[str, Tag] | None = None
     traces: dict[str, tuple[Origin, ...]] | None = None
     budget: Budget
     cursor = 0
@@ -98,7 +98,7 @@ class Node(_StockElement):  # type: ignore[misc]
             frame = self._frame_of_call()
             return _clone(self, frame, keep=False)
         if self.tagName == "xacro:property":
-            # A property block: it was written elsewhere and belongs to the place that inserts it.
+            # A property block: it belongs to the element that inserts it.
             inserter = sys._getframe(1).f_locals.get("node")
             frame = inserter.frame if isinstance(inserter, Node) else frame
             return _clone(self, frame, keep=False)
@@ -112,46 +112,46 @@ class Node(_StockElement):  # type: ignore[misc]
         name = call.tagName.removeprefix("xacro:")
         return CallFrame("macro", name, call.tag_at, self.tag_at, call.frame)
 
-    def written(self) -> dict[str, str]:
+    def raw_attributes(self) -> dict[str, str]:
         """The values of its attributes by name, as written."""
         return dict(zip(self.raw[::2], self.raw[1::2], strict=True))
 
     @property
     def attributes(self) -> dict[str, str]:
-        """The values of its attributes by name, which is all that xacro uses of them."""
+        """The values of its attributes by name; xacro uses nothing else of ``attributes``."""
         return {name: attribute.value for name, attribute in (self._attrs or {}).items()}
 
     def removeAttribute(self, name: str) -> None:  # noqa: N802
-        """Take an attribute out if it is there; stock raises an error that xacro ignores."""
+        """Remove an attribute if it exists; ``minidom`` raises an error that xacro ignores."""
         if self._attrs and name in self._attrs:
             super().removeAttribute(name)
 
     def setAttribute(self, attname: str, value: str) -> None:  # noqa: N802
-        value = str(value)  # stock xacro writes a number here and fails much later
+        value = str(value)  # stock xacro passes a number and fails much later
         present = self._attrs.get(attname) if self._attrs else None
         if present is not None:
             present.value = value
             return
-        self._note_giver(attname)
+        self._note_definer(attname)
         super().setAttribute(attname, value)
 
-    def _note_giver(self, name: str) -> None:
-        giver = sys._getframe(2).f_locals.get("node")
-        if isinstance(giver, Node) and giver.tagName == "xacro:attribute":
-            self.given = {**(self.given or {}), name: giver.tag_at}
+    def _note_definer(self, name: str) -> None:
+        definer = sys._getframe(2).f_locals.get("node")
+        if isinstance(definer, Node) and definer.tagName == "xacro:attribute":
+            self.added = {**(self.added or {}), name: definer.tag_at}
 
 
 def _clone(node: Node, frame: CallFrame | None, *, keep: bool) -> Node:
-    """A deep copy. ``keep``: every node keeps its own frame instead of taking ``frame``.
+    """A deep copy; with ``keep``, every node keeps its own frame instead of ``frame``.
 
-    ``minidom`` does the same five times slower, by way of ``setAttributeNS``.
+    ``minidom``'s copy through ``setAttributeNS`` is five times slower.
     """
     size = ELEMENT_SIZE
     copy = Node(node.tagName, node.namespaceURI, node.prefix)
     copy.ownerDocument = node.ownerDocument
-    copy.tag_at, copy.around = node.tag_at, node.around
+    copy.tag_at, copy.parent_start = node.tag_at, node.parent_start
     copy.raw, copy.budget = node.raw, node.budget
-    copy.given, copy.traces = node.given, node.traces
+    copy.added, copy.traces = node.added, node.traces
     copy.frame = node.frame if keep else frame
     if node._attrs:
         copy._ensure_attributes()
@@ -178,38 +178,38 @@ def _clone(node: Node, frame: CallFrame | None, *, keep: bool) -> Node:
 
 def _clone_text(text: Text) -> Text:
     copy = Text(text.data, text.ownerDocument)
-    if text.ends is not None:
-        copy.ends = text.ends
+    if text.end_offset is not None:
+        copy.end_offset = text.end_offset
     return copy
 
 
 def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
-    """xacro's ``replace_node``; by one step instead of one for every child.
+    """xacro's ``replace_node``, in one step instead of one for every child.
 
     Args:
-        by: a node or a list of nodes that come; None for none.
+        by: the new node, a list of nodes, or None.
     """
-    coming = [] if by is None else by if isinstance(by, list) else [by]
+    new = [] if by is None else by if isinstance(by, list) else [by]
     if content_only:
-        around, coming = coming, [child for one in coming for child in one.childNodes]
-        for one in around:
-            one.childNodes = _NodeList()
+        containers, new = new, [child for container in new for child in container.childNodes]
+        for container in containers:
+            container.childNodes = _NodeList()
     else:
-        for one in coming:
-            if one.parentNode is not None:
-                one.parentNode.removeChild(one)
+        for item in new:
+            if item.parentNode is not None:
+                item.parentNode.removeChild(item)
     parent = node.parentNode
     parent.budget.charge(1)
     at = _index(parent, node)
-    parent.childNodes[at : at + 1] = coming
-    _link(node.previousSibling, coming, node.nextSibling)
-    for one in coming:
-        one.parentNode = parent
+    parent.childNodes[at : at + 1] = new
+    _link(node.previousSibling, new, node.nextSibling)
+    for item in new:
+        item.parentNode = parent
     node.parentNode = node.previousSibling = node.nextSibling = None
 
 
 def _index(parent: Node, node: Any) -> int:
-    """Where a child stands; near the one asked for before, as xacro works from left to right."""
+    """Index of a child; searched near the previous one first, as xacro works from left to right."""
     siblings = parent.childNodes
     start = max(parent.cursor - 8, 0)
     try:
@@ -220,21 +220,21 @@ def _index(parent: Node, node: Any) -> int:
 
 
 def _link(before: Any, nodes: list[Any], after: Any) -> None:
-    """Make nodes siblings, in their order."""
+    """Link nodes as siblings, in order."""
     previous = before
-    for one in (*nodes, after):
-        if one is not None:
-            one.previousSibling = previous
+    for node in (*nodes, after):
+        if node is not None:
+            node.previousSibling = previous
         if previous is not None:
-            previous.nextSibling = one
-        previous = one
+            previous.nextSibling = node
+        previous = node
 
 
 def remove_previous_comments(node: Any, marker: Any) -> None:
-    """xacro's function of this name; by one step instead of one for every comment.
+    """xacro's function of this name, in one step instead of one for every comment.
 
     Args:
-        marker: an empty text that keeps the next element from taking those above.
+        marker: an empty text that separates the comments from the next element.
     """
     comments: list[Any] = []
     previous = node.previousSibling
@@ -248,7 +248,7 @@ def remove_previous_comments(node: Any, marker: Any) -> None:
         comments.append(previous)
         previous = previous.previousSibling
     if comments:
-        _take_out(comments, node)
+        _remove(comments, node)
 
 
 def _insert_after(node: Any, marker: Any) -> None:
@@ -264,8 +264,8 @@ def _is_line_end(node: Any) -> bool:
     return bool(node.nodeType == TEXT and node.data.isspace() and node.data.count("\n") <= 1)
 
 
-def _take_out(nodes: list[Any], before: Any) -> None:
-    """Take out some of the nodes before a node, the last of which is the first in order."""
+def _remove(nodes: list[Any], before: Any) -> None:
+    """Remove preceding siblings of a node, which are in reverse order."""
     parent = before.parentNode
     parent.budget.charge(1)
     siblings = parent.childNodes
@@ -273,16 +273,16 @@ def _take_out(nodes: list[Any], before: Any) -> None:
     start = end - 1
     while siblings[start] is not nodes[-1]:
         start -= 1
-    gone = set(map(id, nodes))
-    kept = [one for one in siblings[start:end] if id(one) not in gone]
-    siblings[start:end] = kept
-    _link(nodes[-1].previousSibling, kept, before)
-    for one in nodes:
-        one.parentNode = one.previousSibling = one.nextSibling = None
+    removed = set(map(id, nodes))
+    remaining = [node for node in siblings[start:end] if id(node) not in removed]
+    siblings[start:end] = remaining
+    _link(nodes[-1].previousSibling, remaining, before)
+    for node in nodes:
+        node.parentNode = node.previousSibling = node.nextSibling = None
 
 
 def comments(dom: Dom) -> Iterator[str]:
-    """The texts of all comments, in no particular order."""
+    """The texts of all comments, unordered."""
     stack = [dom]
     while stack:
         for child in stack.pop().childNodes:
@@ -311,7 +311,7 @@ def to_document(dom: Dom, sources: tuple[Source, ...]) -> Document:
 
 def _to_element(node: Node, parent: Element | None) -> Element:
     element = Element(node.tagName, node.tag_at, parent, node.frame)
-    given = node.given or {}
+    added = node.added or {}
     for name, attribute in (node._attrs or {}).items():
-        element.attributes[name] = Attribute(name, attribute.value, element, given.get(name))
+        element.attributes[name] = Attribute(name, attribute.value, element, added.get(name))
     return element

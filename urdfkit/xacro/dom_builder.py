@@ -1,9 +1,9 @@
-"""A xacro file as DOM: the events of expat become nodes that know where they were written."""
+"""Parser of xacro files, whose nodes have source locations."""
 
-from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
@@ -11,10 +11,10 @@ from urdfkit.text.xml_reader import DocumentTooLarge, entity_problem, require_sh
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
 
-#: Elements in one another; xacro works on them by recursion. Real robots have ten.
+#: Most levels of elements, which xacro processes by recursion. Real robots have ten.
 MAX_DEPTH = 500
 
-# The stubs describe the DOM, not what its own code works with.
+# The stubs describe the DOM, not its internal attributes.
 _StockBuilder: Any = expatbuilder.ExpatBuilderNS
 _append_child: Any = vars(expatbuilder)["_append_child"]
 _parse_ns_name: Any = vars(expatbuilder)["_parse_ns_name"]
@@ -26,14 +26,14 @@ def parse(
     """Parse one xacro file.
 
     Returns:
-        The DOM, what is odd about the text, and the ``xacro:arg`` elements.
+        The DOM, the problems of the text, and the ``xacro:arg`` elements.
 
     Args:
-        frame: the include that names it; None for the checked file.
-        budget: what the expansion may make.
+        frame: the include that refers to it; None for the checked file.
+        budget: of the run.
 
     Raises:
-        TooMuch: it is larger than that.
+        DocumentTooLarge: it exceeds the budget.
         xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
     """
     budget.charge(len(source.data))
@@ -44,7 +44,7 @@ def parse(
 
 
 class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
-    """The stock builder, which makes the same tree of nodes of ours."""
+    """The builder of ``minidom``, with nodes of urdfkit."""
 
     curNode: Any  # noqa: N815
 
@@ -64,7 +64,7 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         node.ownerDocument = self.document
         _append_child(parent, node)
         node.raw = self._attributes(node, attributes)
-        node.around = self._starts[-1] if self._starts else -1
+        node.parent_start = self._starts[-1] if self._starts else -1
         self._starts.append(self._parser.CurrentByteIndex)
         node.frame = self._frame
         node.budget = self._budget
@@ -74,20 +74,20 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         if tag == "xacro:arg":
             self.arguments.append(node)
 
-    def _attributes(self, node: Node, given: list[str]) -> list[str]:
-        """Give an element its attributes; names and values of them as written, alternating."""
+    def _attributes(self, node: Node, pairs: list[str]) -> list[str]:
+        """Add the attributes to an element; returns names and values as written, alternating."""
         declared = self._ns_ordered_prefixes
-        if declared or given:
+        if declared or pairs:
             node._ensure_attributes()
         for prefix, uri in declared:
             name = f"xmlns:{prefix}" if prefix else "xmlns"
-            local, of = (prefix, "xmlns") if prefix else ("xmlns", None)
-            Attr(node, name, uri, XMLNS_NAMESPACE, local, of)
+            local, own_prefix = (prefix, "xmlns") if prefix else ("xmlns", None)
+            Attr(node, name, uri, XMLNS_NAMESPACE, local, own_prefix)
         declared.clear()
         raw: list[str] = []
-        for number in range(0, len(given), 2):
-            uri, local, prefix, name = self._parsed(given[number])
-            value = given[number + 1]
+        for number in range(0, len(pairs), 2):
+            uri, local, prefix, name = self._parsed(pairs[number])
+            value = pairs[number + 1]
             Attr(node, name, value, uri, local, prefix)
             raw += (name, value)
         return raw
@@ -112,14 +112,14 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         else:
             _append_child(self.curNode, Text(data, self.document))
         text = siblings[-1]
-        if "$" in data or getattr(text, "ends", None):
-            text.ends = self._parser.CurrentByteIndex  # of what comes behind it
+        if "$" in data or getattr(text, "end_offset", None):
+            text.end_offset = self._parser.CurrentByteIndex
 
     def comment_handler(self, data: str) -> None:
         super().comment_handler(data)
         if "$" in data:
             comment = self.curNode.childNodes[-1]
-            comment.ends = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
+            comment.end_offset = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
 
     def entity_decl_handler(self, *declaration: Any) -> None:
         at = self._parser.CurrentByteIndex
@@ -127,8 +127,8 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         super().entity_decl_handler(*declaration)
 
     def createParser(self) -> Any:  # noqa: N802
-        # Source has settled the encoding; what the declaration says no longer counts.
+        # Source has already applied the encoding of the declaration.
         parser = expat.ParserCreate("utf-8", namespace_separator=" ")
         parser.namespace_prefixes = True
-        parser.buffer_size = 1 << 20  # the builder joins pieces of a text one by one
+        parser.buffer_size = 1 << 20  # the builder joins parts of a text one by one
         return parser

@@ -1,10 +1,10 @@
 """Stock xacro, loaded as a private copy and instrumented.
 
-The engine stays xacro's own: what it does to the document is not touched, so its output is
-that of the ``xacro`` command byte for byte. Exchanged are the edges of it: parsing (nodes with
-places), the evaluation of texts (a sandbox, errors with places), ``$(...)`` without ROS, files, and
-messages. The copy is private because xacro keeps its state in module globals and patches
-``minidom`` for the whole process; a program that uses xacro too must not notice us.
+xacro's own processing of the document is not changed, so the output equals that of the ``xacro``
+command byte for byte. Replaced are parsing (nodes with locations), the evaluation of texts (a
+sandbox, errors with locations), ``$(...)`` without ROS, files, and messages. The copy is private
+because xacro keeps its state in module globals and patches ``minidom`` for the whole process, which
+must not affect a program that also uses xacro.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from functools import lru_cache
 from io import StringIO
 from keyword import iskeyword
 from types import ModuleType
-from typing import Any
 from xml.dom import minidom
 
 from urdfkit.core import libraries
+from urdfkit.core.static_typing import Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.xacro import dom, patterns
 from urdfkit.xacro.bounds import UnsafeExpression
@@ -30,11 +30,11 @@ from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.evaluation import Evaluation
 from urdfkit.xacro.expansion import ExpansionRun
 
-#: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
+#: Most characters of a name. xacro parses names as Python, which needs much memory for long ones.
 MAX_NAME = 200
 
 _PRIVATE_NAME = "_urdfkit_xacro"
-#: What the instrumentation builds on; other versions of xacro lack some of it.
+#: Names that the instrumentation requires; other versions of xacro do not have all of them.
 _REQUIRED = (
     "all_includes create_global_symbols eval_all eval_default_arg eval_extension eval_text "
     "filestack get_boolean_value glob grab_macro grab_property handle_macro_call "
@@ -46,7 +46,7 @@ _REQUIRED = (
 
 @lru_cache(maxsize=1)
 def load_engine() -> XacroEngine:
-    """The engine; loaded at the first call.
+    """The engine, loaded at the first call.
 
     Raises:
         UrdfkitError: the xacro on the path is not one of the supported versions.
@@ -62,14 +62,14 @@ def _private_copy() -> Any:
     module: Any = ModuleType(_PRIVATE_NAME)
     module.__spec__ = type(spec)(_PRIVATE_NAME, loader, is_package=True)
     module.__path__ = spec.submodule_search_locations
-    # xacro's own command line is never used here, and its optparse costs 4 ms.
+    # xacro's command line is not used, and importing its optparse takes 4 ms.
     command_line = ModuleType(f"{_PRIVATE_NAME}.cli")
     vars(command_line)["process_args"] = None
     sys.modules[command_line.__name__] = command_line
     sys.modules[_PRIVATE_NAME] = module
     stock_writexml = minidom.Element.writexml
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of Python 3.10, about names in xacro
+        warnings.simplefilter("ignore")  # Python 3.10 warns about names in xacro
         exec(loader.get_code("xacro"), vars(module))
     Node.writexml = minidom.Element.writexml
     minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
@@ -83,17 +83,17 @@ def _private_copy() -> Any:
 
 
 class XacroEngine:
-    """The private xacro; it works for one run at a time, as its state is global."""
+    """The private xacro, for one run at a time, as its state is global."""
 
     def __init__(self, xacro: Any) -> None:
         self.xacro = xacro  # the module
         self._evaluation = Evaluation(xacro)
         self._lock = allocate_lock()
-        self._exchange_evaluation()
-        self._exchange_tags()
-        self._exchange_slow_parts()
-        self._exchange_files()
-        self._exchange_messages()
+        self._replace_evaluation()
+        self._replace_tag_handlers()
+        self._replace_slow_functions()
+        self._replace_file_access()
+        self._replace_messages()
 
     @property
     def _run(self) -> ExpansionRun:
@@ -103,7 +103,7 @@ class XacroEngine:
         """Expand the file of a run to a DOM.
 
         Raises:
-            Exception: what stopped it.
+            Exception: the error that stopped the expansion.
         """
         xacro = self.xacro
         with self._lock:
@@ -116,12 +116,14 @@ class XacroEngine:
             xacro._global_symbols = self._global_symbols(trust=run.request.trust)
             xacro._empty_text_node = minidom.Document().createTextNode("\n\n")
             try:
-                return xacro.process_file(run.request.source.path, mappings=dict(run.defined.given))
+                return xacro.process_file(
+                    run.request.source.path, mappings=dict(run.defined.values)
+                )
             finally:
-                self._forget()
+                self._reset()
 
-    def _forget(self) -> None:
-        """Let go of a run, which would outlive its robot in xacro's globals."""
+    def _reset(self) -> None:
+        """Remove all references to the run from xacro's globals, which would keep it in memory."""
         xacro = self.xacro
         del self._evaluation.run
         xacro.all_includes, xacro._global_symbols, xacro._empty_text_node = [], {}, None
@@ -132,11 +134,11 @@ class XacroEngine:
         symbols: dict[str, Any] = self.xacro.create_global_symbols()
         dict.__setitem__(symbols["xacro"], "arg", lambda name: self._run.argument(name, symbols))
         if not trust:
-            for name in ("type", "vars"):  # they lead from any value to the whole interpreter
+            for name in ("type", "vars"):  # they give access to the whole interpreter
                 dict.__setitem__(symbols["python"], name, _rejecting(f"python.{name}()"))
         return symbols
 
-    def _exchange_evaluation(self) -> None:
+    def _replace_evaluation(self) -> None:
         xacro, evaluation = self.xacro, self._evaluation
         stock_boolean = xacro.get_boolean_value
         stock_default = xacro.eval_default_arg
@@ -147,7 +149,7 @@ class XacroEngine:
         def eval_default_arg(*arguments: Any) -> Any:
             try:
                 return stock_default(*arguments)
-            except DependsOnError:  # the property that it forwards failed
+            except DependsOnError:  # the forwarded property failed
                 return FAILED
 
         def resolve(table: Any, key: str) -> Any:
@@ -163,7 +165,7 @@ class XacroEngine:
         xacro.Table._resolve_ = resolve
         xacro.Table._setitem = set_item
 
-    def _exchange_tags(self) -> None:
+    def _replace_tag_handlers(self) -> None:
         xacro = self.xacro
         stock_include = xacro.process_include
         stock_macro = xacro.grab_macro
@@ -182,16 +184,16 @@ class XacroEngine:
         def enter_call() -> None:
             self._run.enter_call(len(xacro.macrostack))
 
-        xacro.process_include = self._resumed(process_include)
-        xacro.grab_property = self._resumed(xacro.grab_property)
-        xacro.grab_macro = self._resumed(grab_macro)
-        xacro.handle_macro_call = self._resumed(xacro.handle_macro_call, enter_call)
+        xacro.process_include = self._with_recovery(process_include)
+        xacro.grab_property = self._with_recovery(xacro.grab_property)
+        xacro.grab_macro = self._with_recovery(grab_macro)
+        xacro.handle_macro_call = self._with_recovery(xacro.handle_macro_call, enter_call)
         xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
 
-    def _resumed(
+    def _with_recovery(
         self, stock: Callable[..., Any], begin: Callable[[], None] | None = None
     ) -> Callable[..., bool]:
-        """A function of xacro that handles a tag; a tag that fails is taken out.
+        """A function of xacro that handles a tag, and removes the tag if it fails.
 
         Args:
             begin: called before each tag.
@@ -199,20 +201,20 @@ class XacroEngine:
         xacro = self.xacro
 
         def handle(tag: Node, *arguments: Any) -> bool:
-            """False if the tag is not one of xacro."""
+            """False if the tag is not a xacro tag."""
             if not tag.tagName.startswith("xacro:"):
                 return False
             if begin is not None:
                 begin()
             files, macros = len(xacro.filestack), len(xacro.macrostack)
             try:
-                if not self._run.log.has_taken_out(tag.tag_at):
+                if not self._run.log.is_removed(tag.tag_at):
                     stock(tag, *arguments)
                     return True
             except Exception as error:
-                from urdfkit.xacro import failures  # which a run without errors does without
+                from urdfkit.xacro import failures  # not needed without errors
 
-                if not failures.take_out_tag(self._run, error, tag):
+                if not failures.remove_tag(self._run, error, tag):
                     raise
             del xacro.filestack[files:], xacro.macrostack[macros:]
             if tag.parentNode is not None:
@@ -221,13 +223,13 @@ class XacroEngine:
 
         return handle
 
-    def _exchange_slow_parts(self) -> None:
-        """What takes stock xacro long, with the same results."""
+    def _replace_slow_functions(self) -> None:
+        """Replace slow functions by fast ones with the same results."""
         xacro = self.xacro
         stock_name = xacro.is_valid_name
 
         def is_valid_name(name: str) -> bool:
-            if name.isascii():  # the same, without Python's parser
+            if name.isascii():  # the same result without Python's parser
                 return name.isidentifier() and not iskeyword(name)
             return len(name) <= MAX_NAME and bool(stock_name(name))
 
@@ -238,7 +240,7 @@ class XacroEngine:
         xacro.replace_node = dom.replace_node
         xacro.remove_previous_comments = remove_previous_comments
 
-    def _exchange_files(self) -> None:
+    def _replace_file_access(self) -> None:
         xacro = self.xacro
 
         def parse(_: Any, filename: str) -> Any:
@@ -254,30 +256,30 @@ class XacroEngine:
         xacro.load_yaml = load_yaml
         xacro.glob = ModuleType("glob")
         xacro.glob.glob = glob
-        xacro.YamlListWrapper.wrap = staticmethod(self._noting(xacro.YamlListWrapper.wrap))
+        xacro.YamlListWrapper.wrap = staticmethod(self._traced(xacro.YamlListWrapper.wrap))
 
-    def _noting(self, wrap: Callable[[Any], Any]) -> Callable[[Any], Any]:
-        """xacro's access to YAML values, which the tracer records, too."""
+    def _traced(self, wrap: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        """xacro's access to YAML values, recorded by the tracer."""
 
-        def noting(item: Any) -> Any:
+        def traced(item: Any) -> Any:
             if self._run.tracer is not None:
                 self._run.tracer.yaml_value(item)
             return wrap(item)
 
-        return noting
+        return traced
 
-    def _exchange_messages(self) -> None:
+    def _replace_messages(self) -> None:
         xacro = self.xacro
 
-        # Models call them by these names, which xacro takes from the functions.
+        # Models call these functions by their names, which xacro reads from the functions.
         def warning(*words: Any, **_: Any) -> None:
             self._run.warn(_joined(words))
 
         def error(*words: Any, **_: Any) -> None:
-            self._run.say("error", _joined(words))
+            self._run.add_message("error", _joined(words))
 
         def message(*words: Any, **_: Any) -> None:
-            self._run.say("", _joined(words))
+            self._run.add_message("", _joined(words))
 
         locate = xacro.print_location
 
@@ -285,18 +287,19 @@ class XacroEngine:
             text = StringIO()
             with redirect_stderr(text):
                 locate()
-            self._run.say("", text.getvalue().rstrip("\n"))
+            for line in text.getvalue().splitlines():
+                self._run.add_message("", line)
 
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)
         xacro.tokenize = patterns.tokenize(xacro.tokenize)
 
 
-def _rejecting(what: str) -> Callable[..., Any]:
-    """A function that models may not call."""
+def _rejecting(function: str) -> Callable[..., Any]:
+    """A replacement of a function that models may not call."""
 
     def reject(*_: Any) -> Any:
-        raise UnsafeExpression(f"{what} is not allowed in expressions")
+        raise UnsafeExpression(f"{function} is not allowed in expressions")
 
     return reject
 

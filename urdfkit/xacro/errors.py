@@ -1,4 +1,4 @@
-"""Errors that arise inside an expansion, and the value of an expression that failed."""
+"""Errors inside an expansion, and the value of an expression that failed."""
 
 from urdfkit.text.source import Span
 
@@ -6,49 +6,49 @@ from urdfkit.text.source import Span
 class FailedValue(str):
     """The value of an expression that failed and was reported.
 
-    No model has this text. An error of xacro that quotes it is a consequence.
+    No model contains this text. An error of xacro that quotes it is a consequence.
     """
 
     __slots__ = ()
 
 
-#: Begins the message about a file that CMake makes: ``configure_file``, ``xacro_add_files``.
-UNBUILT = "the build has not made the file"
+#: Start of the message about a file that CMake creates: ``configure_file``, ``xacro_add_files``.
+NOT_BUILT = "the build has not created the file"
 
-#: The only one; a private character of Unicode around its text.
+#: The only instance; its text is enclosed in private characters of Unicode.
 FAILED = FailedValue("\ue000failed\ue000")
 
 
 class DependsOnError(Exception):
-    """An expression uses the value of one that failed and was reported."""
+    """An expression uses the value of an expression that failed and was reported."""
 
 
 class MissingArgument(Exception):
-    """A ``$(arg name)`` without a value and without a default; the text is the name."""
+    """A ``$(arg name)`` without a value and a default; the text is the name."""
 
 
 class EscapesRoots(Exception):
-    """A file outside the workspace and the packages, or none; the text is for users."""
+    """A path outside the workspace and the packages, or not a file; the text is for users."""
 
 
 class BrokenYaml(Exception):
-    """A YAML file that is none; the text is the parser's."""
+    """An invalid YAML file; the text is from the parser."""
 
     def __init__(self, text: str, span: Span, reason: str) -> None:
         super().__init__(text)
-        self.span = span  # where
-        self.reason = reason  # in short
+        self.span = span
+        self.reason = reason  # short
 
 
-def is_of_process(error: BaseException) -> bool:
-    """True if the process lacks memory: nothing that an expansion imports is missing otherwise."""
+def is_out_of_memory(error: BaseException) -> bool:
+    """True if the process is out of memory, which is the only reason for an ImportError."""
     return isinstance(root_cause(error), (MemoryError, ImportError))
 
 
 def root_cause(error: BaseException) -> BaseException:
-    """The exception inside xacro's wrappings."""
-    seen = 0
-    while isinstance(inner := getattr(error, "exc", None), BaseException) and seen < 1000:
+    """The innermost exception inside the exceptions of xacro."""
+    depth = 0
+    while isinstance(inner := getattr(error, "exc", None), BaseException) and depth < 1000:
         error = inner
-        seen += 1
+        depth += 1
     return error

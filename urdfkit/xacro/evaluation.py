@@ -1,14 +1,14 @@
-"""How texts and properties get their values: xacro's way, and on to the next error.
+"""Evaluation of texts and properties as in xacro, but without stopping at errors.
 
-An expression that fails is reported with its place, and its value becomes FAILED. Using that
-value is no further error, so that one run finds all errors.
+An expression that fails is reported with its location, and its value becomes FAILED. Uses of that
+value are not reported, so that one run finds all errors.
 """
 
 import re
 import sys
 from functools import lru_cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.definitions import annotations_of
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.expansion import ExpansionRun
@@ -23,24 +23,24 @@ _TOKEN = re.compile(
 
 @lru_cache(maxsize=4096)
 def tokens(text: str) -> tuple[tuple[str, str, int], ...]:
-    """The pieces of a text: kind, text and offset of each."""
-    found: list[tuple[str, str, int]] = []
+    """The tokens of a text: kind, text and offset of each."""
+    result: list[tuple[str, str, int]] = []
     position = 0
     while position < len(text):
         match = _TOKEN.match(text, position)
         if match is None:
-            # xacro reads one piece ahead: it meets this before it evaluates the one before.
-            found.insert(max(len(found) - 1, 0), ("unclosed", text[position:], position))
+            # xacro reads one token ahead: it fails here before it evaluates the previous token.
+            result.insert(max(len(result) - 1, 0), ("unclosed", text[position:], position))
             break
-        found.append((match.lastgroup or "", match.group(), position))
+        result.append((match.lastgroup or "", match.group(), position))
         position = match.end()
-    return tuple(found)
+    return tuple(result)
 
 
 class Evaluation:
-    """xacro's functions that evaluate, for one run at a time."""
+    """Replacements of xacro's evaluation functions, for one run at a time."""
 
-    run: ExpansionRun  # that they work for
+    run: ExpansionRun
 
     def __init__(self, xacro: Any) -> None:
         self._xacro = xacro
@@ -48,12 +48,11 @@ class Evaluation:
         self._depth = 0
 
     def begin(self, run: ExpansionRun) -> None:
-        """Work for another run."""
         self.run = run
         self._depth = 0
 
     def eval_text(self, text: Any, symbols: Any) -> Any:
-        """The value of a text with ``${}`` and ``$()`` in it; a single one keeps its type."""
+        """The value of a text with ``${}`` and ``$()``; a single expression keeps its type."""
         if text is FAILED:
             return text
         if not text or "$" not in text:
@@ -80,7 +79,7 @@ class Evaluation:
                 values.append(token if kind == "text" else token[1:])
                 continue
             try:
-                values.append(self._value_of(kind, token, symbols))
+                values.append(self._token_value(kind, token, symbols))
             except DependsOnError:
                 values.append(FAILED)
             except Exception as error:
@@ -96,7 +95,7 @@ class Evaluation:
             return sandbox.keep("".join(sandbox.keep(str(value)) for value in values))
         return values[0] if self._depth > 1 else sandbox.keep(values[0])
 
-    def _value_of(self, kind: str, token: str, symbols: Any) -> Any:
+    def _token_value(self, kind: str, token: str, symbols: Any) -> Any:
         if kind == "unclosed":
             raise self._xacro.XacroException("invalid expression: " + token)
         inner = self.eval_text(token[2:-1], symbols)
@@ -111,13 +110,13 @@ class Evaluation:
             raise self._xacro.XacroException(exc=error, suffix=suffix) from error
 
     def safe_eval(self, expression: str, symbols: Any, local: Any = None) -> Any:
-        """The value of an expression; sandboxed, unless the user trusts the model."""
+        """The value of an expression, sandboxed unless the user trusts the model."""
         if self.run.request.trust:
             return self._stock_eval(expression, symbols, local)
         return evaluate(expression.strip(), symbols, self.run.sandbox)
 
     def set_item(self, table: Any, key: str, value: Any, unevaluated: bool) -> None:
-        """xacro's ``Table._setitem``, which also notes who defines the name."""
+        """xacro's ``Table._setitem``; also notes the element that defines the name."""
         run = self.run
         if key in table.root:
             run.warn(f"redefining global symbol: {key}")
@@ -133,7 +132,7 @@ class Evaluation:
             table.unevaluated.discard(key)
 
     def resolve(self, table: Any, key: str) -> Any:
-        """xacro's ``Table._resolve_``, which leaves the table usable when a property fails."""
+        """xacro's ``Table._resolve_``; the table stays valid after a property fails."""
         run = self.run
         annotations_of(table).used.add(key)
         if key in table.unevaluated:

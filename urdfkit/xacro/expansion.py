@@ -1,14 +1,14 @@
-"""One expansion: the files that xacro reads, and the places of its errors."""
+"""The state of one expansion: the files that xacro reads, and the locations of its errors."""
 
 from __future__ import annotations
 
 import os
 import sys
 from types import FrameType
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
     from urdfkit.xacro.trace import Tracer
 
 MAX_MACRO_DEPTH = 150
-#: Macro calls of one expansion; PR2 has 140.
+#: Most macro calls of an expansion; PR2 has 140.
 MAX_CALLS = 50_000
 
 
 class ExpansionRequest(Record):
-    """A file to expand, and how; as of ``expand``."""
+    """A file to expand, with the options of ``urdfkit.xacro.expand``."""
 
     source: Source
     resolver: Resolver
@@ -50,7 +50,7 @@ class ExpansionRun:
     """The state of one expansion.
 
     Args:
-        deadline: time at which it must have ended.
+        deadline: processor time of the thread at which it must have ended.
     """
 
     def __init__(
@@ -69,11 +69,11 @@ class ExpansionRun:
         self.defined = Definitions(request.source, reader.sources, request.arguments)
         self.tracer = _tracer(self.defined) if request.traced else None
         self.xacro: Any = None  # the private module of the engine that expands
-        #: Places of the include tags that were carried out, as (path, offset).
+        #: Locations of the include tags that were processed, as (path, offset).
         self.included: set[tuple[str, int]] = set()
         self.dependencies: list[str] = []  # included and loaded files, as the models spell them
-        self.document: Dom | None = None  # the DOM, as far as it got
-        # What the instrumented engine is doing at the moment.
+        self.document: Dom | None = None  # may be incomplete after an error
+        # The current state of the instrumented engine: open properties, includes and defaults.
         self.resolving: list[tuple[Any, str]] = []
         self.including: list[Node] = []
         self._location: LocatedExpression | None = None
@@ -83,7 +83,7 @@ class ExpansionRun:
     # ------------------------------------------------------------------ files
 
     def parse(self, filename: str) -> Dom:
-        """A file as DOM; the counterpart of ``xacro.parse``."""
+        """The DOM of a file; replaces ``xacro.parse``."""
         include = self.including[-1] if self.including else None
         if include is None:
             frame, source = self.request.frame, self.request.source
@@ -93,12 +93,12 @@ class ExpansionRun:
         try:
             document, problems, arguments = dom_builder.parse(source, frame, self.budget)
         except Exception as error:
-            error.urdfkit_place = (source, frame, include)  # type: ignore[attr-defined]
+            error.urdfkit_location = (source, frame, include)  # type: ignore[attr-defined]
             raise
         for problem in problems:
             self.log.add(problem._replace(frame=frame))
         self.defined.add_arguments(arguments)
-        self._drop_reported(document)
+        self._remove_failed_tags(document)
         if include is None:
             self.document = document
         else:
@@ -107,7 +107,7 @@ class ExpansionRun:
 
     def _included(self, filename: str) -> Source:
         xacro = self.xacro
-        if FAILED in filename:  # no missing file, which may be optional
+        if FAILED in filename:  # not a missing file, which could be optional
             raise DependsOnError(filename)
         try:
             return self.reader.xacro(self._from_root(filename))
@@ -118,34 +118,34 @@ class ExpansionRun:
         except ValueError as error:
             raise xacro.XacroException(str(error), exc=error) from error
 
-    def _drop_reported(self, document: Dom) -> None:
-        """Take out the tags that failed and were reported."""
-        if self.log.is_whole:
+    def _remove_failed_tags(self, document: Dom) -> None:
+        """Remove the tags that failed in earlier runs and were reported."""
+        if not self.log.has_removed_tags:
             return
         stack: list[Any] = [document.documentElement]
         while stack:
             node = stack.pop()
-            if self.log.has_taken_out(node.tag_at):
+            if self.log.is_removed(node.tag_at):
                 node.parentNode.removeChild(node)
             else:
                 stack.extend(child for child in node.childNodes if isinstance(child, Node))
 
     def load_yaml(self, filename: str) -> Any:
-        """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""
+        """The value of a YAML file; replaces ``xacro.load_yaml``."""
         from urdfkit.xacro import yaml_files
 
         xacro = self.xacro
         filename = xacro.abs_filename_spec(filename)
-        if FAILED in filename:  # it is in a package that is not there, say
+        if FAILED in filename:  # such as a file of a missing package
             raise DependsOnError(filename)
         source = self.reader.yaml(filename)
-        self.budget.charge(10 * len(source.data))  # it takes so much longer than other text
+        self.budget.charge(10 * len(source.data))  # parsing YAML takes ten times longer
         xacro.filestack.append(filename)
         try:
             value = yaml_files.load(
                 source,
                 lambda e: xacro.safe_eval(e, xacro._global_symbols),
-                placed=self.tracer is not None,
+                located=self.tracer is not None,
             )
         except SyntaxError as error:
             raise xacro.XacroException(f"invalid expression: {error.text}") from error
@@ -157,7 +157,7 @@ class ExpansionRun:
     # ---------------------------------------------------------------- $(...)
 
     def substitute(self, content: str, symbols: Any) -> str:
-        """The value of ``$(content)``; the counterpart of ``xacro.eval_extension``."""
+        """The value of ``$(content)``; replaces ``xacro.eval_extension``."""
         xacro = self.xacro
         context = SubstitutionContext(
             self._find_package,
@@ -168,6 +168,7 @@ class ExpansionRun:
             None if self.request.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
             self._ros_version,
+            self.warn,
         )
         try:
             return substitute(content, context)
@@ -180,7 +181,7 @@ class ExpansionRun:
             raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
 
     def _ros_version(self) -> str:
-        """``ROS_VERSION``, which every shell of ROS sets: that of the package, else 2."""
+        """The default of ``ROS_VERSION``, which ROS sets: the version of the package, else 2."""
         manifest = manifest_of(self.request.resolver, self.request.source.path)
         return str((manifest.ros if manifest else None) or 2)
 
@@ -195,7 +196,7 @@ class ExpansionRun:
         """The value of an argument.
 
         Raises:
-            MissingArgument: it has none.
+            MissingArgument: it has no value and no default.
         """
         values = self.xacro.substitution_args_context["arg"]
         if name not in values:
@@ -207,14 +208,14 @@ class ExpansionRun:
     def _later_default(self, name: str, symbols: Any) -> str:
         """The default of an argument that is declared after its first use.
 
-        xacro fails here, which is reported; ``<robot name="$(arg name)">`` above the declaration
-        is common, and the rest of the robot can be checked with the default.
+        xacro fails here, which is reported. ``<robot name="$(arg name)">`` above the declaration
+        is common, and the default allows the rest of the robot to be checked.
         """
         for node in self.defined.argument_nodes:
             if node.getAttribute("name") != name or not node.hasAttribute("default"):
                 continue
             if name in self._defaulting:
-                break  # its default needs the argument itself
+                break  # its default refers to the argument itself
             self._defaulting.add(name)
             try:
                 from urdfkit.xacro import diagnosis
@@ -228,7 +229,6 @@ class ExpansionRun:
     # ------------------------------------------------------------ definitions
 
     def enter_call(self, depth: int) -> None:
-        """A macro call begins."""
         self._calls += 1
         if depth > MAX_MACRO_DEPTH:
             raise DocumentTooLarge(
@@ -238,40 +238,40 @@ class ExpansionRun:
             raise DocumentTooLarge(f"more than {MAX_CALLS} macro calls")
 
     def define(self, table: Any, key: str, definer: Any) -> None:
-        """A property or a macro parameter gets a value."""
+        """Note the definition of a property or a macro parameter."""
         if problem := self.defined.add_value(table, key, definer):
             self.log.add(problem)
 
     # --------------------------------------------------------------- messages
 
     def warn(self, text: str) -> None:
-        from urdfkit.xacro import diagnosis  # which most runs do without
+        from urdfkit.xacro import diagnosis  # most runs do not need it
 
         node, local = diagnosis.node_in(_caller())
-        self.log.say(Message("warning", text, node.tag_at.span if node else None))
+        self.log.add_message(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
             problem = diagnosis.warning(text, node, local)
             if problem is not None:
                 self.log.add(problem)
 
-    def say(self, kind: str, text: str) -> None:
-        """The model speaks to the user."""
-        self.log.say(Message(kind, text, None))
+    def add_message(self, kind: str, text: str) -> None:
+        """Add a message of the model to the user."""
+        self.log.add_message(Message(kind, text, None))
 
     # ----------------------------------------------------------------- errors
 
     def locate(self, text: str, offset: int, token: str) -> None:
-        """Note where an error arose; the innermost property and its outermost text count."""
-        here = LocatedExpression(text, offset, token, tuple(self.resolving))
-        before = self._location
-        if before is None or len(before.resolving) == len(here.resolving):
-            self._location = here
+        """Note the location of an error: in the innermost property, its outermost text."""
+        location = LocatedExpression(text, offset, token, tuple(self.resolving))
+        previous = self._location
+        if previous is None or len(previous.resolving) == len(location.resolving):
+            self._location = location
 
     def report(self, error: Exception, used: LocatedExpression, frame: FrameType) -> None:
-        """An expression failed: note it with its place, and go on.
+        """Report an expression that failed, with its location.
 
         Args:
-            error: what is wrong, there or in a property that it needs.
+            error: of the expression, or of a property that it uses.
             used: the expression.
             frame: of the function that evaluates it.
         """

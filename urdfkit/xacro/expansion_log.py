@@ -1,4 +1,4 @@
-"""What all attempts at expanding one file found: problems and messages."""
+"""Problems and messages of all runs that expand a file."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from urdfkit.text.source import Span
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 
 MAX_PROBLEMS = 500
-#: Failing tags of one file.
-MAX_TAKEN_OUT = 500
+#: Most failing tags of one file.
+MAX_REMOVED = 500
 MAX_MESSAGES = 1000
 MAX_MESSAGE = 1000
-#: Uses of one failing property that are worth naming.
+#: Most uses of a failing property that are reported.
 MAX_RELATED = 5
-#: Stands among the lost names for those that a missing file would have defined.
+#: Stands for all names, in the undefined names of a missing file.
 ANY = "*"
 
 _UNDEFINED = (
@@ -28,7 +28,7 @@ _UNDEFINED = (
 
 
 class Message(Record):
-    """What xacro or the model itself says while it is expanded."""
+    """A message of xacro or of the model during the expansion."""
 
     kind: str
     text: str
@@ -36,55 +36,52 @@ class Message(Record):
 
 
 class ExpansionLog:
-    """Problems and messages, as they are met."""
+    """Problems and messages, in order."""
 
     def __init__(self) -> None:
-        self.first_error: str | None = None  # as stock xacro words it; None without one
-        self.messages: list[Message] = []  # of xacro and of the model in the last attempt, in order
-        #: Names that nothing defines any more, because what did so failed.
-        self.lost: set[str] = set()
-        #: Tags that failed and were reported: paths and offsets.
-        self._taken_out: set[tuple[str, int]] = set()
+        self.first_error: str | None = None  # as in stock xacro; None without an error
+        self.messages: list[Message] = []  # of xacro and of the model in the last run, in order
+        self._undefined: set[str] = set()  # names whose definition failed
+        #: Tags that failed and were reported, as (path, offset).
+        self._removed: set[tuple[str, int]] = set()
         self._problems: dict[object, Problem] = {}
 
-    def begin(self) -> None:
-        """Another attempt begins."""
+    def begin_run(self) -> None:
         self.messages = []
 
-    def take_out(self, tag: Tag, lost: Iterable[str]) -> bool:
-        """Go on without a tag, and the names that it defines; False if too many failed already."""
-        if len(self._taken_out) >= MAX_TAKEN_OUT:
+    def remove(self, tag: Tag, names: Iterable[str]) -> bool:
+        """Continue without a tag that defines names; False if too many tags failed already."""
+        if len(self._removed) >= MAX_REMOVED:
             return False
-        self._taken_out.add((tag.source.path, tag.start))
-        self.lost.update(lost)
+        self._removed.add((tag.source.path, tag.start))
+        self._undefined.update(names)
         return True
 
-    def has_taken_out(self, tag: Tag) -> bool:
+    def is_removed(self, tag: Tag) -> bool:
         """True for a tag that failed and was reported."""
-        return bool(self._taken_out) and (tag.source.path, tag.start) in self._taken_out
+        return bool(self._removed) and (tag.source.path, tag.start) in self._removed
 
     @property
-    def is_whole(self) -> bool:
-        """True if no tag was taken out."""
-        return not self._taken_out
+    def has_removed_tags(self) -> bool:
+        return bool(self._removed)
 
     @property
     def problems(self) -> list[Problem]:
-        """Errors and warnings, each with its place, in the order of the expansion."""
+        """Errors and warnings with their locations, in the order of the expansion."""
         return list(self._problems.values())
 
     @property
     def is_full(self) -> bool:
-        """True if no other problem will be kept."""
+        """True if further problems are dropped."""
         return len(self._problems) >= MAX_PROBLEMS
 
-    def say(self, message: Message) -> None:
+    def add_message(self, message: Message) -> None:
         if len(self.messages) < MAX_MESSAGES:
             self.messages.append(message)
 
     def add(self, problem: Problem) -> None:
-        """Keep a problem; the same one met again only adds the place that met it."""
-        if len(problem.message) > MAX_MESSAGE:  # what the model says may be a novel
+        """Add a problem; a repeated problem only adds its location to the first one."""
+        if len(problem.message) > MAX_MESSAGE:  # messages of models may be long
             problem = problem._replace(message=problem.message[: MAX_MESSAGE - 3] + "...")
         key = _identity(problem)
         known = self._problems.get(key)
@@ -99,24 +96,24 @@ class ExpansionLog:
             self._problems[key] = known._replace(related=together)
 
     def is_consequence(self, error: BaseException) -> bool:
-        """True if an error follows from one that was already reported."""
+        """True if an error is a consequence of a reported one."""
         cause = root_cause(error)
         if isinstance(cause, DependsOnError) or FAILED in str(error):
             return True
-        if not self.lost:
+        if not self._undefined:
             return False
         if isinstance(cause, MissingArgument):
-            return bool(self.lost & {ANY, str(cause)})
-        undefined = re.search(_UNDEFINED, str(cause))
-        return undefined is not None and bool(self.lost & {ANY, *undefined.groups()})
+            return bool(self._undefined & {ANY, str(cause)})
+        match = re.search(_UNDEFINED, str(cause))
+        return match is not None and bool(self._undefined & {ANY, *match.groups()})
 
 
 def _identity(problem: Problem) -> object:
-    """What two problems have in common that are one; not the objects of one attempt."""
-    if problem.argument:  # without a value, wherever it is used
+    """A key that is equal for equal problems of different runs."""
+    if problem.argument:  # one problem for all uses of an argument without a value
         return problem.message
-    way = problem.frame.steps() if problem.frame else ()
-    places = tuple(_place(span) for span in (problem.span, *(step.span for step in way)))
+    steps = problem.frame.steps() if problem.frame else ()
+    places = tuple(_place(span) for span in (problem.span, *(step.span for step in steps)))
     return problem.code, problem.message, places
 
 

@@ -1,9 +1,9 @@
-"""What a ``${...}`` may do: an allow-list for expressions of models that nobody vouches for.
+"""Sandboxed evaluation of ``${...}``, by an allow-list for expressions of untrusted models.
 
-xacro evaluates Python, and its own filter can be walked around (a nested lambda, string
-subscripts into ``vars(type)``, ``$(eval)``). Here an expression is parsed first, and only
-harmless kinds of nodes pass. What may lead out of the data, or grow without bound, is rewritten
-to a call of the Sandbox, which decides when the values are known.
+xacro evaluates Python, and its own filter can be bypassed (a nested lambda, string subscripts into
+``vars(type)``, ``$(eval)``). Here an expression is parsed first, and only harmless kinds of nodes
+are allowed. Operations that may access other objects, or grow without limit, are rewritten to calls
+of the Sandbox, which checks the values at run time.
 """
 
 import ast
@@ -12,12 +12,12 @@ import warnings
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import CodeType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import MAX_BITS, TooLarge, UnsafeExpression
 from urdfkit.xacro.sandbox import Sandbox
 
-#: Longer than any expression of a model; the longest known has 156 characters.
+#: Most characters of an expression; the longest known has 156.
 MAX_EXPRESSION = 4000
 
 _ALLOWED = (
@@ -30,7 +30,7 @@ _ALLOWED = (
     ast.DictComp, ast.GeneratorExp, ast.comprehension,
 )  # fmt: skip
 
-#: Operators whose result may be larger than both operands together, or that compare them.
+#: Operators whose result may be larger than both operands, or that compare them.
 _OPERATORS = {
     ast.Add: "sandbox add",
     ast.Mult: "sandbox times",
@@ -42,11 +42,11 @@ _OPERATORS = {
     ast.BitXor: "sandbox xor",
 }
 
-#: A value of a table by its key.
+#: Items of a table by literal keys.
 _ITEM = r"(?a)(?!__)[A-Za-z_]\w*(\[(['\"])\w+\2\])+"
 
-#: The place of a node that stands in no text.
-_NOWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
+#: The location of generated nodes.
+_GENERATED: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
 
 
 @lru_cache(maxsize=4096)
@@ -54,14 +54,14 @@ def compile_expression(text: str) -> CodeType:
     """Compile an expression after checking it.
 
     Raises:
-        SyntaxError: as Python's own ``compile``.
+        SyntaxError: as in Python's ``compile``.
         UnsafeExpression: it is rejected.
-        TooLarge: it is longer, or nested deeper, than any model's.
+        TooLarge: it is too long, or nested too deeply.
     """
     if _is_plain(text):
         return compile(text, "<expression>", "eval")
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what Python thinks of its style is nobody's business
+        warnings.simplefilter("ignore")  # about style
         if len(text) > MAX_EXPRESSION:
             raise TooLarge(f"an expression of more than {MAX_EXPRESSION} characters")
         try:
@@ -73,23 +73,23 @@ def compile_expression(text: str) -> CodeType:
 
 
 def _is_plain(text: str) -> bool:
-    """True for a name or an item, as most expressions are: nothing can be wrong with them."""
+    """True for a name or an item, as most expressions are, which are always safe."""
     if text.isidentifier():
         return text.isascii() and not text.startswith("__")
     return "[" in text and re.fullmatch(_ITEM, text) is not None
 
 
 def _sandboxed(tree: ast.Expression) -> ast.Expression:
-    """Check an expression and rewrite what the Sandbox has to see; without recursion."""
+    """Check an expression and rewrite operations to calls of the Sandbox, without recursion."""
     nodes = list(ast.walk(tree))
     for node in nodes:
         _reject(node)
     for node in reversed(nodes):  # inner ones first
         for field, value in ast.iter_fields(node):
             if isinstance(value, ast.AST):
-                setattr(node, field, _wrapped(value, node))
+                setattr(node, field, _guarded(value, node))
             elif isinstance(value, list):
-                value[:] = [_wrapped(item, node) for item in value]
+                value[:] = [_guarded(item, node) for item in value]
     return tree
 
 
@@ -105,12 +105,12 @@ def _reject(node: ast.AST) -> None:
         raise TooLarge(f"an integer of {value.bit_length()} bits")
 
 
-def _wrapped(node: Any, around: ast.AST) -> Any:
-    """What stands for a node whose own parts have been rewritten."""
+def _guarded(node: Any, parent: ast.AST) -> Any:
+    """The replacement of a node whose own parts are already rewritten."""
     if isinstance(node, ast.Attribute):
-        return _call("sandbox attribute", node.value, ast.Constant(node.attr, **_NOWHERE))
+        return _call("sandbox attribute", node.value, ast.Constant(node.attr, **_GENERATED))
     if isinstance(node, ast.Call):
-        if (text := _formatted(node.func)) is not None:
+        if (text := _format_receiver(node.func)) is not None:
             node.func = _call("sandbox format", text)
         node.args.insert(0, node.func)
         node.func = _name("sandbox call")
@@ -119,19 +119,19 @@ def _wrapped(node: Any, around: ast.AST) -> Any:
     elif isinstance(node, ast.Compare):
         if not all(isinstance(operator, (ast.Is, ast.IsNot)) for operator in node.ops):
             node.left = _call("sandbox compared", node.left)
-            node.comparators = [_call("sandbox compared", one) for one in node.comparators]
+            node.comparators = [_call("sandbox compared", item) for item in node.comparators]
     elif isinstance(node, ast.comprehension):
         node.iter = _call("sandbox steps", node.iter)
     elif isinstance(node, ast.Starred):
-        guard = "sandbox hashed" if isinstance(around, ast.Set) else "sandbox keep"
+        guard = "sandbox hashed" if isinstance(parent, ast.Set) else "sandbox keep"
         node.value = _call(guard, node.value)
-    elif _makes_a_value(node, around):
+    elif _creates_value(node, parent):
         return _call("sandbox keep", node)
     return node
 
 
-def _formatted(node: Any) -> Any:
-    """The value whose attribute ``format`` a rewritten node reads; None of any other node."""
+def _format_receiver(node: Any) -> Any:
+    """The object whose attribute ``format`` a rewritten node reads; None for other nodes."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         name = node.args[-1]
         is_format = isinstance(name, ast.Constant) and name.value == "format"
@@ -140,28 +140,28 @@ def _formatted(node: Any) -> Any:
     return None
 
 
-def _makes_a_value(node: Any, around: ast.AST) -> bool:
-    """True for a list or table, for a slice, and for every item of a comprehension."""
+def _creates_value(node: Any, parent: ast.AST) -> bool:
+    """True for a list or table, a slice, and every item of a comprehension."""
     if isinstance(node, ast.Subscript):
         return not isinstance(node.slice, ast.Constant)
     if isinstance(node, (ast.Tuple, ast.List)):
         return isinstance(node.ctx, ast.Load) and bool(node.elts)
     if isinstance(node, (ast.Dict, ast.Set, ast.ListComp, ast.SetComp, ast.DictComp)):
         return True
-    comprehends = isinstance(around, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp))
-    return comprehends and isinstance(node, ast.expr) and not isinstance(node, ast.Constant)
+    is_item = isinstance(parent, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp))
+    return is_item and isinstance(node, ast.expr) and not isinstance(node, ast.Constant)
 
 
 def _name(name: str) -> ast.Name:
-    return ast.Name(name, ast.Load(), **_NOWHERE)
+    return ast.Name(name, ast.Load(), **_GENERATED)
 
 
 def _call(function: str, *arguments: ast.expr) -> ast.Call:
-    return ast.Call(_name(function), list(arguments), [], **_NOWHERE)
+    return ast.Call(_name(function), list(arguments), [], **_GENERATED)
 
 
 class Scope(dict[str, Any]):
-    """The names that an expression may use: the guards of a Sandbox before those of the model."""
+    """The names in an expression: the guards of a Sandbox take precedence over the model."""
 
     __slots__ = ("_guards", "_names")
 
@@ -176,13 +176,13 @@ class Scope(dict[str, Any]):
 
 
 def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
-    """The value of an expression; of an iterator the list.
+    """The value of an expression; an iterator is converted to a list.
 
     Args:
-        names: what it may look up; raises KeyError.
+        names: a mapping of the names that it may use.
 
     Raises:
-        Exception: whatever goes wrong in it.
+        Exception: any error of the expression.
     """
     value = eval(compile_expression(text), Scope(sandbox.guards, names))
     return sandbox.keep(list(value)) if isinstance(value, Iterator) else value

@@ -1,4 +1,4 @@
-"""Tags that fail: what is reported of them, and how the expansion does without them."""
+"""Tags that fail: their problems, and their removal so that the expansion can continue."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
 from urdfkit.xacro import diagnosis
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import is_of_process, root_cause
+from urdfkit.xacro.errors import is_out_of_memory, root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY
 
@@ -18,31 +18,31 @@ _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 
 
 class _Failure(Record):
-    """The problems that an error stands for, and the tag to take out; None if that cannot help."""
+    """The problems of an error, and the tag to remove; None if the expansion cannot continue."""
 
     problems: list[Problem]
     node: Node | None
 
 
-def take_out(run: ExpansionRun, error: BaseException) -> bool:
+def remove_failed_tag(run: ExpansionRun, error: BaseException) -> bool:
     """Report an error that stopped an expansion.
 
     Returns:
-        True if the expansion can go on without the tag that failed.
+        True if the expansion can be repeated without the tag that failed.
     """
     return _report(run, error, _failure(run, error, _failed_tag(error)))
 
 
-def take_out_tag(run: ExpansionRun, error: Exception, tag: Node) -> bool:
-    """Report an error if it is one of a tag without which the expansion can go on; True if so."""
-    if is_of_process(error) or _failed_tag(error) is not tag:
+def remove_tag(run: ExpansionRun, error: Exception, tag: Node) -> bool:
+    """Report the error of a tag and return True, if the expansion can continue without the tag."""
+    if is_out_of_memory(error) or _failed_tag(error) is not tag:
         return False
     failure = _failure(run, error, tag)
     return failure.node is not None and _report(run, error, failure)
 
 
 def _failed_tag(error: BaseException) -> Node | None:
-    """The innermost tag that xacro worked on when an error arose."""
+    """The innermost tag that xacro was processing when an error was raised."""
     traceback = error.__traceback__
     while traceback is not None and traceback.tb_next is not None:
         traceback = traceback.tb_next
@@ -51,14 +51,15 @@ def _failed_tag(error: BaseException) -> Node | None:
 
 def _report(run: ExpansionRun, error: BaseException, failure: _Failure) -> bool:
     log = run.log
-    log.first_error = log.first_error or _stock_words(error)
+    log.first_error = log.first_error or _stock_message(error)
     for problem in failure.problems:
         log.add(problem)
-    return failure.node is not None and log.take_out(failure.node.tag_at, _names_lost(failure.node))
+    node = failure.node
+    return node is not None and log.remove(node.tag_at, _defined_names(node))
 
 
-def _stock_words(error: BaseException) -> str:
-    """An error in the words of the ``xacro`` command."""
+def _stock_message(error: BaseException) -> str:
+    """The message of the ``xacro`` command for an error."""
     if isinstance(error, ExpatError):
         return f"XML parsing error: {error}"
     return str(error) or repr(error)
@@ -67,13 +68,13 @@ def _stock_words(error: BaseException) -> str:
 def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Failure:
     if isinstance(error, ExpatError):
         return _not_well_formed(error)
-    if wanting := diagnosis.argument_of_missing_file(run.defined, root_cause(error)):
-        return _Failure([wanting], node)
+    if missing := diagnosis.argument_of_missing_file(run.defined, root_cause(error)):
+        return _Failure([missing], node)
     code, message, help = diagnosis.classify(run.defined, error)
     if node is None:
         return _Failure([Problem(code, Span(run.request.source, 0, 0), message, help)], None)
-    taken_out = node.parentNode is None and node.tagName != "xacro:property"
-    if code == "XAC013" or taken_out:
+    is_removed = node.parentNode is None and node.tagName != "xacro:property"
+    if code == "XAC013" or is_removed:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)
     if run.log.is_consequence(error):
         return _Failure([], node)
@@ -83,7 +84,7 @@ def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Fai
 
 
 def _at(node: Node, message: str) -> Span:
-    """The attribute that an error of stock xacro names, else the tag's name."""
+    """The span of the attribute in an error message of stock xacro, or of the tag's name."""
     spans = node.tag_at.attribute_spans()
     if node.tagName == "xacro:include":
         return spans.get("filename", node.tag_at.span)
@@ -99,8 +100,8 @@ def _at(node: Node, message: str) -> Span:
     return spans.get("name", node.tag_at.name_span) if "name" in message else node.tag_at.name_span
 
 
-def _names_lost(node: Node) -> set[str]:
-    """Names that lack once a tag is taken out."""
+def _defined_names(node: Node) -> set[str]:
+    """The names that a tag defines."""
     if node.tagName == "xacro:include":
         return {ANY}
     if node.tagName in ("xacro:property", "xacro:macro", "xacro:arg"):
@@ -110,6 +111,6 @@ def _names_lost(node: Node) -> set[str]:
 
 
 def _not_well_formed(error: ExpatError) -> _Failure:
-    source, frame, include = error.urdfkit_place  # type: ignore[attr-defined]
+    source, frame, include = error.urdfkit_location  # type: ignore[attr-defined]
     find = unbound_prefixes if error.code == _UNBOUND_PREFIX else syntax_problems
     return _Failure([problem._replace(frame=frame) for problem in find(source)], include)

@@ -1,4 +1,4 @@
-"""The files of all attempts at one expansion, within the workspace and within bounds."""
+"""Reading of the files of an expansion, limited to the workspace and in size."""
 
 import fnmatch
 import os
@@ -16,16 +16,16 @@ _WILDCARD = r"[*?[]"
 
 
 class FileReader:
-    """Reads files; every xacro file once.
+    """Reads files for all runs of an expansion, every xacro file once.
 
     Args:
-        resolver: knows which files may be read, and where those of an installed package are.
-        near: path of the checked file, from the working directory.
+        resolver: decides which files may be read, and finds files of installed packages.
+        near: path of the checked file, relative to the working directory.
         trust: True to read any file.
     """
 
     def __init__(self, source: Source, resolver: Resolver, *, near: str, trust: bool) -> None:
-        #: The xacro files by path, the checked one first.
+        #: The xacro files by path, the checked file first.
         self.sources: dict[str, Source] = {source.path: source}
         self.data_files: list[str] = []  # the YAML files
         self._near = near
@@ -37,9 +37,9 @@ class FileReader:
 
         Raises:
             OSError: it cannot be read.
-            ValueError: its name is none.
-            EscapesRoots: it is outside.
-            TooLarge: no robot needs one of that size.
+            ValueError: the path is invalid.
+            EscapesRoots: it is outside of the workspace and the packages.
+            TooLarge: it is too large.
         """
         path = self._admitted(path)
         if path not in self.sources:
@@ -50,12 +50,12 @@ class FileReader:
         """A YAML file.
 
         Raises:
-            OSError, ValueError, EscapesRoots, TooLarge: as of ``xacro``.
+            OSError, ValueError, EscapesRoots, TooLarge: as for ``xacro``.
         """
         path = self._admitted(path)
         self.data_files.append(path)
         data = self._read(path, MAX_LENGTH)
-        data.decode("utf-8")  # as strictly as xacro does
+        data.decode("utf-8")  # as strict as xacro
         return Source(path, data)
 
     def _read(self, path: str, most: int) -> bytes:
@@ -67,10 +67,10 @@ class FileReader:
         return data
 
     def _admitted(self, path: str) -> str:
-        """The path to open: as installed if it is not in the source tree, and not outside."""
+        """The path to open: the source of an installed file, if the path does not exist."""
         if not disk.exists(path):
             path = self._resolver.installed(path) or path
-        if disk.has_name(path):  # else opening it will say that there is no such file
+        if disk.has_name(path):  # opening a missing file raises the error
             self._reject_outside(path)
         return path
 
@@ -82,14 +82,14 @@ class FileReader:
         raise EscapesRoots(f"{path} {OUTSIDE}")
 
     def glob(self, pattern: str, budget: Budget) -> Iterator[str]:
-        """The paths that ``glob.glob`` gives, searched for in admitted directories only.
+        """The paths of ``glob.glob``, searched only in admitted directories.
 
         Args:
-            budget: that the search is charged to.
+            budget: pays for the search.
 
         Raises:
             EscapesRoots: the pattern leads outside.
-            TooMuch: it takes too long; links that lead in circles multiply the paths.
+            DocumentTooLarge: it takes too long; circular links multiply the paths.
         """
         directory, name = os.path.split(pattern)
         if not re.search(_WILDCARD, pattern):
@@ -99,14 +99,14 @@ class FileReader:
         directories: Iterable[str] = [directory]
         if re.search(_WILDCARD, directory) and directory != pattern:
             directories = self.glob(directory, budget)
-        for inside in directories:
+        for parent in directories:
             if re.search(_WILDCARD, name):
-                yield from self._matching(inside, name, budget)
-            elif disk.has_name(path := os.path.join(inside, name)):
+                yield from self._matching(parent, name, budget)
+            elif disk.has_name(path := os.path.join(parent, name)):
                 yield path
 
     def _matching(self, directory: str, pattern: str, budget: Budget) -> Iterator[str]:
-        budget.charge(ELEMENT_SIZE)  # it takes as long
+        budget.charge(ELEMENT_SIZE)  # takes as long as an element
         if not disk.is_directory(directory or os.curdir):
             return
         self._reject_outside(directory or os.curdir)

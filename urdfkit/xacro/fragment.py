@@ -1,4 +1,4 @@
-"""A file that is a part of a robot: what it lacks comes from the file that includes it."""
+"""Files that are a part of a robot: their missing names are defined by the including file."""
 
 import os
 import re
@@ -10,54 +10,49 @@ from urdfkit.workspace.includes import top_includer
 from urdfkit.workspace.packages import Packages
 from urdfkit.xacro.dom import Dom, Node
 
-#: Names that a message lists.
+#: Most names in a message.
 _SHOWN = 3
 
-_LACKING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
+_MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
 
-def as_part(
+def merge_missing_names(
     source: Source, packages: Packages, problems: list[Problem], document: Dom | None
 ) -> list[Problem]:
-    """The problems of a file; if another file includes it, the names it lacks are one hint.
+    """The problems of a file; all missing names become one hint if another file includes it.
 
-    So they are if no file does any more, and the parent links are not in the file.
+    The same applies if no file includes it, but its parent links are not in the file.
 
-    Checked alone, such a part lacks what the including file defines before the include. That is
-    no error of the part, and the robot is checked by checking the other file.
+    The including file defines these names before the include. They are not an error of the part,
+    and the robot is checked by checking the including file.
     """
-    lacking = {number: name for number, one in enumerate(problems) if (name := _lacking(one))}
-    if not lacking:
+    missing = {number: name for number, item in enumerate(problems) if (name := _missing(item))}
+    if not missing:
         return problems
     top = top_includer(source.path, packages)
     if top is None:
-        if document is None or not _is_loose(document.documentElement):
+        if document is None or not _is_fragment(document.documentElement):
             return problems
         top = ""
-    names = list(dict.fromkeys(lacking.values()))
-    which = few([f"'{name}'" for name in names], _SHOWN)
-    whole = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
-    message = f"a part of {whole or 'another file'}, which must define {which}"
-    first = next(iter(lacking))
-    at, frame = Span(source, 0, 0), problems[first].frame
-    hint = Problem("XAC001", at, message, _help(top), frame, severity=Severity.INFO)
-    return [hint, *(one for number, one in enumerate(problems) if number not in lacking)]
+    names = few([f"'{name}'" for name in dict.fromkeys(missing.values())], _SHOWN)
+    robot = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
+    message = f"a part of {robot or 'another file'}, which must define {names}"
+    help = f"check the robot instead: urdfkit check {shown(top)}" if top else ""
+    at, frame = Span(source, 0, 0), problems[next(iter(missing))].frame
+    hint = Problem("XAC001", at, message, help, frame, severity=Severity.INFO)
+    return [hint, *(item for number, item in enumerate(problems) if number not in missing)]
 
 
-def _is_loose(root: Node) -> bool:
+def _is_fragment(root: Node) -> bool:
     """True for a ``<robot>`` without a name whose links all have a parent."""
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
     return bool(links) and links <= children and not root.hasAttribute("name")
 
 
-def _lacking(problem: Problem) -> str:
-    """The name that a problem is about, if it is one that another file may define."""
+def _missing(problem: Problem) -> str:
+    """The missing name of a problem that another file may define; empty for other problems."""
     if problem.code not in ("XAC001", "XAC010"):
         return ""
-    found = _LACKING.search(problem.message)
-    return found.group(1) if found else ""
-
-
-def _help(top: str) -> str:
-    return f"check the robot instead: urdfkit check {shown(top)}" if top else ""
+    match = _MISSING.search(problem.message)
+    return match.group(1) if match else ""

@@ -1,20 +1,20 @@
-"""Where in a file an expression stands that xacro is evaluating."""
+"""Source locations of the expressions that xacro is evaluating."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 from urdfkit.xacro.dom import Node
 
-#: Longer expressions are not looked for; the text around them is their place.
+#: Longer expressions are not searched; they have the location of the text that contains them.
 _MAX_TOKEN = 2000
 
-#: How a character may be written in XML.
-_WRITTEN = {
+#: Patterns of the spellings of a character in XML.
+_SPELLINGS = {
     "<": "&lt;",
     "&": "&amp;",
     ">": "(?:>|&gt;)",
@@ -28,26 +28,25 @@ _WRITTEN = {
 class LocatedExpression(Record):
     """An expression in a text."""
 
-    text: str  # as XML gives it
-    #: offset and token: of the expression, with its brackets.
-    offset: int
-    token: str
-    #: The properties around it that are being resolved, as (table, name).
+    text: str  # without the escapes of XML
+    offset: int  # of the expression in the text
+    token: str  # the expression with its brackets
+    #: The enclosing properties that are being resolved, as (table, name).
     resolving: tuple[tuple[Any, str], ...] = ()
 
 
 class ErrorLocation(Record):
-    """A place, and the calls that led there."""
+    """A source location, and the calls that led there."""
 
     span: Span
     frame: CallFrame | None
 
 
 def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> ErrorLocation:
-    """The place of an expression: in an attribute, a text, or the default of a parameter.
+    """The location of an expression: in an attribute, a text, or the default of a parameter.
 
     Args:
-        node: that xacro works on, or that holds the text it works on.
+        node: the element that xacro is processing, or that contains the text.
     """
     if (span := _in_attribute(node, local, located)) is not None:
         return ErrorLocation(span, node.frame)
@@ -59,9 +58,9 @@ def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> Err
 
 
 def _in_attribute(node: Node, local: dict[str, Any], located: LocatedExpression) -> Span | None:
-    values = node.written()
+    values = node.raw_attributes()
     names = [name for name, value in values.items() if value == located.text]
-    if local.get("name") in names:  # of two that are alike, the one that it works on
+    if local.get("name") in names:  # of several equal values, the one that xacro is processing
         names = [local["name"]]
     span = node.tag_at.attribute_spans().get(names[0]) if names else None
     if span is None:
@@ -74,29 +73,29 @@ def _in_parameters(macro: Node, local: dict[str, Any], located: LocatedExpressio
     params = macro.tag_at.attribute_spans().get("params")
     if params is None:
         return None
-    given = re.search(rf"(?<!\S){re.escape(str(local.get('param')))}\s*:?=", params.text)
-    skipped = params.text[: given.start()] if given else ""
+    match = re.search(rf"(?<!\S){re.escape(str(local.get('param')))}\s*:?=", params.text)
+    skipped = params.text[: match.start()] if match else ""
     return _find(params._replace(start=params.start + len(skipped.encode())), located)
 
 
 def _in_text(node: Node, text: Any, located: LocatedExpression) -> Span | None:
-    """The expression in a text or a comment, counted from its end."""
+    """The expression in a text or a comment, counted from the end of the text."""
     inner = node.tag_at.inner_span
-    end = getattr(text, "ends", None)
+    end = getattr(text, "end_offset", None)
     if end is None or not inner.start <= end <= inner.end:
         return _find(inner, located)
     rest = located.text[located.offset + len(located.token) :]
     return _find(inner._replace(end=end), located, -1 - rest.count(located.token))
 
 
-def _find(around: Span, located: LocatedExpression, number: int = 0) -> Span | None:
-    """The expression in a piece of a file, of several that are alike the one of a number."""
+def _find(span: Span, located: LocatedExpression, number: int = 0) -> Span | None:
+    """The expression in a span; of several equal expressions, the one with a number."""
     if not located.token or len(located.token) > _MAX_TOKEN:
         return None
-    pattern = "".join(_WRITTEN.get(char) or re.escape(char) for char in located.token)
-    text = around.text
-    found = list(re.finditer(pattern, text))
-    if not -len(found) <= number < len(found):
+    pattern = "".join(_SPELLINGS.get(char) or re.escape(char) for char in located.token)
+    text = span.text
+    matches = list(re.finditer(pattern, text))
+    if not -len(matches) <= number < len(matches):
         return None
-    start = around.start + len(text[: found[number].start()].encode())
-    return Span(around.source, start, start + len(found[number].group().encode()))
+    start = span.start + len(text[: matches[number].start()].encode())
+    return Span(span.source, start, start + len(matches[number].group().encode()))

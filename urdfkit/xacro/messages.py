@@ -1,14 +1,14 @@
-"""What xacro's errors mean and what to do about them."""
+"""Messages and help for xacro's errors."""
 
 from __future__ import annotations
 
 import os
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
@@ -16,14 +16,14 @@ from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import UNBUILT, BrokenYaml
+from urdfkit.xacro.errors import NOT_BUILT, BrokenYaml
 
-#: Directories that a help lists.
-_FEW = 10
+#: Most directories in a help text.
+_MAX_DIRECTORIES = 10
 
 _FROM_STANDARD_INPUT = (
-    "relative paths in standard input start at the current directory: run there, or let check "
-    "know the file by --stdin-filename FILE"
+    "paths in standard input are relative to the current directory: run urdfkit there, or pass "
+    "--stdin-filename FILE"
 )
 
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
@@ -42,17 +42,17 @@ _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|un
 
 
 class MessageText(Record):
-    """A message and a help; the rule's own help if empty."""
+    """A message with its help."""
 
     message: str
-    help: str = ""
+    help: str = ""  # the rule's own help if empty
 
 
 def explain(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
-    """An error of an expression, a call or a tag.
+    """The message for an error of an expression, a call or a tag.
 
     Args:
-        cause: the innermost one.
+        cause: the innermost error.
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
         missing = _missing_file(os.fspath(cause.filename))
@@ -63,33 +63,31 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         reason, _, help = why_unreadable(path, cause).partition("; ")
         return MessageText(f"{shown(path)}: {reason}", help)
     if isinstance(cause, SyntaxError):
-        return MessageText(f"not an expression: {cause.msg}", "write it as Python would read it")
+        return MessageText(f"not an expression: {cause.msg}", "write a valid Python expression")
     if isinstance(cause, BrokenYaml):
         where = cause.span.source.path
         return MessageText(f"{where} is not valid YAML: {cause.reason}", "correct the file")
     if isinstance(cause, KeyError):
-        return MessageText(
-            f"there is no key {cause}", "correct the key, or what the key comes from"
-        )
+        return MessageText(f"key {cause} does not exist", "correct the key, or its source")
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
-    if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
-        return _undefined_name(defined, text, found.group(1))
+    if isinstance(cause, NameError) and (match := _UNDEFINED.search(text)):
+        return _undefined_name(defined, text, match.group(1))
     if isinstance(cause, AttributeError) and "'_setitem'" in text:
-        message = 'scope="parent" stands outside of every macro, where there is no parent'
+        message = 'scope="parent" is used outside of a macro, where there is no parent scope'
         return MessageText(message, "delete the scope")
-    if found := _UNKNOWN_MACRO.search(text):
-        return _unknown_macro(defined, found.group(1))
-    if isinstance(cause, TypeError) and (help := _help_with_types(text)):
+    if match := _UNKNOWN_MACRO.search(text):
+        return _unknown_macro(defined, match.group(1))
+    if isinstance(cause, TypeError) and (help := _type_error_help(text)):
         return MessageText(text, help)
-    return _of_call(text, macro_of(error)) or MessageText(
+    return _call_error(text, macro_of(error)) or MessageText(
         text.replace("\n", "; ") or type(cause).__name__
     )
 
 
-def _help_with_types(text: str) -> str:
-    """What to do where an expression calculates with text; empty where it does something else."""
+def _type_error_help(text: str) -> str:
+    """How to fix an expression that computes with text; empty for other errors."""
     if " for ^: " in text:
-        return "write ** for a power; ^ is none in Python"
+        return "write ** for a power; ^ is not a power in Python"
     if "operand" in text and "'str'" in text:
         return (
             "a value in it is text: correct its definition (a number has a decimal point, and no "
@@ -104,45 +102,42 @@ def macro_of(error: BaseException) -> Any:
     return macros[0] if isinstance(getattr(macros[0], "body", None), Node) else None
 
 
-def _of_call(text: str, macro: Any) -> MessageText | None:
-    """Calls with other parameters or blocks than the macro has, and the like."""
-    who = f"macro '{macro.body.getAttribute('name')}'" if macro is not None else "the macro"
+def _call_error(text: str, macro: Any) -> MessageText | None:
+    """The message for wrong parameters or blocks of a call, a wrong condition or bracket."""
+    owner = f"macro '{macro.body.getAttribute('name')}'" if macro is not None else "the macro"
     params: list[str] = list(macro.params) if macro is not None else []
-    if found := _PARAMETER.search(text):
-        name = found.group(1)
+    if match := _PARAMETER.search(text):
+        name = match.group(1)
         if any(name in param.split(",") for param in params if "," in param):
             words = " ".join(params).replace(",", " ").split()
-            message = f"{who} has no parameter '{name}': its params are separated by commas"
+            message = f"{owner} has no parameter '{name}': its params are separated by commas"
             return MessageText(message, f'write params="{" ".join(words)}"')
-        has = ", ".join(params) or "none"
-        return MessageText(
-            f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"
-        )
-    if found := _WITHOUT_VALUE.search(text):
-        names = found.group(1).replace(",", ", ")
-        return MessageText(
-            f"{who} is called without {names}", "give every parameter without a default"
-        )
+        available = ", ".join(params) or "none"
+        help = f"it has: {available}{did_you_mean(name, params)}"
+        return MessageText(f"{owner} has no parameter '{name}'", help)
+    if match := _WITHOUT_VALUE.search(text):
+        names = match.group(1).replace(",", ", ")
+        help = "pass every parameter without a default"
+        return MessageText(f"{owner} is called without {names}", help)
     if text.startswith("Not enough blocks"):
         blocks = ", ".join(param for param in params if param.startswith("*"))
-        what = f"put an element for each of {blocks} into the call"
-        return MessageText(f"{who} is called without an element for {blocks or 'its block'}", what)
-    if found := _BLOCK_TOO_MANY.search(text):
-        what = "delete it, or give the macro a parameter with * for it"
-        return MessageText(f"{who} has no block parameter for <{found.group(1)}>", what)
-    if found := _NO_BLOCK.search(text):
-        what = "insert_block takes the name of a parameter with *, or of a property with elements"
-        return MessageText(f"block '{found.group(1)}' is not defined", what)
-    if found := _CONDITION.search(text):
-        value = found.group(2)[:60]
+        help = f"add an element for each of {blocks} to the call"
         return MessageText(
-            f"the condition is '{value}', neither true nor false", "write true or false"
+            f"{owner} is called without an element for {blocks or 'its block'}", help
         )
-    if found := _UNCLOSED.search(text):
-        bracket = "}" if found.group(1)[1] == "{" else ")"
-        return MessageText(
-            f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'"
-        )
+    if match := _BLOCK_TOO_MANY.search(text):
+        help = "delete it, or add a parameter with * to the macro"
+        return MessageText(f"{owner} has no block parameter for <{match.group(1)}>", help)
+    if match := _NO_BLOCK.search(text):
+        help = "insert_block takes the name of a parameter with *, or of a property with elements"
+        return MessageText(f"block '{match.group(1)}' is not defined", help)
+    if match := _CONDITION.search(text):
+        message = f"the condition is '{match.group(2)[:60]}', neither true nor false"
+        return MessageText(message, "write true or false")
+    if match := _UNCLOSED.search(text):
+        bracket = "}" if match.group(1)[1] == "{" else ")"
+        help = f"write the missing '{bracket}'"
+        return MessageText(f"'{match.group(1)[:60]}' is never closed", help)
     return None
 
 
@@ -153,98 +148,100 @@ def _unknown_macro(defined: Definitions, name: str) -> MessageText:
     if elsewhere := _defined_elsewhere(defined, "macro", name):
         return MessageText(f"macro '{name}' is not defined", elsewhere)
     help = "define the macro above its call, or include the file that does"
-    if any(map(_BARE_INCLUDE.search, (one.data for one in defined.sources.values()))):
+    if any(_BARE_INCLUDE.search(source.data) for source in defined.sources.values()):
         help = "write <xacro:include>: xacro ignores an <include> without the prefix"
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
 def bare_property(defined: Definitions, cause: BaseException) -> tuple[str, Span] | None:
-    """The name that an expression lacks, and the ``<property>`` without prefix that has it."""
-    found = _UNDEFINED.search(str(cause)) if isinstance(cause, NameError) else None
-    if found is None:
+    """An undefined name, and the ``<property>`` without prefix that should define it."""
+    match = _UNDEFINED.search(str(cause)) if isinstance(cause, NameError) else None
+    if match is None:
         return None
-    pattern = re.compile(_BARE_PROPERTY % re.escape(found.group(1)).encode())
+    pattern = re.compile(_BARE_PROPERTY % re.escape(match.group(1)).encode())
     for source in defined.sources.values():
         if tag := pattern.search(blank_comments(source.data)):
-            return found.group(1), Span(source, tag.start(), tag.end())
+            return match.group(1), Span(source, tag.start(), tag.end())
     return None
 
 
 def _undefined_name(defined: Definitions, text: str, name: str) -> MessageText:
     if elsewhere := _defined_elsewhere(defined, "property", name):
         return MessageText(text, elsewhere)
-    later = [named for _, named in _definitions(defined, "property")]
+    known = [property_name for _, property_name in _definitions(defined, "property")]
     help = f"define the property '{name}' above its use, or correct the name"
-    return MessageText(text, help + did_you_mean(name, later))
+    return MessageText(text, help + did_you_mean(name, known))
 
 
 def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
-    """How a name is defined where xacro has not come, or not for this use; empty if nowhere."""
-    span = next((span for span, named in _definitions(defined, kind) if named == name), None)
+    """The help for a name whose definition is not valid for its use; empty if it has none."""
+    definitions = _definitions(defined, kind)
+    span = next((span for span, known_name in definitions if known_name == name), None)
     if span is None:
         return ""
     place = f"{shown(span.source.path)}:{span.line}:{span.column}"
-    within = _innermost(span.source.data[: span.start])
-    if within == "macro":
-        return f"'{name}' is defined at {place}, and known in that macro only"
-    if within:
+    parent = _innermost(span.source.data[: span.start])
+    if parent == "macro":
+        return f"'{name}' is defined at {place}, but only inside that macro"
+    if parent:
         return (
-            f"'{name}' is defined at {place}, but the <xacro:{within}> around it does not hold, or "
-            "comes after the use"
+            f"'{name}' is defined at {place}, but the enclosing <xacro:{parent}> is not expanded, "
+            "or comes after the use"
         )
     if include := _include_of(defined, span.source.path):
         if _innermost(include.string[: include.start()]) == "macro":
-            return f"'{name}' is defined at {place}, and known in the macro that includes it only"
-        if kind == "macro" and (found := _NAMESPACE.search(include[0])):
-            namespace = found[1].decode()
+            return f"'{name}' is defined at {place}, but only inside the macro that includes it"
+        if kind == "macro" and (match := _NAMESPACE.search(include[0])):
+            namespace = match[1].decode()
             return f'its file is included with ns="{namespace}": write <xacro:{namespace}.{name}>'
-    return f"'{name}' is defined further down, at {place}: move its definition above the use"
+    return f"'{name}' is defined later, at {place}: move its definition above the use"
 
 
 def _include_of(defined: Definitions, path: str) -> re.Match[bytes] | None:
-    """The tag that includes a file; None without one."""
+    """The tag that includes a file; None if there is none."""
     file = re.escape(os.path.basename(path)).encode()
-    included = re.compile(rb"""<xacro:include\b[^>]*%s["'][^>]*>""" % file)
-    found = (included.search(source.data) for source in defined.sources.values())
-    return next(filter(None, found), None)
+    pattern = re.compile(rb"""<xacro:include\b[^>]*%s["'][^>]*>""" % file)
+    matches = (pattern.search(source.data) for source in defined.sources.values())
+    return next(filter(None, matches), None)
 
 
 def _definitions(defined: Definitions, kind: str) -> Iterator[tuple[Span, str]]:
-    """Places and names of the definitions in all files."""
+    """Spans and names of the definitions in all files."""
     for source in defined.sources.values():
-        for found in _DEFINED.finditer(source.data):
-            if found[1].decode() == kind:
-                yield Span(source, found.start(), found.end()), found[2].decode()
+        for match in _DEFINED.finditer(source.data):
+            if match[1].decode() == kind:
+                yield Span(source, match.start(), match.end()), match[2].decode()
 
 
-def _innermost(before: bytes) -> str:
-    """The condition or macro that is open at the end of a text; empty if none is."""
+def _innermost(text: bytes) -> str:
+    """The innermost condition or macro that is open at the end of a text; empty if none is."""
     opened: list[str] = []
-    for found in _OPENED.finditer(before):
-        if found[1]:
-            opened.append(found[1].decode())
+    for match in _OPENED.finditer(text):
+        if match[1]:
+            opened.append(match[1].decode())
         elif opened:
             opened.pop()
     return opened[-1] if opened else ""
 
 
 def _missing_file(path: str) -> MessageText:
-    _, scheme, there = path.partition("package:/")
+    _, scheme, reference = path.partition("package:/")
     if scheme:
-        package, _, rest = there.strip("/").partition("/")
+        package, _, rest = reference.strip("/").partition("/")
         message = f"xacro does not resolve package://{package}/{rest}"
         return MessageText(message, f"write $(find {package})/{rest}")
     if disk.is_file(f"{path}.in"):
-        made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
-        return MessageText(made, "build the workspace, or make the file with CMake's values")
+        message = f"{NOT_BUILT}: {shown(path)}, from {os.path.basename(path)}.in"
+        help = "build the workspace, or create the file with the values of CMake"
+        return MessageText(message, help)
     if disk.is_file(f"{path}.xacro") and is_expanded(f"{path}.xacro"):
-        made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.xacro"
-        return MessageText(made, "build the workspace, or include the xacro itself")
+        message = f"{NOT_BUILT}: {shown(path)}, from {os.path.basename(path)}.xacro"
+        return MessageText(message, "build the workspace, or include the xacro itself")
     return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
 
 
 def _nearest_file(path: str) -> str:
-    """What there is instead of a missing file: a directory that is missing, or a file like it."""
+    """The help for a missing file: the missing directory in its path, or a similar file."""
     directory, name = os.path.split(os.path.normpath(path))
     last = name
     while (
@@ -256,12 +253,12 @@ def _nearest_file(path: str) -> str:
     except OSError:
         return ""
     stem, dot, suffix = name.partition(".")
-    alike = [other.partition(".")[0] for other in siblings if other.endswith(dot + suffix)]
-    suggested = nearest(stem, alike, SIMILAR_FILE)
+    stems = [sibling.partition(".")[0] for sibling in siblings if sibling.endswith(dot + suffix)]
+    suggested = nearest(stem, stems, SIMILAR_FILE)
     hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
-        return hint or "correct the path; a relative one starts at the file that it stands in"
-    there = sorted(one for one in siblings if disk.is_directory(os.path.join(directory, one)))
-    if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
-        hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
+        return hint or "correct the path, which is relative to the directory of its file"
+    present = sorted(path for path in siblings if disk.is_directory(os.path.join(directory, path)))
+    if not hint and 0 < len(present) <= _MAX_DIRECTORIES:  # often the valid values of an argument
+        hint = f"available: {', '.join(present)}"
     return f"directory '{name}' not found in {shown(directory)}" + (f"; {hint}" if hint else "")

@@ -1,4 +1,4 @@
-"""How a name that an expression looked up got its value."""
+"""The origin of a value that an expression uses."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from urdfkit.text.source import Span
 
 
 class Origin(Record):
-    """How a name got its value."""
+    """The definition that a name has its value from."""
 
     name: str  # of the property, parameter or argument; the key in a YAML file
     value: str  # as text
     #: ``property``, ``argument``, ``default``, ``xacro:arg``, ``command line`` or ``YAML``.
     kind: str
-    span: Span | None  # where it is given; None for the command line
-    text: str  # what is written there
-    inputs: tuple[Origin, ...]  # the names that the text looks up
+    span: Span | None  # of the definition; None for the command line
+    text: str  # source text of the definition
+    inputs: tuple[Origin, ...]  # origins of the names in the text

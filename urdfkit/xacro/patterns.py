@@ -1,24 +1,24 @@
-"""Guards for regular expressions of xacro that a hostile text would keep busy for years."""
+"""Guards for regular expressions of xacro that take exponential time for hostile texts."""
 
 import re
 from collections.abc import Callable
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 
-#: Characters of all parameters of a macro; real ones have 1 000.
+#: Most characters of all parameters of a macro; real macros have 1 000.
 _MAX_PARAMETERS = 10_000
-#: Characters among which xacro's pattern may try all ways to read a default.
+#: Most characters of a default for which xacro's pattern may backtrack.
 _MAX_TRIED = 24
 _WITH_DEFAULT = r"\s*[^\s:=]+?\s*:?=\s*"
-#: xacro's pattern of a default, in which every character can be read in one way only.
+#: xacro's pattern of a default, without backtracking.
 _DEFAULT = r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
 
 
 def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
     """xacro's ``parse_macro_arg`` in bounded time.
 
-    Its pattern reads ``a:=xxxxx'``, a default with an unmatched quote, in 2^5 ways.
+    Its pattern matches ``a:=xxxxx'``, a default with an unmatched quote, in 2^5 ways.
     """
 
     def parse_macro_arg(text: str) -> Any:
@@ -34,7 +34,7 @@ def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
 
 
 def tokenize(stock: Callable[..., Any]) -> Callable[..., Any]:
-    """xacro's ``tokenize``, whose separators may not end the set of characters they stand in."""
+    """xacro's ``tokenize``, whose separators must not contain ``]``, which ends their pattern."""
 
     def tokenize(s: str, sep: str = ",; ", skip_empty: bool = True) -> Any:
         if "]" in sep[1:]:

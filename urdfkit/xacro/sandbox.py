@@ -1,9 +1,9 @@
-"""What the expressions of one expansion may touch, and how much they may make.
+"""Access and size limits for the expressions of an expansion.
 
 ``expressions`` rewrites an expression so that every attribute, call and growing operation goes
-through the methods here. The invariant: no value that an expression can get hold of is larger
-than MAX_LENGTH, however often it shares its parts. So whatever walks over one (``str``, ``==``,
-``hash``) is done soon, and what all of them make together the Budget bounds.
+through the methods here. The invariant: no value in an expression is larger than MAX_LENGTH, with
+shared parts counted each time. So operations on one value (``str``, ``==``, ``hash``) are fast, and
+the Budget limits all values together.
 """
 
 import math
@@ -11,30 +11,30 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from types import BuiltinFunctionType, MethodDescriptorType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import (
     TooLarge,
     UnsafeExpression,
     check_bits,
     check_comparisons,
     check_length,
+    checked_for_hashing,
     digits,
     extent,
-    hashed,
-    is_name_space,
-    sized,
+    is_namespace,
+    materialized,
 )
 from urdfkit.xacro.budget import STEP_SIZE, Budget
 
-#: Types whose methods read or make data, within the bounds of ``call``.
+#: Types whose methods read or create data, within the limits of ``call``.
 _DATA = (str, int, float, complex, list, tuple, set, frozenset, range, type)
 _HASHING = (dict, set, frozenset)
-#: Methods of _DATA that make much of little, or whose argument is a language of its own.
-_REFUSED = frozenset(
+#: Methods of _DATA whose result may be large, or whose argument is a language of its own.
+_FORBIDDEN = frozenset(
     "decode encode expandtabs format format_map from_bytes maketrans mro to_bytes translate".split()
 )
-_OF_TABLES = frozenset(
+_TABLE_METHODS = frozenset(
     "clear copy fromkeys get items keys pop popitem setdefault update values".split()
 )
 _PADDING = frozenset("center ljust rjust zfill".split())
@@ -48,14 +48,14 @@ class Sandbox:
 
     def __init__(self, budget: Budget) -> None:
         self._budget = budget
-        #: The functions that rewritten expressions call, by names that no model can give to
-        #: anything, as they hold a space.
+        #: The functions that rewritten expressions call; their names contain a space, so that no
+        #: model can use them.
         self.guards: dict[str, Callable[..., Any]] = {
             "sandbox attribute": self.attribute,
             "sandbox format": self.format,
             "sandbox call": self.call,
             "sandbox keep": self.keep,
-            "sandbox hashed": lambda values: hashed(values)[0],
+            "sandbox hashed": lambda values: checked_for_hashing(values)[0],
             "sandbox compared": self.compared,
             "sandbox steps": self.steps,
             "sandbox add": self.add,
@@ -71,7 +71,7 @@ class Sandbox:
             map: self._map,
             filter: self._filter,
             zip: _zip,
-            enumerate: lambda values, *start: enumerate(sized(values), *start),
+            enumerate: lambda values, *start: enumerate(materialized(values), *start),
             sum: self._sum,
             int: _int,
             round: _round,
@@ -83,7 +83,7 @@ class Sandbox:
         }
 
     def keep(self, value: Any) -> Any:
-        """A value that an expression has made, once it is charged for."""
+        """A value that an expression created, after it is charged to the budget."""
         if isinstance(value, str):
             check_length(len(value))
             self._budget.charge(len(value))
@@ -96,7 +96,7 @@ class Sandbox:
         return value
 
     def compared(self, value: Any) -> Any:
-        """A value that is compared, which takes as long as it is large."""
+        """A value that is compared, after it is charged: the time depends on its size."""
         if isinstance(value, str):
             self._budget.charge(len(value))
         elif not isinstance(value, (int, float)):
@@ -104,8 +104,8 @@ class Sandbox:
         return value
 
     def steps(self, values: Iterable[Any]) -> Iterator[Any]:
-        """The values, each of which is charged for when its turn comes."""
-        return self._charged(sized(values))
+        """The values of an iteration, each charged when it is used."""
+        return self._charged(materialized(values))
 
     def _charged(self, values: Iterable[Any]) -> Iterator[Any]:
         for value in values:
@@ -113,28 +113,28 @@ class Sandbox:
             yield value
 
     def attribute(self, value: Any, name: str) -> Any:
-        """An attribute of a value: only data has any."""
-        if is_name_space(value):
+        """An attribute of a value; only attributes of data are allowed."""
+        if is_namespace(value):
             if name not in vars(value) and not any(name in vars(k) for k in type(value).__mro__):
                 return getattr(value, name)
         elif isinstance(value, dict):
-            if name in _OF_TABLES or name not in vars(dict):
+            if name in _TABLE_METHODS or name not in vars(dict):
                 return getattr(value, name)
         else:
-            found = getattr(value, name)
-            if isinstance(value, _DATA) and name not in _REFUSED and not name.startswith("_"):
-                return found
+            attribute = getattr(value, name)
+            if isinstance(value, _DATA) and name not in _FORBIDDEN and not name.startswith("_"):
+                return attribute
         kind = type(value).__name__
         raise UnsafeExpression(f"attribute '{name}' of a {kind} is not allowed in expressions")
 
     def format(self, value: Any) -> Any:
-        """The attribute ``format`` of a value where it is called: of a text, within bounds."""
+        """The called method ``format`` of a value; that of a text is limited."""
         return (
             partial(_format, value) if isinstance(value, str) else self.attribute(value, "format")
         )
 
     def call(self, function: Any, /, *arguments: Any, **keywords: Any) -> Any:
-        """The value of a call, if it can be had within bounds."""
+        """The value of a call, within the limits."""
         if callable(keywords.get("key")):
             keywords["key"] = partial(self.call, keywords["key"])
         if isinstance(function, MethodDescriptorType) and arguments:
@@ -142,11 +142,11 @@ class Sandbox:
             function, arguments = bound, arguments[1:] if bound is not function else arguments
         if isinstance(function, BuiltinFunctionType):
             owner = function.__self__
-            arguments = _within_bounds(owner, function.__name__, arguments)
+            arguments = _checked_arguments(owner, function.__name__, arguments)
             if isinstance(owner, (str, list, tuple, set, frozenset)):
-                self._budget.charge(extent(owner))  # what a method looks through
+                self._budget.charge(extent(owner))  # which a method may search
         elif isinstance(function, type) and issubclass(function, _HASHING):
-            arguments = hashed(*arguments)
+            arguments = checked_for_hashing(*arguments)
         if isinstance(function, (type, BuiltinFunctionType)):
             function = self._bounded.get(function, function)
         self._budget.charge(STEP_SIZE)
@@ -165,7 +165,7 @@ class Sandbox:
 
     def power(self, base: Any, exponent: Any) -> Any:
         if isinstance(base, int) and isinstance(exponent, int) and abs(base) > 1:
-            check_bits((base.bit_length() - 1) * exponent)  # it has at least so many
+            check_bits((base.bit_length() - 1) * exponent)  # a lower bound
         return self.keep(base**exponent)
 
     def shift(self, value: Any, places: Any) -> Any:
@@ -182,8 +182,8 @@ class Sandbox:
         return self.keep(left % right)
 
     def _map(self, function: Any, /, *values: Any) -> Iterator[Any]:
-        bounded = [sized(one) for one in values]
-        return (self.call(function, *arguments) for arguments in zip(*bounded))  # noqa: B905
+        columns = map(materialized, values)
+        return (self.call(function, *arguments) for arguments in zip(*columns))  # noqa: B905
 
     def _filter(self, function: Any, values: Any, /) -> Iterator[Any]:
         test = bool if function is None else partial(self.call, function)
@@ -211,10 +211,10 @@ class Sandbox:
 def _format(text: str, /, *arguments: Any, **keywords: Any) -> str:
     """``'...'.format(...)`` of texts and numbers.
 
-    A field that looks into its value, ``{0.a}`` or ``{0[a]}``, gets from any object to all of
-    Python, past the guards; one whose width is a field itself may be of any size.
+    A field with an attribute or item, ``{0.a}`` or ``{0[a]}``, bypasses the guards and gives access
+    to all of Python; a field whose width is a field may have any size.
     """
-    import string  # few models format
+    import string  # needed only by few models
 
     values = (*arguments, *keywords.values())
     for value in values:
@@ -232,20 +232,20 @@ def _format(text: str, /, *arguments: Any, **keywords: Any) -> str:
     return str.format(text, *arguments, **keywords)
 
 
-def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The arguments of a built-in method, once its result is known to be small enough."""
+def _checked_arguments(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments of a built-in method, after a check of the size of its result."""
     if isinstance(owner, str):
         if name == "join":
-            arguments = tuple(sized(value) for value in arguments)
+            arguments = tuple(map(materialized, arguments))
         for value in arguments:
             if hasattr(value, "__len__"):
                 check_length((len(owner) + 1) * len(value) // 10)
             elif name in _PADDING and isinstance(value, int):
                 check_length(value)
     elif isinstance(owner, _HASHING) or name == "fromkeys":
-        arguments = hashed(*arguments)
+        arguments = checked_for_hashing(*arguments)
     elif name in _GROWING:
-        arguments = tuple(sized(value) for value in arguments)
+        arguments = tuple(map(materialized, arguments))
     if name in _GROWING and isinstance(owner, (list, set, dict)):
         check_length(extent(owner) + sum(extent(value) for value in arguments))
         if not isinstance(owner, list):
@@ -254,7 +254,7 @@ def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[A
 
 
 def _zip(*values: Any, strict: bool = False) -> Iterator[Any]:
-    return zip(*map(sized, values), strict=strict)
+    return zip(*map(materialized, values), strict=strict)
 
 
 def _int(*arguments: Any, **keywords: Any) -> int:
@@ -271,7 +271,7 @@ def _round(number: Any, ndigits: Any = None) -> Any:
 
 
 def _of_small_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of combinatorics, whose value has so many bits."""
+    """A function of combinatorics, limited by an estimate of the bits of its value."""
 
     def bounded(*numbers: Any) -> Any:
         for number in numbers:

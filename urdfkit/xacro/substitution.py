@@ -1,7 +1,7 @@
 """``$(find pkg)``, ``$(arg name)`` and the other commands in round brackets.
 
-They mean what they mean in stock xacro, which needs a ROS installation for them; here packages
-are found by the Resolver, and environment variables pass an allow-list.
+Their meaning is that of stock xacro, which requires a ROS installation; here the Resolver finds
+packages, and environment variables are checked against an allow-list.
 """
 
 from __future__ import annotations
@@ -9,16 +9,16 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import MissingArgument
 from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.sandbox import Sandbox
 
-#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``: names and not prefixes,
-#: as a prefix lets a secret such as ROS_TOKEN through.
+#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``: names, not prefixes,
+#: which would include a secret such as ROS_TOKEN.
 ENVIRONMENT = frozenset(
     "AMENT_PREFIX_PATH GAZEBO_MODEL_PATH GAZEBO_PLUGIN_PATH GAZEBO_RESOURCE_PATH GAZEBO_VERSION "
     "GZ_SIM_RESOURCE_PATH GZ_VERSION IGN_GAZEBO_RESOURCE_PATH ROBOT_MODEL ROBOT_NAME "
@@ -30,32 +30,33 @@ COMMANDS = ("find", "env", "optenv", "dirname", "arg", "eval", "cwd")
 
 
 class SubstitutionError(Exception):
-    """The command cannot be carried out; the text is for users."""
+    """The command failed; the text is for users."""
 
 
-class EnvironmentRefused(SubstitutionError):
-    """A variable that is not on the allow-list, but set."""
+class ForbiddenVariable(SubstitutionError):
+    """A variable that is set, but not on the allow-list."""
 
 
 class SubstitutionContext(Record):
-    """What the commands refer to."""
+    """The values that commands use."""
 
     find: Callable[[str], str]  # directory of a package by name
     argument: Callable[[str], str]  # value of a xacro argument; raises KeyError
-    directory: str  # that of the file being processed
+    directory: str  # of the file that is processed
     working_directory: str  # for ``$(cwd)``
-    environment: Mapping[str, str]  # the variables
+    environment: Mapping[str, str]
     sandbox: Sandbox | None  # for expressions; None if every variable and expression is allowed
-    functions: Mapping[str, Any]  # what expressions may call
-    ros_version: Callable[[], str]  # what ``ROS_VERSION`` is where no ROS has set it
+    functions: Mapping[str, Any]  # available in expressions
+    ros_version: Callable[[], str]  # default of ``ROS_VERSION`` without ROS
+    warn: Callable[[str], None]  # warns the user
 
 
 def substitute(content: str, context: SubstitutionContext) -> str:
     """The value of ``$(content)``.
 
     Raises:
-        KeyError: an argument without a value.
-        SubstitutionError: anything else that is wrong with the command.
+        KeyError: an argument has no value.
+        SubstitutionError: any other error of the command.
     """
     if content == "cwd":
         return os.path.abspath(context.working_directory)
@@ -66,11 +67,11 @@ def substitute(content: str, context: SubstitutionContext) -> str:
         return f"$({content})"
     command, arguments = words[0], words[1:]
     if command == "arg":
-        return context.argument(_only(command, arguments))
+        return context.argument(_single(command, arguments))
     if command == "find":
-        return context.find(_only(command, arguments))
+        return context.find(_single(command, arguments))
     if command == "env":
-        return _variable(_only(command, arguments), context)
+        return _variable(_single(command, arguments), context)
     if command == "optenv" and arguments:
         return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
     if command == "dirname":
@@ -78,14 +79,14 @@ def substitute(content: str, context: SubstitutionContext) -> str:
     raise SubstitutionError(f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}")
 
 
-def _only(command: str, arguments: list[str]) -> str:
+def _single(command: str, arguments: list[str]) -> str:
     if len(arguments) != 1:
         raise SubstitutionError(f"$({command} ...) takes one name, not {len(arguments)}")
     return arguments[0]
 
 
 def may_read(name: str, context: SubstitutionContext) -> bool:
-    """True if the model may see an environment variable."""
+    """True if the model may read an environment variable."""
     return context.sandbox is None or name in ENVIRONMENT
 
 
@@ -95,13 +96,18 @@ def _variable(name: str, context: SubstitutionContext) -> str:
             return context.ros_version()
         raise SubstitutionError(f"environment variable '{name}' is not set")
     if not may_read(name, context):
-        raise EnvironmentRefused(f"environment variable '{name}' is not on the allow-list")
+        raise ForbiddenVariable(f"environment variable '{name}' is not on the allow-list")
     return context.environment[name]
 
 
 def _optional_variable(name: str, default: str, context: SubstitutionContext) -> str:
     if may_read(name, context):
         return context.environment.get(name, default)
+    if name in context.environment:
+        context.warn(
+            f"environment variable '{name}' is set, but not on the allow-list: $(optenv) takes its "
+            "default; --trust reads the variable"
+        )
     return default
 
 
@@ -115,7 +121,7 @@ def _evaluate(expression: str, context: SubstitutionContext) -> Any:
 
 
 class _EvalNames(dict[str, Any]):
-    """The names of a ``$(eval ...)``: functions, then arguments as numbers where they are."""
+    """The names of a ``$(eval ...)``: functions, then arguments, as numbers if possible."""
 
     def __init__(self, context: SubstitutionContext) -> None:
         super().__init__(context.functions)

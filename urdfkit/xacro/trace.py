@@ -1,14 +1,15 @@
-"""Where a value comes from: through expressions, macro arguments, properties and YAML files.
+"""Origins of values, through expressions, macro arguments, properties and YAML files.
 
-Tracing is an expansion of its own, run on request: it notes which names every expression
-looks up, and how each of them got its value.
+Tracing is a separate expansion, run on request: it records the names that every expression looks
+up, and the origin of their values.
 """
 
 import reprlib
 from collections.abc import Iterator
+from itertools import chain
 from types import FrameType
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.core.words import listed
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element
@@ -19,7 +20,7 @@ from urdfkit.xacro.origin import Origin
 
 
 class Tracer:
-    """Records what expressions look up during an expansion."""
+    """Records the names that expressions look up during an expansion."""
 
     def __init__(self, defined: Definitions) -> None:
         self._defined = defined
@@ -28,11 +29,11 @@ class Tracer:
         self._definitions: dict[tuple[Node, str], tuple[str, Span, str]] = {}
 
     def begin(self) -> None:
-        """An expression's evaluation begins."""
+        """Called before the evaluation of a text."""
         self._collected.append({})
 
     def end(self, text: str, frame: FrameType) -> None:
-        """It ends; what it looked up belongs to the attribute that xacro is evaluating."""
+        """Called after the evaluation of a text; assigns its inputs to the evaluated attribute."""
         self._last = tuple(self._collected.pop().values())
         local = frame.f_locals
         node = local.get("node")
@@ -40,37 +41,37 @@ class Tracer:
             node.traces = {**(node.traces or {}), local["name"]: self._last}
 
     def defined(self, table: Any, key: str) -> None:
-        """A name got the value of the text that was evaluated last."""
+        """Record that a name has the value of the text that was evaluated last."""
         annotations = annotations_of(table)
         definer = annotations.definers.get(key)
         if definer is not None and "$" in self._definition(definer, key)[2]:
             annotations.inputs[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
-        """An expression used a name."""
+        """Record that an expression used a name."""
         if not self._collected or key.startswith("*"):
             return
         annotations = annotations_of(table)
         definer = annotations.definers.get(key)
         if definer is None:
-            return  # built in
+            return  # built-in names
         inputs = annotations.inputs.get(key, ())
         kind, span, text = self._definition(definer, key)
         self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
 
     def _definition(self, definer: Node, key: str) -> tuple[str, Span, str]:
-        """That of a name, which most expressions look up again and again."""
+        """The cached result of the function `_definition`."""
         if (definer, key) not in self._definitions:
             self._definitions[definer, key] = _definition(definer, key)
         return self._definitions[definer, key]
 
     def argument(self, name: str, value: str) -> None:
-        """An expression used ``$(arg name)``."""
+        """Record that an expression used ``$(arg name)``."""
         if not self._collected:
             return
         kind, text = "command line", f"{name}:={value}"
         span: Span | None = None
-        if name not in self._defined.given:
+        if name not in self._defined.values:
             for declared in self._defined.arguments:
                 if declared.name == name:
                     span = declared.tag.attribute_spans().get("default", declared.tag.span)
@@ -78,7 +79,7 @@ class Tracer:
         self._collected[-1][f"$(arg {name})"] = Origin(name, value, kind, span, text, ())
 
     def yaml_value(self, value: Any) -> None:
-        """An expression took a value out of a YAML file."""
+        """Record that an expression used a value of a YAML file."""
         span: Span | None = getattr(value, "span", None)
         if span is None or not self._collected:
             return
@@ -88,38 +89,41 @@ class Tracer:
 
 
 def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
-    """Where in YAML files the values of an attribute, or of those of an element, stand.
+    """The locations in YAML files of the values of an attribute, or of all of an element.
 
-    One place for each file, that of the first value.
+    There is one location for each line.
 
     Args:
         dom: the expanded DOM of a traced run.
-        at: of the Document made from it, or from another expansion of the same.
+        at: of the Document of this expansion, or of another expansion of the same file.
     """
     attributes = at.attributes.values() if isinstance(at, Element) else (at,)
-    found: dict[Source, list[tuple[Span, str]]] = {}
+    by_file: dict[Source, list[tuple[Span, str]]] = {}
     for attribute in attributes:
-        for span in _in_yaml(inputs_of(dom, attribute.element, attribute.name)):
-            found.setdefault(span.source, []).append((span, attribute.name))
-    return tuple(Related(*_first(places)) for places in found.values())
+        for span in _yaml_spans(inputs_of(dom, attribute.element, attribute.name)):
+            by_file.setdefault(span.source, []).append((span, attribute.name))
+    return tuple(chain.from_iterable(map(_definitions, by_file.values())))
 
 
-def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
-    """The places in YAML files at which the ways of values end."""
+def _yaml_spans(origins: tuple[Origin, ...]) -> Iterator[Span]:
+    """The locations in YAML files among direct and indirect origins."""
     for origin in origins:
         if origin.kind == "YAML" and origin.span is not None:
             yield origin.span
-        yield from _in_yaml(origin.inputs)
+        yield from _yaml_spans(origin.inputs)
 
 
-def _first(places: list[tuple[Span, str]]) -> tuple[Span, str]:
+def _definitions(places: list[tuple[Span, str]]) -> Iterator[Related]:
+    """The first value of each line, in the order of the lines."""
     names = list(dict.fromkeys(name for _, name in places))
-    span = min((span for span, _ in places), key=lambda span: span.start)
-    return span, f"{listed(names)} {'is' if len(names) == 1 else 'are'} given here"
+    message = f"{listed(names)} {'is' if len(names) == 1 else 'are'} defined here"
+    spans = sorted((span for span, _ in places), key=lambda span: -span.start)
+    first = {span.line: span for span in spans}
+    return (Related(first[line], message) for line in sorted(first))
 
 
 def _definition(definer: Node, key: str) -> tuple[str, Span, str]:
-    """Kind, place and text of what gave a name its value."""
+    """Kind, location and text of the definition of a name."""
     spans = definer.tag_at.attribute_spans()
     if definer.tagName == "xacro:property":
         span = spans.get("value", spans.get("default", definer.tag_at.span))
@@ -130,23 +134,23 @@ def _definition(definer: Node, key: str) -> tuple[str, Span, str]:
 
 
 def _short(value: Any) -> str:
-    # The text of what a YAML file holds is long.
+    # Collections of a YAML file may be large.
     text = reprlib.repr(value) if isinstance(value, (dict, list)) else str(value)
     return text if len(text) <= 60 else text[:57] + "..."
 
 
 def inputs_of(dom: Dom, element: Element, name: str) -> tuple[Origin, ...]:
-    """What the expression of an attribute looked up.
+    """The origins of the names that the expression of an attribute looked up.
 
     Args:
         dom: the expanded DOM of a traced run.
     """
-    way: list[int] = []
+    indices: list[int] = []
     while element.parent is not None:
-        way.append(next(i for i, c in enumerate(element.parent.children) if c is element))
+        indices.append(next(i for i, c in enumerate(element.parent.children) if c is element))
         element = element.parent
     node = dom.documentElement
-    for index in reversed(way):
+    for index in reversed(indices):
         node = [child for child in node.childNodes if child.nodeType == ELEMENT][index]
     traces: dict[str, tuple[Origin, ...]] = node.traces or {}
     return traces.get(name, ())

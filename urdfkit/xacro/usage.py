@@ -1,4 +1,4 @@
-"""Which names the expressions of xacro files mention, whether or not they were evaluated."""
+"""Names that the expressions of xacro files use, whether or not they are evaluated."""
 
 from __future__ import annotations
 
@@ -17,29 +17,28 @@ _ARGUMENT = rb"""\barg(?:\s+|\(\s*["'])([^\s"')]+)"""
 _INSERTED = rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)"""
 _TAG = rb"<xacro:([\w.]+)"
 
-
-#: Bytes before a forwarding that are searched for its name.
+#: Bytes before the ``^`` of a forwarded parameter that are searched for its name.
 _NEAR = 200
 
 
 class Usage(Record):
-    """What the files mention."""
+    """The names that files use."""
 
-    names: frozenset[str]  # every word in an expression, forwarded parameters and inserted blocks
+    names: frozenset[str]  # all words in expressions, forwarded parameters and inserted blocks
     calls: frozenset[str]  # the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call
-    includes: frozenset[tuple[str, int]]  # places of the include tags, as (path, offset)
+    includes: frozenset[tuple[str, int]]  # locations of the include tags, as (path, offset)
     arguments: frozenset[str]  # names in ``$(arg name)`` and ``xacro.arg('name')``
 
 
 def usage(sources: Iterable[Source]) -> Usage:
-    """What some xacro files mention outside comments."""
+    """The names that xacro files use outside of comments."""
     names: set[bytes] = set()
     calls: set[bytes] = set()
     includes: set[tuple[str, int]] = set()
     arguments: set[bytes] = set()
     for source in sources:
         data = blank_comments(source.data)
-        # Not behind the last bracket: there every opening one is searched for to the end.
+        # Up to the last closing bracket: after it, each opening one would be searched to the end.
         expressions = re.findall(_EXPRESSION, data[: data.rfind(b"}") + 1])
         expressions += re.findall(_COMMAND, data[: data.rfind(b")") + 1])
         names.update(re.findall(_WORD, b" ".join(expressions)))
@@ -59,7 +58,7 @@ def usage(sources: Iterable[Source]) -> Usage:
 
 
 def _forwarded(data: bytes) -> Iterator[bytes]:
-    """The names in ``name:=^``; from the sign backwards, for words are everywhere."""
+    """The names in ``name:=^``, searched backwards from the sign, which is rarer than names."""
     sign = data.find(b"^")
     while sign >= 0:
         name = re.search(_NAME_BEFORE, data[max(0, sign - _NEAR) : sign])

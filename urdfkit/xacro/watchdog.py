@@ -1,9 +1,9 @@
-"""The limits of an expansion, kept by the system, whatever the expansion is doing.
+"""Limits of time and memory for an expansion, enforced by the operating system.
 
-The sandbox bounds each operation beforehand, and looks at the clock between two of them. Here the
-system interrupts what takes too long and refuses memory to what takes too much, so that an
-operation that the sandbox does not know is bounded, too. Signals reach the main thread only; in
-other threads, as in the language server, the sandbox is alone.
+The sandbox limits each operation in advance, and checks the time between operations. Here the
+system interrupts an expansion that takes too long or too much memory, so that operations which the
+sandbox does not check are limited, too. Signals reach only the main thread; in other threads, as in
+the language server, only the sandbox applies.
 """
 
 import os
@@ -15,23 +15,23 @@ from types import FrameType
 from urdfkit.core import expansion_limits
 from urdfkit.xacro.budget import Budget
 
-#: Seconds between two interruptions, if something catches the first.
-_AGAIN = 0.1
+#: Seconds until the interruption is repeated, if the first exception is caught.
+_REPEAT = 0.1
 
 
 @contextmanager
 def watched(budget: Budget) -> Iterator[None]:
-    """Bound what is done in a ``with`` statement by time and memory.
+    """Limit the time and memory of a ``with`` block.
 
     Raises:
         DocumentTooLarge: it takes too long.
         MemoryError: it takes too much memory.
     """
-    stop_clock = _interrupt_late(budget)
+    stop_clock = _start_timer(budget)
     if stop_clock is None:
         yield
         return
-    allow_memory = _refuse_memory(expansion_limits.allowed().megabytes)
+    allow_memory = _limit_memory(expansion_limits.allowed().megabytes)
     try:
         yield
     finally:
@@ -39,10 +39,12 @@ def watched(budget: Budget) -> Iterator[None]:
         allow_memory()
 
 
-def _interrupt_late(budget: Budget) -> Callable[[], None] | None:
-    """Let the system interrupt this thread when its time is over; what is returned ends that.
+def _start_timer(budget: Budget) -> Callable[[], None] | None:
+    """Let the system interrupt this thread at the deadline.
 
-    None if the thread is not the main one, or there are no such timers.
+    Returns:
+        A function that stops the timer; None if this is not the main thread, or the system has no
+        such timers.
     """
     if sys.platform in {"win32", "emscripten"}:
         return None
@@ -52,21 +54,21 @@ def _interrupt_late(budget: Budget) -> Callable[[], None] | None:
         budget.check_time()
 
     try:
-        before = signal.signal(signal.SIGVTALRM, interrupt)
+        previous = signal.signal(signal.SIGVTALRM, interrupt)
     except ValueError:  # not the main thread
         return None
-    signal.setitimer(signal.ITIMER_VIRTUAL, budget.seconds_left(), _AGAIN)
+    signal.setitimer(signal.ITIMER_VIRTUAL, budget.seconds_left(), _REPEAT)
 
     def stop() -> None:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        signal.signal(signal.SIGVTALRM, before or signal.SIG_DFL)
+        signal.signal(signal.SIGVTALRM, previous or signal.SIG_DFL)
 
     return stop
 
 
-def _refuse_memory(megabytes: int) -> Callable[[], None]:
-    """Let this process grow by so much; what is returned lifts the limit."""
-    if sys.platform != "linux":  # others cannot say how large they are, or keep no such limit
+def _limit_memory(megabytes: int) -> Callable[[], None]:
+    """Limit the growth of this process; returns a function that removes the limit."""
+    if sys.platform != "linux":  # other systems do not report their size, or have no such limit
         return lambda: None
     import resource
 
@@ -79,6 +81,6 @@ def _refuse_memory(megabytes: int) -> Callable[[], None]:
 
 
 def _address_space() -> int:
-    """The bytes of address space that this process has."""
+    """Size of the address space of this process, in bytes."""
     with open("/proc/self/statm", "rb") as file:
         return int(file.read().split()[0]) * os.sysconf("SC_PAGESIZE")

@@ -1,22 +1,22 @@
-"""YAML files that ``xacro.load_yaml`` reads, within bounds."""
+"""Bounded reading of YAML files for ``xacro.load_yaml``."""
 
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
 
+from urdfkit.core.static_typing import Any
 from urdfkit.text.source import Source, Span
 from urdfkit.xacro.errors import BrokenYaml
 
-#: Scalars of one YAML file, counted as often as aliases repeat them; and keys of one table, all
-#: of which are compared with each other if they hash alike.
+#: Scalars of one YAML file, with repetitions by aliases; and keys of one table, which are all
+#: compared with each other if their hashes are equal.
 MAX_VALUES = 100_000
 MAX_KEYS = 10_000
-#: Of the keys, those that are no texts, and may hash alike.
+#: Keys that are not strings, whose hashes may be equal.
 MAX_NUMBERS = 1000
-#: Characters of a number: PyYAML reads ``1:1:1``, to the base of 60, in quadratic time.
+#: Characters of a number: PyYAML parses ``1:1:1``, in base 60, in quadratic time.
 MAX_DIGITS = 300
-#: Levels of a YAML file. libyaml builds it by recursion, in C, where the end is a crash.
+#: Levels of a YAML file. libyaml uses recursion in C, which crashes if it is too deep.
 MAX_LEVELS = 100
 
 _NUMBERS = frozenset(f"tag:yaml.org,2002:{kind}" for kind in ("int", "float"))
@@ -40,9 +40,9 @@ class YamlTooLarge(Exception):
 def _loader() -> Any:
     import yaml  # 15 ms, and few models load YAML
 
-    base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml's is six times faster
+    base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml is six times faster
 
-    class Loader(base):  # type: ignore[misc] # of its own, so that no other user of yaml sees it
+    class Loader(base):  # type: ignore[misc] # a subclass, so that other users of yaml do not see it
         evaluate: Callable[[str], Any]
 
     def unit(factor: float) -> Callable[[Any, Any], float]:
@@ -56,45 +56,45 @@ def _loader() -> Any:
     return Loader
 
 
-class _Placed:
-    """A value that knows where it stands."""
+class _Located:
+    """A value with a source location."""
 
-    place: tuple[Source, Any, Any]  # the file, and libyaml's marks of its ends
+    location: tuple[Source, Any, Any]  # the file, and libyaml's marks of start and end
 
     @property
     def span(self) -> Span:
-        return _span(*self.place)
+        return _span(*self.location)
 
 
-class _PlacedFloat(_Placed, float):
+class _LocatedFloat(_Located, float):
     pass
 
 
-class _PlacedInt(_Placed, int):
+class _LocatedInt(_Located, int):
     pass
 
 
-class _PlacedText(_Placed, str):
+class _LocatedText(_Located, str):
     pass
 
 
-_PLACED: dict[type, Any] = {float: _PlacedFloat, int: _PlacedInt, str: _PlacedText}
+_LOCATED: dict[type, Any] = {float: _LocatedFloat, int: _LocatedInt, str: _LocatedText}
 
 
-def _placing(base: Any, source: Source) -> Any:
-    """A loader whose numbers and texts know where they stand."""
+def _locating_loader(base: Any, source: Source) -> Any:
+    """A loader whose numbers and texts have source locations."""
 
-    class Placing(base):  # type: ignore[misc]
+    class LocatingLoader(base):  # type: ignore[misc]
         def construct_object(self, node: Any, deep: bool = False) -> Any:
             value = super().construct_object(node, deep)
-            placed = _PLACED.get(type(value))
-            if placed is None:
+            located_type = _LOCATED.get(type(value))
+            if located_type is None:
                 return value
-            value = placed(value)
-            value.place = source, node.start_mark, node.end_mark
+            value = located_type(value)
+            value.location = source, node.start_mark, node.end_mark
             return value
 
-    return Placing
+    return LocatingLoader
 
 
 def _span(source: Source, start: Any, end: Any) -> Span:
@@ -102,25 +102,24 @@ def _span(source: Source, start: Any, end: Any) -> Span:
     return Span(source, first, max(first, source.offset(end.line + 1, end.column + 1)))
 
 
-def load(source: Source, evaluate: Callable[[str], Any], *, placed: bool = False) -> Any:
+def load(source: Source, evaluate: Callable[[str], Any], *, located: bool = False) -> Any:
     """The value of a YAML file.
 
     Args:
-        source: the file.
-        evaluate: gives the value of an expression behind a unit, such as ``!degrees 90/2``.
-        placed: True if numbers and texts are to have their place as ``span``.
+        evaluate: returns the value of an expression after a unit, such as ``!degrees 90/2``.
+        located: True to return numbers and texts with a ``span``.
 
     Raises:
         BrokenYaml: it is not YAML.
-        YamlTooLarge: it is too deep, or its aliases multiply it.
+        YamlTooLarge: it is too deep, or too large with its aliases.
     """
     import yaml
 
     text = source.data.decode("utf-8")
-    kind = _placing(_loader(), source) if placed else _loader()
+    loader_type = _locating_loader(_loader(), source) if located else _loader()
     try:
         _check_levels(text)
-        loader = kind(text)
+        loader = loader_type(text)
         try:
             loader.evaluate = evaluate
             node = loader.get_single_node()
@@ -137,7 +136,7 @@ def load(source: Source, evaluate: Callable[[str], Any], *, placed: bool = False
 
 
 def _check_levels(text: str) -> None:
-    """Count the levels from the parser's events, which are read without recursion."""
+    """Reject too many levels, counted from the parser's events, which need no recursion."""
     inline = sum(text.count(opening) for opening in ("[", "{", "- ", "? "))
     if inline <= MAX_LEVELS and "\n" + " " * MAX_LEVELS not in text:
         return
@@ -154,7 +153,7 @@ def _check_levels(text: str) -> None:
 
 
 def _check_size(root: Any) -> None:
-    """Count the values that a node stands for, each alias as a copy; without recursion."""
+    """Reject too many values, with each alias counted as a copy; without recursion."""
     sizes: dict[int, int] = {}
     open_nodes: set[int] = set()
     stack = [(root, False)]
@@ -177,7 +176,7 @@ def _check_size(root: Any) -> None:
 
 
 def _check_keys(node: Any) -> None:
-    """Refuse a number, or a table, that takes too long to make."""
+    """Reject a number, or a table, that takes too long to construct."""
     if not isinstance(node.value, list):
         if node.tag in _NUMBERS and len(node.value) > MAX_DIGITS:
             raise YamlTooLarge(f"a number of more than {MAX_DIGITS} characters")

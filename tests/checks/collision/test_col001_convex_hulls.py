@@ -74,7 +74,26 @@ def test_the_depth_is_that_of_mujoco(tmp_path: Path, foot: str, between: str) ->
     depth = depth_in_mujoco(path)
     assert depth == pytest.approx(0.13, abs=1e-3)
     assert one.message.endswith(f"MuJoCo, overlap by {1000 * 0.13:.3g} mm")
-    assert "--link axle" in one.help
+    assert "link 'channel' by convex pieces" in one.help
+
+
+def test_convex_pieces_do_not_collide(tmp_path: Path) -> None:
+    path = robot(tmp_path)
+    boxes = [CHANNEL[start : start + 12] for start in (0, 12, 24)]
+    mesh = '<collision><geometry><mesh filename="channel.stl"/></geometry></collision>'
+    for number, piece in enumerate(boxes):
+        (tmp_path / f"channel_{number}.stl").write_bytes(samples.stl(piece))
+    pieces = [mesh.replace("channel", f"channel_{number}") for number in range(3)]
+    path.write_text(path.read_text().replace(mesh, "".join(pieces)))
+    assert found(path, "mujoco") == []
+    assert depth_in_mujoco(path) == 0
+
+
+def test_pieces_do_not_help_where_the_shapes_overlap(tmp_path: Path) -> None:
+    path = robot(tmp_path)
+    path.write_text(path.read_text().replace('"0.25 0.15 0.2"', '"0.25 0.04 0.2"'))
+    (one,) = found(path, "mujoco")
+    assert one.help.startswith("the shapes overlap")
 
 
 def test_a_link_does_not_collide_with_the_one_that_carries_it(tmp_path: Path) -> None:
@@ -83,9 +102,24 @@ def test_a_link_does_not_collide_with_the_one_that_carries_it(tmp_path: Path) ->
     assert depth_in_mujoco(path) == 0
 
 
-def test_isaac_ignores_neighbours_of_a_welded_base_too(tmp_path: Path) -> None:
-    assert found(robot(tmp_path), "isaac") == []
-    assert len(found(robot(tmp_path, between=MIDDLE), "isaac")) == 1
+@pytest.mark.parametrize("target", ["isaac", "pybullet"])
+def test_others_ignore_neighbours_of_a_welded_base_too(tmp_path: Path, target: str) -> None:
+    assert found(robot(tmp_path), target) == []
+    assert len(found(robot(tmp_path, between=MIDDLE), target)) == 1
+
+
+@pytest.mark.parametrize("between", ["", MIDDLE])
+def test_pybullet_collides_hulls(tmp_path: Path, between: str) -> None:
+    """PyBullet adds a margin of 1 mm to each shape."""
+    pybullet = pytest.importorskip("pybullet")
+    path = robot(tmp_path, between=between)
+    pybullet.connect(pybullet.DIRECT)
+    flags = pybullet.URDF_USE_SELF_COLLISION
+    body = pybullet.loadURDF(str(path), useFixedBase=True, flags=flags)
+    pybullet.stepSimulation()
+    depth = -min((contact[8] for contact in pybullet.getContactPoints(body, body)), default=0.0)
+    pybullet.disconnect()
+    assert depth == pytest.approx(0.13 if between else 0, abs=3e-3)
 
 
 def test_others_collide_the_triangles(tmp_path: Path) -> None:

@@ -117,3 +117,18 @@ def test_the_image_of_a_map(tmp_path: Path, image: str, help: str | None) -> Non
     files = {"maps/hall.yaml": f"image: {image}\nresolution: 0.05\n", "maps/hall.pgm": "P2"}
     found = reported(tmp_path / "arm", "LAU003", "a.launch.py", program, files)
     assert [one.help.startswith(help or "") for one in found] == [True] * bool(help)
+
+
+@pytest.mark.parametrize(("name", "count"), [("bridge", 0), ("bridges", 1)])
+def test_the_file_that_the_command_line_of_a_bridge_names(
+    tmp_path: Path, name: str, count: int
+) -> None:
+    path = tmp_path / "config" / f"{name}.yaml"
+    program = (
+        "from launch_ros.actions import Node\n"
+        "Node(package='ros_gz_bridge', executable='parameter_bridge', "
+        f"arguments=['--ros-args', '-p', 'config_file:={path}'])\n"
+    )
+    files = {"config/bridge.yaml": "[]\n"}
+    found = reported(tmp_path, "LAU003", "a.launch.py", program, files)
+    assert [one.help for one in found] == ["did you mean 'bridge.yaml'?"] * count

@@ -59,6 +59,7 @@ def test_a_description_without_a_type_is_read_as_yaml(
     found = reported(tmp_path, "LAU004", "a.launch.py", text, {"r.xacro": xml})
     assert len([one for one in found if one.severity is Severity.ERROR]) == count
     assert len(found) == ("ParameterValue" not in value)
+    assert sum(f"'<!-- {comment} -->': mapping values" in one.message for one in found) == count
     expanded = expand(tmp_path / "r.xacro").text()
     if comment == "an author":
         assert isinstance(yaml.safe_load(expanded), str)

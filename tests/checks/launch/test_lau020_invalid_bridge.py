@@ -173,3 +173,27 @@ def test_one_topic_serves_images_and_their_calibration(tmp_path: Path) -> None:
     assert found.help == "write <topic>/eye/image</topic> into the sensor"
     (found,) = of_words(tmp_path, words[1], files={"r.urdf": camera})
     assert found.help == "write <topic>/eye/image</topic> into the sensor"
+
+
+def test_either_side_of_a_pair_may_be_wrong(tmp_path: Path) -> None:
+    (found,) = of_words(tmp_path, "/lift@std_msgs/msg/Float32]gz.msgs.Double")
+    either = "gz.msgs.Float for std_msgs/msg/Float32 or std_msgs/msg/Float64 for gz.msgs.Double"
+    assert found.help == f"write {either}"
+
+
+@pytest.mark.parametrize(("sign", "count"), [("[", 0), ("@", 0), ("]", 1)])
+def test_the_clock_comes_from_gazebo(tmp_path: Path, sign: str, count: int) -> None:
+    found = of_words(tmp_path, f"/clock@rosgraph_msgs/msg/Clock{sign}gz.msgs.Clock")
+    assert [one.help for one in found] == ["write ["] * count
+
+
+@pytest.mark.parametrize(
+    ("word", "count"), [("/front", 0), ("front", 0), ("/front/image_raw", 1), ("--ros-args", 0)]
+)
+def test_images_of_ros_gz_image(tmp_path: Path, word: str, count: int) -> None:
+    files = {"r.urdf": ROBOT.replace("gpu_lidar", "camera").replace("scan", "front")}
+    text = f"open('{tmp_path}/r.urdf')\n" + NODE.format(f"arguments=[{word!r}]").replace(
+        "bridge', executable='parameter", "image', executable='image"
+    )
+    found = reported(tmp_path, "LAU020", "a.launch.py", text, files)
+    assert [one.help for one in found] == ["write /front"] * count

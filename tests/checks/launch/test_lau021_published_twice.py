@@ -156,3 +156,68 @@ def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, 
     }
     found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
     assert [said in one.message for one in found] == [True] * bool(said)
+
+
+@pytest.mark.parametrize(
+    ("topic", "remapping", "count"),
+    [
+        ("/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model", "", 1),
+        ("/arm/states@sensor_msgs/msg/JointState[gz.msgs.Model", "", 0),
+        ("/joint_states@sensor_msgs/msg/JointState]gz.msgs.Model", "", 0),
+        (
+            "/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model",
+            ", remappings=[('joint_states', 'wanted_joint_states')]",
+            0,
+        ),
+        (
+            "/arm/states@sensor_msgs/msg/JointState[gz.msgs.Model",
+            ", remappings=[('joint_states', '/arm/states')]",
+            1,
+        ),
+    ],
+)
+def test_joint_states_of_the_bridge(tmp_path: Path, topic: str, remapping: str, count: int) -> None:
+    bridge = "Node(package='ros_gz_bridge', executable='parameter_bridge', "
+    bridge += f"arguments=[{topic!r}])\n"
+    found = messages(tmp_path, GUI.format(remapping) + bridge)
+    assert (
+        found == ["joint_state_publisher_gui and the bridge both publish the joint states"] * count
+    )
+
+
+SLAM = """IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        get_package_share_directory('slam_toolbox') + '/launch/{}_launch.py'
+    ),
+    launch_arguments={{'slam_params_file': '{}/c.yaml'}}.items(),
+)
+"""
+AMCL = "Node(package='nav2_amcl', executable='amcl'{})\n"
+NAV2 = "IncludeLaunchDescription(get_package_share_directory('nav2_bringup') + '/launch/{}')\n"
+
+
+@pytest.mark.parametrize(
+    ("slam", "other", "count"),
+    [
+        ("online_async", AMCL.format(""), 1),
+        ("online_async", "", 0),
+        ("other", AMCL.format(""), 0),
+        ("online_sync", AMCL.format(", parameters=[{'tf_broadcast': False}]"), 0),
+        ("online_sync", AMCL.format(", parameters=[{'tf_broadcast': True}]"), 1),
+        ("online_sync", AMCL.format(", namespace='other'"), 0),
+        ("online_sync", AMCL.format(", condition=IfCondition(LaunchConfiguration('x'))"), 0),
+        ("online_sync", NAV2.format("localization_launch.py"), 1),
+        ("online_sync", NAV2.format("bringup_launch.py"), 1),
+        ("online_sync", NAV2.format("navigation_launch.py"), 0),
+    ],
+)
+def test_two_programs_that_localize(tmp_path: Path, slam: str, other: str, count: int) -> None:
+    found = messages(tmp_path, SLAM.format(slam, tmp_path) + other)
+    assert len(found) == count
+    assert all("from map to odom is published twice" in one for one in found)
+
+
+def test_nav2_with_slam_of_its_own(tmp_path: Path) -> None:
+    nav2 = NAV2.format("bringup_launch.py")[:-2]
+    text = f"{nav2}, launch_arguments={{'slam': 'True'}}.items())\n"
+    assert messages(tmp_path, SLAM.format("online_sync", tmp_path) + text) == []

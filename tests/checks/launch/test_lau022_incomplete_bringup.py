@@ -104,3 +104,102 @@ EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\
 def test_topics(tmp_path: Path, text: str, count: int) -> None:
     found = reported(tmp_path, "LAU022", "a.launch.py", text, {"ekf.yaml": EKF})
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
+
+
+@pytest.mark.parametrize(
+    ("value", "words"), [("False", "is false, though"), ("True", ""), (None, "has no use_sim_time")]
+)
+def test_a_node_that_is_told_not_to_use_the_time_of_gazebo(
+    tmp_path: Path, value: str | None, words: str
+) -> None:
+    own = f", parameters=[{{'use_sim_time': {value}}}]" if value else ", parameters=[{}]"
+    text = (
+        NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("ros_gz_sim", "create", "arguments=['-string', '<robot/>']")
+        + STATE.format(own)
+    )
+    found = [one for one in messages(tmp_path, text) if "use_sim_time" in one]
+    assert len(found) == bool(words)
+    assert all(words in one for one in found)
+
+
+@pytest.mark.parametrize(
+    ("publisher", "spawner", "count"),
+    [
+        ("", "", 0),
+        (", remappings=[('/tf', 'tf')]", "", 0),
+        (", remappings=[('robot_description', 'arm_description')]", "", 1),
+        (", remappings=[('/robot_description', '/arm_description')]", "", 1),
+        (", remappings=[(x, 'arm_description')]", "", 0),
+        (
+            ", remappings=[('robot_description', 'arm_description')]",
+            ", remappings=[('robot_description', '/arm_description')]",
+            0,
+        ),
+    ],
+)
+def test_a_description_with_another_name(
+    tmp_path: Path, publisher: str, spawner: str, count: int
+) -> None:
+    create = f"arguments=['-topic', 'robot_description']{spawner}"
+    text = STATE.format(publisher) + NODE.format("ros_gz_sim", "create", create)
+    found = [one for one in messages(tmp_path, text) if "robot_description" in one]
+    message = "nothing publishes '/robot_description'; robot_state_publisher publishes "
+    assert found == [f"{message}'/arm_description'"] * count
+
+
+MUX = NODE.format("twist_mux", "twist_mux", "{}")
+TELEOP = NODE.format("teleop_twist_joy", "teleop_node", "{}")
+COMMANDS = NODE.format(
+    "ros_gz_bridge",
+    "parameter_bridge",
+    "arguments=['/drive/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist']",
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "topic"),
+    [
+        (MUX.format("") + COMMANDS, "/cmd_vel_out"),
+        (MUX.format("remappings=[('/cmd_vel_out', '/drive/cmd_vel')]") + COMMANDS, ""),
+        (MUX.format("remappings=[('cmd_vel_out', x)]") + COMMANDS, ""),
+        (MUX.format("") + COMMANDS.replace("]gz", "[gz"), ""),  # nothing reads any
+        (MUX.format("") + COMMANDS + NODE.format("arm", "driver", ""), ""),
+        (TELEOP.format("") + COMMANDS, "/cmd_vel"),
+        (TELEOP.format("namespace='drive'") + COMMANDS, ""),
+        (TELEOP.format("") + COMMANDS + NODE.format("nav2_velocity_smoother", "x", ""), ""),
+        (TELEOP.format("parameters=['{}/mux.yaml']") + COMMANDS, ""),
+    ],
+)
+def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
+    files = {"mux.yaml": "mux: {ros__parameters: {topics: {joy: {topic: cmd_vel}}}}\n"}
+    text = text.replace("{}", str(tmp_path))
+    found = [one.message for one in reported(tmp_path, "LAU022", "a.launch.py", text, files)]
+    assert [one.split("'")[3] for one in found] == [topic] * bool(topic)
+    assert all("velocity commands are read on '/drive/cmd_vel'" in one for one in found)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "own", "count"),
+    [
+        ("", "cmd_vel", 1),
+        ("", "/drive/cmd_vel", 0),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", 0),
+        ("use_stamped_vel: false", "/cmd_vel", 1),
+    ],
+)
+def test_velocity_commands_of_a_controller(
+    tmp_path: Path, parameters: str, own: str, count: int
+) -> None:
+    files = {
+        "c.yaml": "controller_manager: {ros__parameters: "
+        "{drive: {type: diff_drive_controller/DiffDriveController}}}\n"
+        f"drive: {{ros__parameters: {{{parameters}}}}}\n"
+    }
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["drive"])
+        + TELEOP.format(f"remappings=[('cmd_vel', '{own}')]")
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert [one.message.startswith("'teleop_node' publishes") for one in found] == [True] * count

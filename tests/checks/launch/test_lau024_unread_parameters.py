@@ -273,3 +273,18 @@ def test_the_size_of_a_costmap(tmp_path: Path, width: str, count: int) -> None:
     yaml = f"local_costmap:\n  local_costmap:\n    ros__parameters:\n      width: {width}\n"
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
     assert ["is declared as an integer" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("name", "count"), [("slam_toolbox", 0), ("async_slam_toolbox_node", 1)])
+def test_a_file_that_is_handed_to_a_launch_file_of_ros(
+    tmp_path: Path, name: str, count: int
+) -> None:
+    text = (
+        "IncludeLaunchDescription(\n"
+        "    get_package_share_directory('slam_toolbox') + '/launch/online_async_launch.py',\n"
+        f"    launch_arguments={{'slam_params_file': '{tmp_path}/slam.yaml'}}.items(),\n)\n"
+    )
+    files = {"slam.yaml": f"{name}: {{ros__parameters: {{mode: mapping}}}}\n"}
+    found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
+    assert len(found) == count
+    assert all("the node is called 'slam_toolbox'" in one.message for one in found)

@@ -19,12 +19,12 @@ NAN = float("nan")
     ("name", "data", "reason", "help_"),
     [
         ("hokuyo.dae", b"", "is empty", COPY),
-        ("a.stl", made.binary_stl([]), "holds no triangles", COPY),
-        ("a.dae", b"\x01\0", "is of no known mesh format (it begins with 01 00)", COPY),
+        ("a.stl", made.binary_stl([]), "contains no triangles", COPY),
+        ("a.dae", b"\x01\0", "is not in a known mesh format (begins with 01 00)", COPY),
         (
             "a.obj",
             made.obj() + b"f 1 2 9\n",
-            "names vertex 9 in line 9 and holds 4 vertices",
+            "refers to vertex 9 in line 9, but has 4 vertices",
             COPY,
         ),
         (
@@ -39,8 +39,8 @@ NAN = float("nan")
             "is a Git LFS pointer: the mesh of 684 bytes itself has not been fetched",
             "run git lfs pull",
         ),
-        ("a.stl", b"404: Not Found", "is text of no mesh format: '404: Not Found'", GET),
-        ("a.stl", made.binary_stl()[:-1], "declares 4 triangles and holds 3", DOWNLOAD),
+        ("a.stl", b"404: Not Found", "is text, not in a mesh format: '404: Not Found'", GET),
+        ("a.stl", made.binary_stl()[:-1], "declares 4 triangles and contains 3", DOWNLOAD),
         ("a.glb", made.glb()[:8], "ends after 8 bytes, inside its header", DOWNLOAD),
     ],
 )
@@ -73,7 +73,7 @@ def test_vertices_that_are_not_finite(tmp_path: Path, name: str, data: bytes, wh
 
 def test_triangles_of_a_ply_file_that_are_not_finite(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, CODE, link(mesh("a.ply")), {"a.ply": made.ascii_ply("nan 0 0")})
-    assert "1 triangle with a coordinate that is no finite number" in found.message
+    assert "1 triangle with a coordinate that is not finite" in found.message
 
 
 @pytest.mark.parametrize(("form", "suffix"), made.SOUND)
@@ -104,7 +104,7 @@ class TestPartlyBroken:
         bad = collada().replace(b"<p>0 1 2</p>", b"<p>0 1 7</p>")
         (found,) = reported(tmp_path, CODE, link(mesh("a.dae")), {"a.dae": bad})
         assert found.severity is Severity.WARNING
-        assert "'a.dae' holds no triangles" in found.message
+        assert "'a.dae' contains no triangles" in found.message
 
     @pytest.mark.parametrize(("role", "number"), [("visual", 1), ("collision", 0)])
     def test_the_appearance_of_a_collision(self, tmp_path: Path, role: str, number: int) -> None:

@@ -67,3 +67,22 @@ def test_gltf_is_reported_once(tmp_path: Path) -> None:
 
 def test_a_broken_gltf_is_not_reported(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH013", link(mesh("a.glb")), {"a.glb": glb()[:-1]}) == []
+
+
+@pytest.mark.parametrize("role", ["visual", "collision"])
+@pytest.mark.parametrize(
+    ("name", "data", "targets", "count"),
+    [
+        ("a.dae", INCH, ("mujoco",), 0),
+        ("a.dae", INCH, ("drake",), 0),
+        ("a.dae", INCH, ("mujoco", "pinocchio"), 1),
+        ("a.dae", collada("<up_axis>Y_UP</up_axis>"), ("mujoco",), 0),
+        ("a.glb", glb(), ("mujoco",), 0),
+        ("a.glb", glb(), ("ros2",), 1),
+    ],
+)
+def test_a_file_that_no_target_loads(
+    tmp_path: Path, role: str, name: str, data: bytes, targets: tuple[str, ...], count: int
+) -> None:
+    robot = link(mesh(name, role))
+    assert len(reported(tmp_path, "MSH013", robot, {name: data}, targets)) == count

@@ -14,7 +14,7 @@ def test_what_was_searched_and_how_to_name_it() -> None:
     assert found.message.startswith(start)
     assert "AMENT_PREFIX_PATH" in found.message
     assert "ROS_PACKAGE_PATH" in found.message
-    assert found.help == "name its directory: --package lost_description=DIR"
+    assert found.help == "pass its directory: --package lost_description=DIR"
 
 
 def test_what_follows_from_it_is_not_reported() -> None:

@@ -27,14 +27,14 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             '<link name="${a}"/><xacro:property name="a" value="1"/>',
             "${a}",
             "name 'a' is not defined in ${a}",
-            "'a' is defined further down, at robot.xacro:2:20: move its definition above the use",
+            "'a' is defined later, at robot.xacro:2:20: move its definition above the use",
         ),
         ('<link name="${1/0}"/>', "${1/0}", "division by zero in ${1/0}", ""),
         (
             '<link name="${1 +}"/>',
             "${1 +}",
             "not an expression: invalid syntax in ${1 +}",
-            "write it as Python would read it",
+            "write a valid Python expression",
         ),
         ('<link name="${1"/>', "${1", "'${1' is never closed", "write the missing '}'"),
         ('<link name="$(arg"/>', "$(arg", "'$(arg' is never closed", "write the missing ')'"),
@@ -60,19 +60,19 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             f"{MACRO}<xacro:m><x/></xacro:m>",
             "xacro:m",
             "macro 'm' is called without a",
-            "give every parameter without a default",
+            "pass every parameter without a default",
         ),
         (
             f'{MACRO}<xacro:m a="1"/>',
             "xacro:m",
             "macro 'm' is called without an element for *c",
-            "put an element for each of *c into the call",
+            "add an element for each of *c to the call",
         ),
         (
             f'{MACRO}<xacro:m a="1"><x/><y/></xacro:m>',
             "xacro:m",
             "macro 'm' has no block parameter for <y>",
-            "delete it, or give the macro a parameter with * for it",
+            "delete it, or add a parameter with * to the macro",
         ),
         (
             '<xacro:insert_block name="z"/>',
@@ -89,7 +89,7 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
         (
             '<xacro:property name="x" scope="parent" value="1"/>',
             "parent",
-            'scope="parent" stands outside of every macro, where there is no parent',
+            'scope="parent" is used outside of a macro, where there is no parent scope',
             "delete the scope",
         ),
         (
@@ -113,17 +113,17 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
         (
             '<xacro:if value="0"><xacro:property name="a" value="1"/></xacro:if>',
             '<link name="${a}"/>',
-            "'a' is defined at robot.xacro:2:21, but the <xacro:if> around it does not hold",
+            "'a' is defined at robot.xacro:2:21, but the enclosing <xacro:if> is not expanded",
         ),
         (
             '<xacro:macro name="m"><xacro:property name="a" value="1"/></xacro:macro><xacro:m/>',
             '<link name="${a}"/>',
-            "'a' is defined at robot.xacro:2:23, and known in that macro only",
+            "'a' is defined at robot.xacro:2:23, but only inside that macro",
         ),
         (
             "<xacro:m/>",
             '<xacro:macro name="m"><link name="w"/></xacro:macro>',
-            "'m' is defined further down, at robot.xacro:3:1: move its definition above the use",
+            "'m' is defined later, at robot.xacro:3:1: move its definition above the use",
         ),
     ],
     ids=["condition", "macro", "later"],
@@ -142,7 +142,7 @@ def test_a_macro_of_a_file_that_another_macro_includes(tmp_path: Path) -> None:
         xacro(f'<xacro:macro name="base">{include}</xacro:macro><xacro:base/><xacro:steering/>')
     )
     (found,) = check(robot, select=["XAC001"]).diagnostics
-    assert found.help.endswith("and known in the macro that includes it only")
+    assert found.help.endswith("but only inside the macro that includes it")
 
 
 def test_all_errors_are_reported_each_at_its_place() -> None:

@@ -19,7 +19,7 @@ def test_one_finding_per_argument_with_its_uses() -> None:
 def test_the_help_names_the_others_with_their_defaults() -> None:
     body = '<xacro:arg name="side" default="left"/><link name="$(arg prefix)$(arg side)"/>'
     (found,) = reported("XAC010", body)
-    assert found.help == "pass it: prefix:=VALUE; the others: side (default left)"
+    assert found.help == "pass it: prefix:=VALUE; other arguments: side (default left)"
 
 
 def test_a_typo_in_what_was_given_is_named() -> None:
@@ -57,7 +57,7 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     )
     (found,) = told_of("XAC010", tmp_path / "robot.xacro")
     assert (found.span.line, found.span.text) == (2, "ur5x")
-    assert found.message.startswith("argument 'kind' must be given")
+    assert found.message.startswith("argument 'kind' is required")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     (tmp_path / "config" / "ur5e" / "b.yaml").write_text("x: 1\n")
     for arguments in ({"kind": "ur5e"}, {}):  # a directory in which all files are there is a value
@@ -73,7 +73,7 @@ def test_a_path_that_is_empty_unless_given(tmp_path: Path) -> None:
         """value="$(arg speeds)"/><link name="a${xacro.load_yaml(file)['x']}"/>""",
     )
     (found,) = told_of("XAC010", tmp_path / "robot.xacro")
-    assert found.message.startswith("argument 'speeds' must be given: with its default ''")
+    assert found.message.startswith("argument 'speeds' is required: with its default ''")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     (tmp_path / "a.yaml").write_text("x: 1\n")
     assert told_of("XAC010", tmp_path / "robot.xacro", speeds="a.yaml") == []

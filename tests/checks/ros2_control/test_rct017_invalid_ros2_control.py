@@ -258,9 +258,18 @@ def test_numbers_and_parameters_of_others(name: str, value: str) -> None:
             '<state_interface size="0" name="position"',
             "warning",
         ),
+        ('<ros2_control name="c"', '<ros2_control is_async="maybe" name="c"', "warning"),
+        ('<ros2_control name="c"', '<ros2_control is_async="True" name="c"', ""),
+        ('<command_interface name="on"', '<command_interface data_type="boll" name="on"', ""),
+        (
+            '<command_interface name="on"',
+            '<command_interface data_type="booll" name="on"',
+            "warning",
+        ),
+        ('<command_interface name="on"', '<command_interface data_type="int64" name="on"', ""),
     ],
 )
-def test_attributes_that_are_numbers(old: str, new: str, severity: str) -> None:
+def test_attributes_with_invalid_values(old: str, new: str, severity: str) -> None:
     assert old in GOOD
     found = reported("RCT017", GOOD.replace(old, new, 1))
     assert [one.severity.value for one in found] == [severity][: bool(severity)]

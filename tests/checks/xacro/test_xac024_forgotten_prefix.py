@@ -60,3 +60,105 @@ def test_a_macro_that_adds_the_prefix_itself(tmp_path: Path) -> None:
         f'<child link="{P}${{side}}"/></joint></xacro:macro><xacro:wheel side="rim"/>'
     )
     assert reported(tmp_path, "", f"{P}base", extra) == []
+
+
+def renamed(directory: Path, name: str, default: str, given: dict[str, str]) -> list[str]:
+    """Findings of a robot with a forgotten prefix, whose prefix is an argument of any name."""
+    prefix = f"$(arg {name})"
+    text = xacro_xml(
+        f'<xacro:arg name="{name}" default="{default}"/><xacro:arg name="mesh" default=""/>',
+        f'<link name="{prefix}base"/><link name="{prefix}tip"/>',
+        f'<joint name="{prefix}end" type="fixed"><parent link="base"/>',
+        f'<child link="{prefix}tip"/></joint>',
+    )
+    path = directory / "r.urdf.xacro"
+    path.write_text(text)
+    return [one.help for one in check(path, arguments=given, select=["XAC024"]).diagnostics]
+
+
+def test_a_prefix_of_another_name(tmp_path: Path) -> None:
+    assert renamed(tmp_path, "robot_ns", "", {}) == ["write ${robot_ns}base"]
+
+
+@pytest.mark.parametrize(("default", "value", "count"), [("", "", 1), ("a_", "", 1), ("", "a_", 0)])
+def test_a_prefix_that_is_given(tmp_path: Path, default: str, value: str, count: int) -> None:
+    assert len(renamed(tmp_path, "prefix", default, {"prefix": value})) == count
+
+
+CAMERA = (
+    '<link name="camera"/>'
+    '<joint name="c" type="fixed"><parent link="base"/><child link="camera"/></joint>'
+)
+LIGHT = (
+    '<link name="light"/>'
+    '<joint name="l" type="fixed"><parent link="camera"/><child link="light"/></joint>'
+)
+IF = '<xacro:if value="{}">{}</xacro:if>'
+
+
+def broken(directory: Path, content: str, default: str = "true") -> list[tuple[str, str]]:
+    """Findings of a robot with a boolean argument: severities and messages."""
+    text = xacro_xml(
+        f'<xacro:arg name="with" default="{default}"/><xacro:arg name="sim" default="true"/>',
+        '<xacro:property name="has" value="$(arg with)"/><link name="base"/>',
+        content,
+    )
+    path = directory / "r.urdf.xacro"
+    path.write_text(text)
+    report = check(path, select=["XAC024"])
+    assert report.crashed == ()
+    return [(one.severity.name.lower(), one.message) for one in report.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("default", "content", "other"),
+    [
+        ("true", IF.format("${has}", CAMERA) + LIGHT, "false"),
+        ("true", IF.format("$(arg with)", CAMERA) + LIGHT, "false"),
+        ("false", IF.format("${not has}", CAMERA) + LIGHT, "true"),
+        ("false", IF.format("${has}", CAMERA).replace("if", "unless") + LIGHT, "true"),
+        ("true", IF.format("${has}", CAMERA) + IF.format("${has}", LIGHT), ""),
+        ("true", IF.format("${has}", CAMERA) + IF.format("$(arg with)", LIGHT), ""),
+        ("true", CAMERA + LIGHT, ""),
+        # The light has a switch of its own, and may be switched off with the camera.
+        ("true", IF.format("${has}", CAMERA) + IF.format("${1 == 1}", LIGHT), ""),
+        (
+            "true",
+            IF.format("${has}", CAMERA) + IF.format("${not has}", '<link name="camera"/>') + LIGHT,
+            "",
+        ),
+    ],
+)
+def test_a_parent_behind_a_condition(
+    tmp_path: Path, default: str, content: str, other: str
+) -> None:
+    message = f"there is no 'camera' if with is {other}, but <parent> names it"
+    assert broken(tmp_path, content, default) == [("warning", message)] * bool(other)
+
+
+def test_a_block_of_gazebo_outside_of_a_condition(tmp_path: Path) -> None:
+    block = '<gazebo reference="camera"><sensor name="s" type="camera"/></gazebo>'
+    (found,) = broken(tmp_path, IF.format("${has}", CAMERA) + IF.format("$(arg sim)", block))
+    assert found[0] == "info"
+    assert found[1].endswith("<gazebo> names it: Gazebo ignores it")
+
+
+def test_a_joint_of_ros2_control_outside_of_a_condition(tmp_path: Path) -> None:
+    block = '<ros2_control name="s" type="system"><joint name="c"/></ros2_control>'
+    (found,) = broken(tmp_path, IF.format("${has}", CAMERA) + block)
+    assert found == ("warning", "there is no 'c' if with is false, but <joint> names it")
+
+
+def test_a_condition_around_the_call_of_a_macro(tmp_path: Path) -> None:
+    macro = f'<xacro:macro name="camera" params="">{CAMERA}</xacro:macro>'
+    call = IF.format("${has}", "<xacro:camera/>")
+    assert broken(tmp_path, macro + call + IF.format("${has}", LIGHT)) == []
+    assert len(broken(tmp_path, macro + call + LIGHT)) == 1
+
+
+def test_several_joints_of_one_block(tmp_path: Path) -> None:
+    joints = '<joint name="c"/><joint name="d"/>'
+    arm = CAMERA + CAMERA.replace("camera", "arm").replace('"c"', '"d"')
+    block = f'<ros2_control name="s" type="system">{joints}</ros2_control>'
+    (found,) = broken(tmp_path, IF.format("${has}", arm) + block)
+    assert found[1].endswith("but <joint> names it; 1 more in the same block")

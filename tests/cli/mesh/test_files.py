@@ -38,7 +38,7 @@ def test_info(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = capsys.readouterr().out
     assert "closed, a solid" in text
     assert f"{trimesh.load_mesh(ball).volume * 1e6:.6g} cm^3" in text
-    assert "declares 12 triangles and holds 6; 6 of 12 triangles are left" in text
+    assert "declares 12 triangles and contains 6; 6 of 12 triangles are readable" in text
     assert all(len(line) <= 80 for line in text.splitlines()[1:])
     assert main(["mesh", "info", "--format", "json", str(ball)]) == 0
     (found,) = json.loads(capsys.readouterr().out)["meshes"]
@@ -94,5 +94,5 @@ def test_repair_of_a_broken_file(tmp_path: Path, capsys: pytest.CaptureFixture[s
     out = tmp_path / "cube.stl"
     assert main(["mesh", "repair", str(BAD / "truncated.stl"), "-o", str(out)]) == 0
     assert trimesh.load_mesh(out).volume == pytest.approx(0.05**3)
-    assert "the file declares 12 triangles and holds 6" in capsys.readouterr().out
+    assert "the file declares 12 triangles and contains 6" in capsys.readouterr().out
     assert main(["mesh", "repair", str(BAD / "empty.dae")]) == 2

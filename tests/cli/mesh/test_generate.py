@@ -29,7 +29,7 @@ def test_one_mesh(model: Path, capsys: pytest.CaptureFixture[str]) -> None:
         capsys.readouterr().out.split()
     )
     assert main(words) == 2
-    assert capsys.readouterr().err.endswith("is a good mesh already; --force replaces it\n")
+    assert capsys.readouterr().err.endswith("is a valid mesh; use --force to replace it\n")
     assert main([*words, "--force"]) == 0
     assert mesh.read_bytes() == first, "the same mesh is the same file"
 

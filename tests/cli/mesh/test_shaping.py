@@ -66,7 +66,7 @@ def test_pieces_are_written_all_or_none(angle: Path, capsys: pytest.CaptureFixtu
     assert main(words) == 0  # nothing is written to the name itself
     angle.with_name("angle_1.stl").unlink()
     assert main(words) == 2
-    assert "angle_2.stl is a good mesh already" in capsys.readouterr().err
+    assert "angle_2.stl is a valid mesh" in capsys.readouterr().err
     assert not angle.with_name("angle_1.stl").exists()
 
 

@@ -6,6 +6,7 @@ PACKAGE = "newton"
 MODULE = "newton"
 
 CAUSES = {
+    "XML declaration not well-formed": ("XML declaration", "XML007"),
     "not found in URDF": ("unknown link", "REF001"),
     "could not convert string": ("number", "URD005"),
     "Multiple joints lead": ("two parents", "TRE004 NAM001"),

@@ -35,7 +35,7 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.ascii_stl([]), DefectKind.EMPTY, "holds no triangles"),
+        (made.ascii_stl([]), DefectKind.EMPTY, "contains no triangles"),
         (SOUND[:-15], DefectKind.TRUNCATED, "ends after 4 triangles, without 'endsolid'"),
         (SOUND[:220], DefectKind.TRUNCATED, "ends after 1 triangle, without 'endsolid'"),
         (SOUND[:40], DefectKind.TRUNCATED, "ends before its first triangle, without 'endsolid'"),
@@ -57,7 +57,7 @@ def test_sound_files(data: bytes) -> None:
         (
             SOUND.replace(b"      vertex 0 1 0\n", b"", 1),
             DefectKind.UNREADABLE,
-            "holds 4 triangles and only 11 corners",
+            "has 4 triangles and only 11 corners",
         ),
     ],
 )

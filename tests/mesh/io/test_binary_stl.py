@@ -28,30 +28,30 @@ def test_the_size_tells_whatever_the_header_says(header: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.binary_stl([]), DefectKind.EMPTY, "holds no triangles"),
-        (SOUND[:-1], DefectKind.TRUNCATED, "declares 4 triangles and holds 3"),
-        (SOUND[:84], DefectKind.TRUNCATED, "declares 4 triangles and holds 0"),
+        (made.binary_stl([]), DefectKind.EMPTY, "contains no triangles"),
+        (SOUND[:-1], DefectKind.TRUNCATED, "declares 4 triangles and contains 3"),
+        (SOUND[:84], DefectKind.TRUNCATED, "declares 4 triangles and contains 0"),
         (
             made.binary_stl(made.TETRAHEDRON[:1])[:-1],
             DefectKind.TRUNCATED,
-            "declares 1 triangle and holds 0",
+            "declares 1 triangle and contains 0",
         ),
         (SOUND[:83], DefectKind.TRUNCATED, "ends after 83 of the 84 bytes of a binary STL header"),
         (
             b"VCG \xcd\x01\x0b" + SOUND[7:-1],
             DefectKind.TRUNCATED,
-            "declares 4 triangles and holds 3",
+            "declares 4 triangles and contains 3",
         ),
-        (SOUND + b"\n", DefectKind.TRUNCATED, "holds 1 byte beyond the 4 triangles it declares"),
+        (SOUND + b"\n", DefectKind.TRUNCATED, "has 1 byte after the declared 4 triangles"),
         (
             SOUND[:80] + b"\0\0\0\0" + SOUND[84:],
             DefectKind.TRUNCATED,
-            "holds 200 bytes beyond the 0 triangles it declares",
+            "has 200 bytes after the declared 0 triangles",
         ),
         (
             made.binary_stl(header=b"solid x")[:-50],
             DefectKind.TRUNCATED,
-            "declares 4 triangles and holds 3",
+            "declares 4 triangles and contains 3",
         ),
     ],
 )
@@ -89,7 +89,7 @@ def test_normals_may_be_anything_and_coordinates_large() -> None:
 def test_a_part_of_a_file_can_be_not_finite_too() -> None:
     data = made.binary_stl([((nan, 0, 0), (0, 1, 0), (1, 0, 0)), made.TETRAHEDRON[0]])
     defect, not_finite = judged(data[:-10])
-    assert defect == Defect(DefectKind.TRUNCATED, "declares 2 triangles and holds 1")
+    assert defect == Defect(DefectKind.TRUNCATED, "declares 2 triangles and contains 1")
     assert not_finite == "corner 1 of triangle 1 is (nan, 0, 0)"
 
 

@@ -47,33 +47,33 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.collada(faces=0), DefectKind.EMPTY, "holds no triangles"),
-        (changed("triangles", "lines"), DefectKind.EMPTY, "holds no triangles, only lines"),
+        (made.collada(faces=0), DefectKind.EMPTY, "contains no triangles"),
+        (changed("triangles", "lines"), DefectKind.EMPTY, "contains no triangles, only lines"),
         (
             b'\n<?xml version="1.0"?>\n<COLLADA><a></b></COLLADA>',
             DefectKind.UNREADABLE,
             "is not well-formed XML: mismatched tag in line 3",
         ),
-        (b"<COLLADA></COLLADA>", DefectKind.EMPTY, "holds no triangles"),
+        (b"<COLLADA></COLLADA>", DefectKind.EMPTY, "contains no triangles"),
         (
             changed('<instance_geometry url="#part"/>', ""),
             DefectKind.EMPTY,
-            "holds geometry, but its scene shows none of it",
+            "contains geometry, but no instance of it in its scene",
         ),
         (
             changed('<instance_visual_scene url="#scene"/>', ""),
             DefectKind.EMPTY,
-            "holds geometry, but no <scene> that shows it",
+            "contains geometry, but no <scene> that refers to it",
         ),
         (
             changed('source="#positions"', 'source="#elsewhere"'),
             DefectKind.UNREADABLE,
-            "refers in <input> to '#elsewhere', which is not in it",
+            "refers in <input> to '#elsewhere', which does not exist",
         ),
         (
             changed('url="#part"', 'url="#other"'),
             DefectKind.UNREADABLE,
-            "refers in <instance_geometry> to '#other', which is not in it",
+            "refers in <instance_geometry> to '#other', which does not exist",
         ),
         (
             changed("</technique_common>\n        </source>", "</source>"),

@@ -17,7 +17,7 @@ GLB = made.glb()
         (
             GLB[:4] + struct.pack("<I", 1) + GLB[8:],
             DefectKind.UNREADABLE,
-            "is GLB of version 1; readers know version 2",
+            "is GLB version 1; parsers support version 2",
         ),
         (GLB[:16] + b"BIN\0" + GLB[20:], DefectKind.UNREADABLE, "does not begin with a JSON chunk"),
         (
@@ -29,9 +29,9 @@ GLB = made.glb()
         (
             made.glb(made.gltf(asset={"version": "1.0"})),
             DefectKind.UNREADABLE,
-            "is glTF of version 1.0; readers know version 2",
+            "is glTF version 1.0; parsers support version 2",
         ),
-        (made.glb(made.gltf(meshes=[])), DefectKind.EMPTY, "holds no triangles"),
+        (made.glb(made.gltf(meshes=[])), DefectKind.EMPTY, "contains no triangles"),
     ],
 )
 def test_broken_containers(data: bytes, kind: DefectKind, reason: str) -> None:
@@ -41,9 +41,9 @@ def test_broken_containers(data: bytes, kind: DefectKind, reason: str) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.gltf(meshes=[]), DefectKind.EMPTY, "holds no triangles"),
-        (made.gltf(meshes=None), DefectKind.EMPTY, "holds no triangles"),
-        (made.gltf(meshes=[{}, 1]), DefectKind.EMPTY, "holds no triangles"),
+        (made.gltf(meshes=[]), DefectKind.EMPTY, "contains no triangles"),
+        (made.gltf(meshes=None), DefectKind.EMPTY, "contains no triangles"),
+        (made.gltf(meshes=[{}, 1]), DefectKind.EMPTY, "contains no triangles"),
         (b'{"asset"', DefectKind.TRUNCATED, "ends inside its JSON"),
         (b'{"asset": "2.', DefectKind.TRUNCATED, "ends inside a text of its JSON"),
         (b'{"asset": {}\n,}', DefectKind.UNREADABLE, "is not JSON: "),

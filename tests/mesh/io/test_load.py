@@ -52,7 +52,7 @@ def test_the_name_of_a_solid_is_no_corner(tmp_path: Path) -> None:
 def test_corners_that_are_not_finite_are_reported(tmp_path: Path) -> None:
     far = ((0.0, 0.0, 0.0), (NAN, 0.0, 0.0), (0.0, 1.0, 0.0))
     mesh = load(write(tmp_path, "a.stl", made.binary_stl([*made.TETRAHEDRON, far])))
-    assert mesh.losses == ("1 triangle with a coordinate that is no finite number",)
+    assert mesh.losses == ("1 triangle with a coordinate that is not finite",)
     assert mesh.faces.shape == (4, 3)
     assert np.isfinite(mesh.vertices).all()
 
@@ -67,12 +67,12 @@ def test_colours_of_a_binary_stl(tmp_path: Path) -> None:
     ("data", "reason"),
     [
         (b"", "is empty"),
-        (made.binary_stl()[:-1], "declares 4 triangles and holds 3"),
-        (made.binary_stl() + b"x", "holds 1 byte beyond the 4 triangles it declares"),
+        (made.binary_stl()[:-1], "declares 4 triangles and contains 3"),
+        (made.binary_stl() + b"x", "has 1 byte after the declared 4 triangles"),
         (made.ascii_stl()[:-14], "ends after 4 triangles, without 'endsolid'"),
         (b"version https://git-lfs.github.com/spec/v1\n", "is a Git LFS pointer: the mesh itself"),
         (b"<html><title>404</title>", "is a web page: '404'"),
-        (b"ISO-10303-21;", "is STEP, which is not read"),
+        (b"ISO-10303-21;", "is STEP, which is not supported"),
     ],
 )
 def test_what_cannot_be_loaded(tmp_path: Path, data: bytes, reason: str) -> None:
@@ -85,10 +85,10 @@ def test_what_cannot_be_loaded(tmp_path: Path, data: bytes, reason: str) -> None
 
 def test_what_is_no_file(tmp_path: Path) -> None:
     for path, reason in (
-        (tmp_path, "is no regular file"),
+        (tmp_path, "is not a regular file"),
         (tmp_path / "none.stl", "file not found"),
-        (tmp_path / "a\0.stl", "cannot be read: its name holds a NUL"),
-        (Path("/dev/zero"), "is no regular file"),
+        (tmp_path / "a\0.stl", "cannot be read: its name contains a NUL"),
+        (Path("/dev/zero"), "is not a regular file"),
     ):
         with pytest.raises(UnloadableMesh) as caught:
             load(path)
@@ -101,13 +101,13 @@ def test_a_large_file_is_not_read(tmp_path: Path) -> None:
         file.truncate(200 * 1024**2)  # takes no room on the disk
     with pytest.raises(UnloadableMesh) as caught:
         load(path)
-    assert caught.value.reason == "has 200 MiB, more than the 128 read"
+    assert caught.value.reason == "is too large: 200 MiB > 128 MiB"
 
 
 def test_what_is_left_of_a_truncated_file(tmp_path: Path) -> None:
     mesh = salvage(write(tmp_path, "a.stl", made.binary_stl()[:-1]))
     assert mesh.faces.shape == (3, 3)
-    assert mesh.losses == ("1 triangle that the file declares and does not hold",)
+    assert mesh.losses == ("1 declared triangle missing from the file",)
     mesh = salvage(write(tmp_path, "b.stl", made.ascii_stl()[:-60]))
     assert mesh.faces.shape == (3, 3)
     with pytest.raises(UnloadableMesh):

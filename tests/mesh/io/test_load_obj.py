@@ -115,9 +115,9 @@ def test_materials_that_are_missing(tmp_path: Path) -> None:
         ("f 1 2 3\nf 1 2 x\n", ("1 triangle with a vertex that is not in the file",)),
         ("vn 0 0 1\nf 1//1 2//1 3//7\n", ("1 surface whose normals are not in the file",)),
         ("v nan 0 0\nf 1 2 3\nf 1 2 5\n",
-         ("1 triangle with a coordinate that is no finite number",)),
+         ("1 triangle with a coordinate that is not finite",)),
         ("v 1 2\nf 1 2 3\nf 1 2 5\n",
-         ("1 triangle with a coordinate that is no finite number",)),
+         ("1 triangle with a coordinate that is not finite",)),
         ("f 1 2 3\nf 1 2\nf\n", ()),
     ],
 )  # fmt: skip
@@ -130,5 +130,5 @@ def test_one_defect_loses_nothing_else(tmp_path: Path, text: str, losses: tuple[
 
 def test_what_is_no_triangle(tmp_path: Path) -> None:
     assert read(tmp_path, f"{SQUARE}l 1 2\nl 2 3\nf 1 2 3\n").extras == ("2 lines",)
-    with pytest.raises(UnloadableMesh, match="holds no triangles"):
+    with pytest.raises(UnloadableMesh, match="contains no triangles"):
         read(tmp_path, f"{SQUARE}f 0 0 0\nf 1 2\n")

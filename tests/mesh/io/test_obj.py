@@ -32,18 +32,18 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (b"# only a comment\n", DefectKind.EMPTY, "holds no faces (number of vertices: 0)"),
-        (b"v 0 0 0\nv 1 0 0\n", DefectKind.EMPTY, "holds no faces (number of vertices: 2)"),
+        (b"# only a comment\n", DefectKind.EMPTY, "contains no faces (number of vertices: 0)"),
+        (b"v 0 0 0\nv 1 0 0\n", DefectKind.EMPTY, "contains no faces (number of vertices: 2)"),
         (SOUND + b"f 1 2", DefectKind.TRUNCATED, "ends inside a face: 'f 1 2'"),
         (
             SOUND.replace(b"f 1/1 2/1 4/1", b"f 1/1 2/1 5/1"),
             DefectKind.UNREADABLE,
-            "names vertex 5 in line 8 and holds 4 vertices",
+            "refers to vertex 5 in line 8, but has 4 vertices",
         ),
         (
             SOUND.replace(b"f 1/1 2/1 4/1", b"f -1 -2 -5"),
             DefectKind.UNREADABLE,
-            "names vertex 5 in line 8 and holds 4 vertices",
+            "refers to vertex 5 in line 8, but has 4 vertices",
         ),
     ],
 )

@@ -33,26 +33,26 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (ASCII.replace(b"face 1", b"face 0"), DefectKind.EMPTY, "holds no triangles"),
-        (ASCII.replace(b"vertex 3", b"vertex 0"), DefectKind.EMPTY, "holds no triangles"),
+        (ASCII.replace(b"face 1", b"face 0"), DefectKind.EMPTY, "contains no triangles"),
+        (ASCII.replace(b"vertex 3", b"vertex 0"), DefectKind.EMPTY, "contains no triangles"),
         (ASCII[:90], DefectKind.TRUNCATED, "ends inside its header"),
         (ASCII[:-3], DefectKind.TRUNCATED, "ends inside its last line"),
-        (ASCII[:-12], DefectKind.TRUNCATED, "declares 4 vertices, faces and the like and holds 3"),
+        (ASCII[:-12], DefectKind.TRUNCATED, "declares 4 elements and contains 3"),
         (BINARY[:-1], DefectKind.TRUNCATED, "needs 49 bytes after its header and has 48"),
         (
             ASCII.replace(b"ascii", b"text"),
             DefectKind.UNREADABLE,
-            "has the format 'text', which PLY does not know",
+            "has the format 'text', which PLY does not define",
         ),
         (
             ASCII.replace(b"float z", b"real z"),
             DefectKind.UNREADABLE,
-            "has the property 'z real', which PLY does not know",
+            "has the property 'z real', which PLY does not define",
         ),
         (
             ASCII.replace(b"list uchar", b"list float"),
             DefectKind.UNREADABLE,
-            "has the property 'vertex_indices int float', which PLY does not know",
+            "has the property 'vertex_indices int float', which PLY does not define",
         ),
         (
             ASCII.replace(b"end_header", b"comment " + b"x" * 70_000),

@@ -57,7 +57,7 @@ def test_other_formats_are_recognised_and_left_alone(data: bytes, form: str) -> 
     ("data", "reason"),
     [
         (b"", "is empty"),
-        (b" \n\t\r\n", "holds nothing but white space"),
+        (b" \n\t\r\n", "contains only white space"),
     ],
 )
 def test_empty_files(data: bytes, reason: str) -> None:
@@ -88,7 +88,7 @@ LFS = b"version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 404858
         (b"\x1f\x8b\x08\0", "is a gzip archive"),
         (b"<?xml version='1.0'?>\n<robot name='a'/>", "is XML with the root element <robot>"),
         (b"<Error><Code>AccessDenied</Code></Error>", "is XML with the root element <Error>"),
-        (b"404: Not Found", "is text of no mesh format: '404: Not Found'"),
+        (b"404: Not Found", "is text, not in a mesh format: '404: Not Found'"),
         (b'{"message": "Not Found"}', "is JSON, but not glTF"),
     ],
 )
@@ -104,10 +104,10 @@ def test_a_zip_archive_that_is_no_mesh() -> None:
 @pytest.mark.parametrize(
     ("data", "reason"),
     [
-        (b"<<<<<<< HEAD\nsolid a\n=======\n", "holds the two sides of a merge conflict"),
-        (b"\x01" * 90, "is of no known mesh format (it begins with 01 01 01 01 01 01 01 01)"),
-        (b"\x01\0\xff", "is of no known mesh format (it begins with 01 00 ff)"),
-        (b"\x01\0" * 9, "is of no known mesh format (it begins with 01 00 01 00 01 00 01 00)"),
+        (b"<<<<<<< HEAD\nsolid a\n=======\n", "contains the markers of a merge conflict"),
+        (b"\x01" * 90, "is not in a known mesh format (begins with 01 01 01 01 01 01 01 01)"),
+        (b"\x01\0\xff", "is not in a known mesh format (begins with 01 00 ff)"),
+        (b"\x01\0" * 9, "is not in a known mesh format (begins with 01 00 01 00 01 00 01 00)"),
     ],
 )
 def test_unreadable_files(data: bytes, reason: str) -> None:
@@ -119,10 +119,10 @@ def test_files(tmp_path: Path) -> None:
     path.write_bytes(made.binary_stl()[:-1])
     assert sniff_file(str(path)) == sniff(made.binary_stl()[:-1], ".STL")
     for name, reason in (
-        (str(tmp_path), "is no regular file"),
-        (os.devnull, "is no regular file"),
+        (str(tmp_path), "is not a regular file"),
+        (os.devnull, "is not a regular file"),
         (str(tmp_path / "none.stl"), "file not found"),
-        ("a\0b", "cannot be read: its name holds a NUL"),
+        ("a\0b", "cannot be read: its name contains a NUL"),
     ):
         defect = sniff_file(name).defect
         assert defect is not None
@@ -135,7 +135,7 @@ def test_a_pipe_does_not_stop_the_program(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.stl")
     facts = sniff_file(str(tmp_path / "pipe.stl"))
     assert facts.defect is not None
-    assert facts.defect.reason == "is no regular file"
+    assert facts.defect.reason == "is not a regular file"
 
 
 def test_very_large_files_are_only_recognised(

@@ -34,7 +34,9 @@ def spoilt(name: str, kind: int) -> Mesh:
 
 @cache
 def repaired(name: str, kind: int) -> Repair:
-    with patch("urdfkit.mesh.repair.one_way", return_value=0.0):  # three quarters of the time
+    with patch(
+        "urdfkit.mesh.repair.directed_distance", return_value=0.0
+    ):  # three quarters of the time
         return repair(spoilt(name, kind))
 
 

@@ -198,6 +198,39 @@ def test_why_a_program_rejects_it_is_reported_where_it_was_written(
     assert (rejection.code, rejection.span.source.path) == ("INE003", str(robot))
 
 
+@pytest.mark.parametrize(
+    ("joint_child", "more", "rejecting"),
+    [
+        ("tip", "", []),
+        ("tip", '<link name="loose"/>', ["pybullet", "ros"]),  # a second root
+        ("nothing", '<link name="tip"/>', ["any", "mujoco", "pybullet", "ros", "web"]),
+    ],
+)
+def test_every_bundle_is_checked(
+    tmp_path: Path, joint_child: str, more: str, rejecting: list[str]
+) -> None:
+    text = (
+        f'<robot name="r"><link name="base">{INERTIAL}</link><link name="tip">{INERTIAL}</link>'
+        f'{more}<joint name="j" type="continuous"><parent link="base"/>'
+        f'<child link="{joint_child}"/></joint></robot>'
+    )
+    path = add_file(tmp_path / "robot.urdf", text.encode())
+    found = [
+        consumer
+        for consumer in ("any", "mujoco", "pybullet", "ros", "web")
+        if bundle(path, tmp_path / consumer, consumer=consumer)[1]
+    ]
+    assert found == rejecting
+
+
+def test_a_part_of_a_robot_is_not_bundled(tmp_path: Path) -> None:
+    text = '<robot><xacro:camera name="c"/><link name="mount"/></robot>'
+    path = add_file(tmp_path / "extras.urdf", text.encode())
+    with pytest.raises(UrdfkitError, match=r"extras\.urdf: is a part"):
+        bundle(path, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
 def test_a_package_for_ros_is_found_by_its_name(robot: Path, tmp_path: Path) -> None:
     made, _ = bundle(robot, tmp_path / "ws" / "arm_1", consumer="ros")
     assert made.urdf == "urdf/arm_1.urdf"

@@ -249,7 +249,7 @@ def test_actuators_are_those_of_ros2_control(
     assert actuator.ctrlrange.tolist() == range_
     at = f"ros2_control/c/joint/turn/command_interface/{interface}"
     assert parts[at] == f"kept: actuator for {interface}"
-    assert parts["ros2_control/c"].startswith("lost: ")
+    assert parts["ros2_control/c"].startswith("approximated: ")
 
 
 def test_followers_follow(tmp_path: Path) -> None:

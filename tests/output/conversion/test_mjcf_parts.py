@@ -1,6 +1,7 @@
 """What MJCF gets of meshes, materials, sensors, SRDFs, and fixed links."""
 
 import io
+import re
 from pathlib import Path
 
 import pytest
@@ -119,7 +120,7 @@ def test_the_material_that_a_link_has_in_gazebo(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("collision", "note"),
-    [("hull", "MuJoCo collides with its convex hull"), ("decompose", "mm outside of the mesh")],
+    [("hull", "mm outside of the mesh"), ("decompose", "mm outside of the mesh")],
 )
 def test_collision_meshes(collision: str, note: str, tmp_path: Path) -> None:
     model, parts = loaded(meshed(tmp_path), tmp_path / "o", collision=collision)
@@ -452,3 +453,122 @@ def test_wheels_are_driven_by_velocity(kind: str, bias: bool, tmp_path: Path) ->
     robot = arm(LIMIT, more=f"{control}</ros2_control>", kind=kind)
     model, _ = loaded(robot, tmp_path / "o")
     assert bool(model.actuator_biasprm[0, 1]) is bias  # one for positions pulls back
+
+
+FOLLOWER = (
+    f'<link name="finger">{INERTIAL}</link>'
+    '<joint name="follow" type="{kind}"><parent link="tip"/><child link="finger"/>'
+    '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1" jerk="2"/>'
+    '<dynamics damping="1"/>{mimic}</joint>'
+)
+
+
+@pytest.mark.parametrize(
+    ("kind", "leader", "reason"),
+    [
+        ("revolute", "x", "it leads to no joint that moves by itself: the joint moves freely"),
+        ("revolute", "follow", "it leads to no joint that moves by itself"),
+        ("planar", "turn", "a planar joint follows no other joint"),
+        ("fixed", "turn", "a fixed joint does not move"),
+    ],
+)
+def test_why_a_mimic_is_lost(kind: str, leader: str, reason: str, tmp_path: Path) -> None:
+    follower = FOLLOWER.format(kind=kind, mimic=f'<mimic joint="{leader}"/>')
+    _, parts = loaded(arm(LIMIT, more=follower), tmp_path / "o")
+    assert parts["joint/follow/mimic"].startswith(f"lost: {reason}")
+
+
+@pytest.mark.parametrize(
+    ("kind", "part", "reason"),
+    [
+        ("planar", "limit", "a planar joint has three motions"),
+        ("planar", "dynamics@damping", "a planar joint has three motions"),
+        ("floating", "axis", "a floating joint has none"),
+        ("revolute", "limit@jerk", "MuJoCo does not limit jerk"),
+    ],
+)
+def test_why_a_part_of_a_joint_is_lost(kind: str, part: str, reason: str, tmp_path: Path) -> None:
+    _, parts = loaded(arm(LIMIT, more=FOLLOWER.format(kind=kind, mimic="")), tmp_path / "o")
+    assert parts[f"joint/follow/{part}"].startswith(f"lost: {reason}")
+
+
+def test_only_what_is_written_is_kept(tmp_path: Path) -> None:
+    shapes = '<geometry><box size="1 1 1"/><sphere radius="1"/></geometry>'
+    tip = f"{INERTIAL}{INERTIAL}<collision>{shapes}</collision>"
+    tags = (
+        '<gazebo reference="tip"><mu1>1</mu1></gazebo><gazebo reference="tip"><mu1>2</mu1></gazebo>'
+        '<gazebo reference="base"><mu1>1</mu1><sensor name="gps" type="navsat"/></gazebo>'
+        '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+        '<joint name="turn"><hardwareInterface>PositionJointInterface</hardwareInterface></joint>'
+        "</transmission>"
+    )
+    robot = read(arm(LIMIT, tip=tip, more=tags))
+    found = convert(robot, tmp_path / "o")
+    notes = [(one.part, f"{one.result.value}: {one.note}") for one in found.entries]
+    parts = dict(notes)
+    assert parts["link/tip/inertial[2]"] == "lost: only the first <inertial> counts"
+    only = "lost: only the first shape of a <geometry> counts"
+    assert parts["link/tip/collision/geometry/sphere"] == only
+    assert [note for part, note in notes if part == "gazebo/tip/mu1"] == [
+        "lost: a later <gazebo> sets the friction",
+        "kept: friction",
+    ]
+    assert parts["gazebo/base/mu1"] == "lost: the link has no collision"
+    assert parts["gazebo/base/sensor/gps"] == (
+        "lost: urdfkit writes no sensor of MuJoCo for 'navsat'"
+    )
+    assert parts["transmission/t"] == "kept: actuator for position"
+    assert parts["transmission/t@name"] == "lost: urdfkit writes nothing for it"
+
+
+def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
+    """A corner of three plates, and a tetrahedron."""
+    corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n"
+    (tmp_path / "corner.obj").write_text(corner)
+    (tmp_path / "tetrahedron.obj").write_text(f"{corner}f 2 3 4\n")
+    collisions = "".join(
+        f'<collision><geometry><mesh filename="{name}.obj"/></geometry></collision>'
+        for name in ("corner", "tetrahedron")
+    )
+    (tmp_path / "arm.urdf").write_bytes(arm(LIMIT, tip=INERTIAL + collisions).data)
+    _, parts = loaded(tmp_path / "arm.urdf", tmp_path / "o")
+    note = parts["link/tip/collision/geometry/mesh"]
+    far = re.fullmatch(r"approximated: its convex hull collides, about (\d+) mm outside .*", note)
+    assert far is not None
+    assert 300 < int(far[1]) <= 334  # the middle of the open face is a third from each plate
+    whole = "kept: its convex hull collides, which equals it"
+    assert parts["link/tip/collision[2]/geometry/mesh"] == whole
+
+
+def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
+    """Gravity does not point along the axis of the joint, and flags change what is computed."""
+    block = (
+        '<mujoco><compiler balanceinertia="true" autolimits="true"/>'
+        '<option timestep="0.004" gravity="0 -3 1"><flag contact="disable" gravity="disable"/>'
+        '</option><size memory="10M" nuserdata="3"/></mujoco><mujoco_inputs><raw_inputs>'
+        '<option integrator="implicitfast"/><actuator/></raw_inputs></mujoco_inputs>'
+    )
+    outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')
+    model, parts = loaded(
+        arm('<axis xyz="0 1 0"/>' + LIMIT, tip=outwards, more=block), tmp_path / "o"
+    )
+    assert model.opt.gravity.tolist() == [0, -3, 1]
+    assert (model.opt.timestep, model.narena) == (0.004, 10 * 2**20)
+    assert model.opt.integrator == mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    assert model.opt.disableflags == (
+        mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_GRAVITY
+    )
+    masses = "lost: it changes masses, and the conversion writes those of the robot"
+    assert parts["mujoco/compiler@balanceinertia"] == masses
+    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/option@gravity"] == "kept: option"
+    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco_inputs/raw_inputs/option"] == "kept: option"
+    merged = "lost: mujoco_ros2_control merges it into the MJCF; urdfkit does not"
+    assert parts["mujoco_inputs/raw_inputs/actuator"] == merged
+
+
+def test_an_option_that_mujoco_rejects_is_an_error(tmp_path: Path) -> None:
+    block = '<mujoco><option step="1"/></mujoco>'
+    with pytest.raises(UrdfkitError, match="unrecognized attribute: 'step'; correct it"):
+        convert(read(arm(LIMIT, more=block)), tmp_path / "o")

@@ -1,7 +1,6 @@
 """SDF: what was written is the robot, and what libsdformat itself makes of the URDF."""
 
 import re
-import shutil
 import subprocess
 from collections.abc import Iterator
 from math import pi
@@ -14,6 +13,7 @@ from hypothesis import strategies as st
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
+from tests.gz_sdf import program
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
@@ -79,21 +79,6 @@ def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
 
 
 # What libsdformat makes of the URDF.
-
-
-def program() -> tuple[str, tuple[int, ...]]:
-    """The program of libsdformat and its version; skips where there is none."""
-    for name in ("gz", "ign"):
-        path = shutil.which(name)
-        if path is None:
-            continue
-        said = subprocess.run(
-            [path, "sdf", "--versions"], capture_output=True, text=True, check=False
-        )
-        versions = re.findall(r"\d+\.\d+\.\d+", said.stdout)
-        if versions:
-            return path, max(tuple(map(int, one.split("."))) for one in versions)
-    pytest.skip("the programs of libsdformat, 'gz sdf' and 'ign sdf', are not installed")
 
 
 def printed(path: str, file: Path) -> Element:

@@ -170,6 +170,17 @@ def test_small_rotations_of_shapes_are_kept(tmp_path: Path) -> None:
     assert proof.shapes < 1e-6
 
 
+def test_quaternions_of_urdf_1_1(tmp_path: Path) -> None:
+    quaternion = 'xyz="0 0 0.5" quat_xyzw="0.1 0.2 0.3 0.9"'
+    inertial = INERTIAL.replace('iyy="0.1"', 'iyy="0.12"')
+    inertial = inertial.replace("<inertial>", f"<inertial><origin {quaternion}/>")
+    robot = arm(LIMIT, tip=f"{inertial}<visual><origin {quaternion}/>{BOX}</visual>").data
+    robot = robot.replace(b'name="arm"', b'name="arm" version="1.1"')
+    robot = robot.replace(b'xyz="0 0 0.5"/>', quaternion.encode() + b"/>")
+    _, parts = loaded(Source("arm.urdf", robot), tmp_path / "o")
+    assert parts["link/tip/visual/origin@quat_xyzw"] == "kept: geometry"
+
+
 def test_a_warning_about_no_part_loses_no_part(tmp_path: Path) -> None:
     """A texture makes the converter warn of a function of its own that is deprecated."""
     Image.new("RGB", (2, 2)).save(tmp_path / "t.png")
@@ -192,6 +203,10 @@ def test_a_warning_about_no_part_loses_no_part(tmp_path: Path) -> None:
         (
             Source("r.urdf", arm().data.replace(b"0 0 0.5", b"0 0.5")),
             "xyz of <origin> is '0 0.5'; write 3 finite",
+        ),
+        (
+            Source("r.urdf", arm(LIMIT).data.replace(b' iyz="0"', b"")),
+            "link 'base': <inertia> has no iyz; write all six moments",
         ),
         (arm(LIMIT + '<mimic joint="m"/>'), "arm.urdf:4:152: urdf-usd-converter rejects the robot"),
         (Source("r.urdf", arm(LIMIT).data.replace(b' name="arm"', b"")), "<robot> has no name"),

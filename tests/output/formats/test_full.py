@@ -307,8 +307,8 @@ def test_skipped_rules_are_counted_by_reason() -> None:
         files=("a.urdf", "b.urdf"),
     )
     assert render(checked, width=300) == (
-        "no findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a xacro;"
-        " 4 files skipped: it makes no link; c.xacro, d.xacro skipped: it needs arguments;"
+        "no new findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a"
+        " xacro; 4 files skipped: it makes no link; c.xacro, d.xacro skipped: it needs arguments;"
         " 1 finding suppressed; 4 findings in the baseline)\n"
     )
 

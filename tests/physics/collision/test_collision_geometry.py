@@ -12,7 +12,7 @@ from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robo
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.samples import stl
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.bounds import apart
+from urdfkit.physics.collision.bounds import distance_bounds
 from urdfkit.physics.collision.collision_geometry import (
     CollisionGeometry,
     DistanceQuery,
@@ -104,7 +104,8 @@ def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> Non
     first, second = geometries(box(1, 0.4, 0.2), box(0.3, 0.3, 0.8))
     turns = rotations(400, 0)
     offsets = np.random.default_rng(1).normal(size=(400, 3)) * 0.6
-    bound = apart(first.half, second.half, first.radius + second.radius, turns, offsets, inf)
+    reach = first.radius + second.radius
+    bound = distance_bounds(first.half, second.half, reach, turns, offsets, inf)
     gauge = DistanceQuery(first, second)
     true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
     assert (bound <= np.maximum(true, 0) + 1e-9).all()

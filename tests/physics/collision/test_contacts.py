@@ -95,13 +95,13 @@ def test_a_body_inside_another_one_and_what_is_fixed_to_it() -> None:
     )
     inside = {pair.names: pair for pair in contacts(robot(*parts)).pairs}
     assert inside["a", "b"].is_contained
-    assert inside["a", "b"].is_out_of_reach
+    assert inside["a", "b"].is_enclosed
     assert inside["a", "b"].is_permanent
     assert inside["b", "c"].is_rigid
     parts = (*parts[:4], joint("b", "c", origin="0 0 0.04"))
     outside = {pair.names: pair for pair in contacts(robot(*parts)).pairs}
     assert outside["a", "b"].is_contained
-    assert not outside["a", "b"].is_out_of_reach
+    assert not outside["a", "b"].is_enclosed
 
 
 def test_a_pair_that_only_some_pose_separates_is_not_permanent() -> None:

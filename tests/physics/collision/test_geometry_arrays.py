@@ -48,7 +48,7 @@ def test_primitives_stay_exact(shape: str, kind: str, size: tuple[float, ...]) -
         ('<cylinder radius="1"/>', "a size is missing or cannot be read"),
         ('<sphere radius="nan"/>', "a size is missing or cannot be read"),
         (box(1e12, 1, 1), f"it is larger than {LARGEST:g} m"),
-        ("<cone/>", "<cone> is no shape of URDF"),
+        ("<cone/>", "<cone> is not a URDF shape"),
         ("", "it has no geometry"),
         (f"{box(1, 1, 1)}@1e12 0 0", f"it is more than {LARGEST:g} m from its link"),
         ('<mesh filename="file:///no/such.stl"/>', "the file is missing"),

@@ -11,7 +11,7 @@ from tests.physics.collision.robots import robot
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.sampling import collisions
-from urdfkit.physics.collision.srdf_matrix import compare, updated, written
+from urdfkit.physics.collision.srdf_matrix import compare, new_srdf, updated_srdf
 from urdfkit.physics.collision.worker_pool import CollisionError
 from urdfkit.physics.poses import pose
 from urdfkit.ros.moveit.srdf import Srdf
@@ -44,17 +44,17 @@ def reasons(data: bytes) -> dict[tuple[str, str], str]:
 
 
 def test_a_new_file_holds_the_pairs_that_need_not_be_checked() -> None:
-    assert reasons(written(MATRIX)) == {
+    assert reasons(new_srdf(MATRIX)) == {
         ("a", "b"): "Adjacent",
         ("a", "c"): "Never",
         ("b", "d"): "Default",
     }
-    assert ElementTree.fromstring(written(MATRIX)).attrib == {"name": "r"}
+    assert ElementTree.fromstring(new_srdf(MATRIX)).attrib == {"name": "r"}
 
 
 def test_names_are_escaped() -> None:
     odd = matrix(('a"<&', "b", PairVerdict.ALWAYS), robot='r"<&')
-    assert reasons(written(odd)) == {('a"<&', "b"): "Always"}
+    assert reasons(new_srdf(odd)) == {('a"<&', "b"): "Always"}
 
 
 OLD = """<?xml version="1.0"?>
@@ -74,7 +74,7 @@ OLD = """<?xml version="1.0"?>
 
 
 def test_what_is_there_stays() -> None:
-    new = updated(MATRIX, source(OLD)).decode()
+    new = updated_srdf(MATRIX, source(OLD)).decode()
     assert new == (
         OLD.replace('    <disable_collisions link1="a" link2="d" reason="Never"/>\n', "")
         .replace('"b" link2="d" reason="Never"', '"b" link2="d" reason="Default"')
@@ -83,14 +83,14 @@ def test_what_is_there_stays() -> None:
             'reason="User"/>\n    <disable_collisions link1="a" link2="c" reason="Never"/>\n',
         )
     )
-    assert updated(MATRIX, source(new)).decode() == new
+    assert updated_srdf(MATRIX, source(new)).decode() == new
 
 
 def test_a_pair_that_a_person_disabled_stays_so() -> None:
     text = '<robot name="r"><disable_collisions link1="d" link2="a" reason="User"/></robot>'
-    assert reasons(updated(MATRIX, source(text)))["d", "a"] == "User"
+    assert reasons(updated_srdf(MATRIX, source(text)))["d", "a"] == "User"
     text = '<robot name="r"><disable_collisions link1="d" link2="a"/></robot>'
-    assert ("d", "a") in reasons(updated(MATRIX, source(text)))
+    assert ("d", "a") in reasons(updated_srdf(MATRIX, source(text)))
 
 
 @pytest.mark.parametrize(
@@ -103,8 +103,8 @@ def test_a_pair_that_a_person_disabled_stays_so() -> None:
     ],
 )
 def test_a_file_without_a_matrix_gets_one(text: str) -> None:
-    new = updated(MATRIX, source(text))
-    assert reasons(new) == reasons(written(MATRIX))
+    new = updated_srdf(MATRIX, source(text))
+    assert reasons(new) == reasons(new_srdf(MATRIX))
     assert (b"\r\n" in new) == ("\r\n" in text)
     assert new.count(b"\n") == new.count(b"\r\n") or b"\r" not in new
 
@@ -112,13 +112,13 @@ def test_a_file_without_a_matrix_gets_one(text: str) -> None:
 @pytest.mark.parametrize("text", ["", "<robot", "<sdf/>", "<html></html>"])
 def test_what_is_no_srdf_is_not_touched(text: str) -> None:
     with pytest.raises(CollisionError, match="is not an SRDF file"):
-        updated(MATRIX, source(text))
+        updated_srdf(MATRIX, source(text))
 
 
 def test_a_xacro_is_not_touched() -> None:
     text = '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:include filename="x"/></robot>'
     with pytest.raises(CollisionError, match="is a xacro"):
-        updated(MATRIX, source(text))
+        updated_srdf(MATRIX, source(text))
 
 
 def compared(text: str) -> tuple[list[str], list[str], int]:

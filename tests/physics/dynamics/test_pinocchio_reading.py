@@ -13,7 +13,7 @@ from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
 def test_the_mission_s_model() -> None:
     """Pinocchio accepts it, and says nothing."""
     robot = read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-    found = pinocchio_reading.opinion(robot.text)
+    found = pinocchio_reading.parse_urdf(robot.text)
     assert (found.refusal, found.complaints, found.nq, found.nv) == ("", (), 8, 4)
     assert found.mass == pytest.approx(10.2301, rel=1e-9)
     center = robot.dynamics.mass_properties().center
@@ -24,7 +24,7 @@ def test_the_reason_is_that_of_the_first_complaint() -> None:
     joint = '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>{}</joint>'
     text = '<robot name="r"><link name="a"/><link name="b"/>' + joint + "</robot>"
     limit = '<limit lower="0" upper="1" velocity="1"/>'
-    found = pinocchio_reading.opinion(text.format(limit).encode())
+    found = pinocchio_reading.parse_urdf(text.format(limit).encode())
     assert found.refusal == "joint [j]: limit has no effort"
     assert len(found.complaints) > 1
 
@@ -33,7 +33,7 @@ def test_the_reason_is_that_of_the_first_complaint() -> None:
     "text", [b"", b"<robot", b"\xff\xfe\x00", b"<robot name='r'/>", b"<sdf/>", b"[" * 100_000]
 )
 def test_what_is_no_robot_is_refused(text: bytes) -> None:
-    assert pinocchio_reading.opinion(text).refusal
+    assert pinocchio_reading.parse_urdf(text).refusal
 
 
 def test_a_mass_that_is_no_number_drops_the_inertial_and_is_reported() -> None:
@@ -42,7 +42,7 @@ def test_a_mass_that_is_no_number_drops_the_inertial_and_is_reported() -> None:
         f'<robot name="r"><link name="a"><inertial><mass value="nan"/>{inertia}</inertial></link>'
         "</robot>"
     )
-    found = pinocchio_reading.opinion(text.encode())
+    found = pinocchio_reading.parse_urdf(text.encode())
     assert (found.refusal, found.mass) == ("", 0.0)
     assert found.complaints[0] == "Inertial: mass [nan] is not a float"
 
@@ -54,7 +54,7 @@ def test_a_tensor_without_an_entry_is_dropped_and_its_mass_kept() -> None:
         f'<robot name="r"><link name="a"><inertial><mass value="2"/>{inertia}</inertial></link>'
         "</robot>"
     )
-    found = pinocchio_reading.opinion(text.encode())
+    found = pinocchio_reading.parse_urdf(text.encode())
     assert (found.refusal, found.mass) == ("", 2.0)
     assert found.complaints[0] == "Inertial: inertia element missing ixy attribute"
 
@@ -66,13 +66,13 @@ def test_a_crash_is_contained() -> None:
         f'<joint name="j{n}" type="fixed"><parent link="l{n}"/><child link="l{n + 1}"/></joint>'
         for n in range(30_000)
     )
-    found = pinocchio_reading.opinion(f'<robot name="r">{links}{joints}</robot>'.encode())
+    found = pinocchio_reading.parse_urdf(f'<robot name="r">{links}{joints}</robot>'.encode())
     assert found.refusal.startswith("it crashes (signal ")
 
 
 def test_what_takes_too_long_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pinocchio_reading, "TIMEOUT", 0.05)
-    assert pinocchio_reading.opinion(b"<robot/>") == PinocchioReading(
+    assert pinocchio_reading.parse_urdf(b"<robot/>") == PinocchioReading(
         "it takes longer than 0.05 s", ()
     )
     assert pinocchio_process.SECONDS < 60

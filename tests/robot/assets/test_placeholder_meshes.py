@@ -233,7 +233,7 @@ def test_a_file_that_several_links_name_is_made_once(tmp_path: Path) -> None:
 def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     (tmp_path / "good.stl").write_bytes(binary_stl())
     context = read(robot(tmp_path, "good.stl", BOX))
-    with pytest.raises(SoundMesh, match=r"good\.stl is a good mesh already"):
+    with pytest.raises(SoundMesh, match=r"good\.stl is a valid mesh"):
         generate(context, "good.stl")
     with pytest.raises(NoSuchMesh, match=r"'god\.stl'; did you mean 'good\.stl'\?"):
         generate(context, "god.stl")

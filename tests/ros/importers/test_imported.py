@@ -145,3 +145,36 @@ def test_robots_that_are_no_tree() -> None:
         assert list(changes(found)) is not None
     nothing = robot()
     assert all(nothing.imported(name).bodies == () for name in IMPORTERS)
+
+
+#: Robots with floating joints, and the positions that Drake gave to each joint and free body.
+FREED = {
+    "one of two links": ("a b c", "j a b; k a c floating", "j 7; c 8"),
+    "two trees": ("a b c d", "k a b floating; j b c; m a d", "m 7; b 8; j 15"),
+    "the root is written last": ("b a c d", "k a b floating; j b c; m a d", "b 0; j 7; m 15"),
+    "the root has more joints": (
+        "b a c d e",
+        "k a b floating; j b c; m a d; n a e",
+        "m 7; n 8; b 9; j 16",
+    ),
+    "the root has no other joint": (
+        "a c b d e",
+        "k a b floating; l a c floating; m c d; n b e",
+        "c 0; m 7; b 8; n 15",
+    ),
+    "the world": ("world b a c d", "w world a; k a b floating; j b c; m a d", "w 0; m 1; b 2; j 9"),
+}
+
+
+@pytest.mark.parametrize("case", FREED)
+def test_drake_frees_the_child_of_a_floating_joint(case: str) -> None:
+    links, joints, positions = FREED[case]
+    made = robot(*map(link, links.split()), *(joint(*one.split()) for one in joints.split("; ")))
+    found = [f"{one.names[0]} {one.q}" for one in made.imported("drake").joints]
+    assert "; ".join(sorted(found, key=lambda one: int(one.split()[1]))) == positions
+
+
+def test_mujoco_has_ball_joints() -> None:
+    made = robot(*map(link, "abc"), joint("ball", "a", "b", "spherical"), joint("turn", "b", "c"))
+    found = [(one.names, one.q, one.v) for one in made.imported("mujoco").joints]
+    assert found == [(("ball",), 0, 0), (("turn",), 4, 3)]

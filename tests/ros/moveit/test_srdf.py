@@ -12,7 +12,7 @@ from urdfkit.ros.moveit.srdf import Srdf, find
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.siblings import srdf_files
+from urdfkit.workspace.srdf_files import srdf_files
 
 
 def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot(tmp_path):

@@ -40,9 +40,10 @@ def _ran(words: list[str], chosen: frozenset[str]) -> bool:
     from urdfkit.errors import UnknownRule
 
     try:
-        found = [codes_of(word) for word in words]
+        return all(_has_run(codes_of(word), chosen) for word in words)
     except UnknownRule:  # removed
         return False
-    return all(
-        codes and all(code in chosen and not get(code).preview for code in codes) for codes in found
-    )
+
+
+def _has_run(codes: list[str], chosen: frozenset[str]) -> bool:
+    return bool(codes) and all(code in chosen and not get(code).preview for code in codes)

@@ -15,10 +15,12 @@
   the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
   meshes are reported, since their penetration depth is exact.
 
-- For a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim), a warning: the hulls
-  overlap by more than 1 mm at the beginning, though the meshes do not, and the simulator pushes the
-  links apart from the first step on. MuJoCo welds the root link of a URDF to the world, and does
-  not ignore the collisions between it and the link that its first joint moves.
+- For a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim, PyBullet), a warning:
+  the hulls overlap by more than 1 mm at the beginning, and the simulator pushes the links apart
+  from the first step on; Isaac Sim and PyBullet only where self-collision is turned on. Where the
+  meshes themselves are apart, write convex pieces, each as a `<collision>` of its own. MuJoCo welds
+  the root link of a URDF to the world, and does not ignore the collisions between it and the link
+  that its first joint moves.
 
 Correct the origin of a joint or of a collision, or make the collision geometry smaller;
 `urdfkit mesh collision` makes shapes that follow a mesh.
@@ -34,14 +36,14 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.ros.targets import CLASSIC, GAZEBO, TargetFacts, facts_of
 
 if TYPE_CHECKING:
+    from urdfkit.physics.collision.bodies import CollisionBody
     from urdfkit.physics.collision.contacts import Contact, LinkPair
     from urdfkit.physics.collision.hull_overlaps import HullOverlap
 
@@ -65,6 +67,9 @@ GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
 
 #: In m: closed fingers of real grippers overlap by 0.3 mm.
 _DEEP = 1e-3
+
+#: Of the volume of its hull: a mesh that fills so much of it is convex but for its edges.
+_FILLED = 0.95
 
 #: Of the thickness of the smaller body: wheels of real robots often stand half in the chassis.
 _PART = 0.6
@@ -150,12 +155,35 @@ def _of_hulls(context: Context, overlap: HullOverlap, simulators: list[TargetFac
         second,
         f"the convex hulls of links '{overlap.first.link}' and '{overlap.second.link}', which "
         f"collide in {names}, overlap by {1000 * overlap.depth:.3g} mm",
-        f"urdfkit mesh collision FILE --link {overlap.second.link} --write",
+        _help_of_hulls(context, overlap),
         related=(Related(first.span, f"link '{overlap.first.link}'"),),
         weight=overlap.depth,
         group_key="hulls",
         targets=tuple(one.name for one in colliding),
     )
+
+
+def _help_of_hulls(context: Context, overlap: HullOverlap) -> str:
+    """Convex pieces in place of a mesh that is not convex, unless they would overlap as well."""
+    contacts = context.collisions.contacts
+    bodies = (overlap.first, overlap.second)
+    hollow = [f"'{body.link}'" for body in bodies if _is_hollow(context, body)]
+    if not hollow or contacts.is_deeper(*bodies, _DEEP):
+        return "the shapes overlap: correct an origin, or make one of the two smaller"
+    links = f"link{'s' * (len(hollow) > 1)} {' and '.join(hollow)}"
+    return (
+        f"replace the mesh of {links} by convex pieces, each a <collision> of its own: "
+        "urdfkit mesh decompose MESH --split -o OUT"
+    )
+
+
+def _is_hollow(context: Context, body: CollisionBody) -> bool:
+    """True for a mesh whose hull encloses so much more that convex pieces differ from it."""
+    shape = context.model.links_by_name[body.link].collisions[body.number].shape
+    measures = context.measured.measures(shape) if shape and shape.kind == "mesh" else ""
+    if isinstance(measures, str) or measures.hull is None:
+        return False
+    return measures.solid is None or measures.solid.volume < _FILLED * measures.hull.volume
 
 
 def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:

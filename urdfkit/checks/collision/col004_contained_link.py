@@ -15,8 +15,7 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
@@ -54,7 +53,7 @@ _NOTES = 5
 def check(context: Context) -> Findings:
     contained: dict[str, list[Contact]] = {}
     for pair in context.collisions.contacts.pairs:
-        if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
+        if not pair.is_rigid and pair.is_enclosed and pair.is_permanent:
             assert pair.contact is not None
             if _is_point(context.model, pair.contact.small):
                 continue  # it stands for no shape: GEO001

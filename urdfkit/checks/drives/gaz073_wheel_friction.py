@@ -22,7 +22,6 @@ from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
-from urdfkit.robot.stability import stand
 from urdfkit.ros.gazebo.drives import drive_of, wheels
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
@@ -109,7 +108,7 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
 
 def _casters(context: Context, driven: set[str]) -> Findings:
     """What is fixed to the body, touches the ground next to driven wheels, and does not slide."""
-    standing = stand(context, meshes=False) if driven and context.tree.is_sound else None
+    standing = context.standing_on_primitives if driven and context.tree.is_sound else None
     if standing is None or driven.isdisjoint(standing.links):
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}

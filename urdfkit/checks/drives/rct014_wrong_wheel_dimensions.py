@@ -19,9 +19,9 @@ Sources:
 from __future__ import annotations
 
 from itertools import chain
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, length, minus
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, wheel_of, wheels

@@ -29,9 +29,8 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction

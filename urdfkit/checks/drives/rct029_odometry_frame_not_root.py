@@ -14,8 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, robot_xml

@@ -33,9 +33,9 @@ _NAME = r"[\[']([^\]']+)[\]']"
 def check(context: Context) -> Findings:
     if "pinocchio" in context.targets.names and not context.is_part:
         need_pinocchio()
-        from urdfkit.physics.dynamics.pinocchio_reading import opinion
+        from urdfkit.physics.dynamics.pinocchio_reading import parse_urdf
 
-        refusal = opinion(context.text).refusal
+        refusal = parse_urdf(context.text).refusal
         if refusal:
             reason, _, _ = refusal.partition(".  ")  # what follows is advice
             yield Finding(_place(context.model, refusal), f"Pinocchio rejects the robot: {reason}")

@@ -16,17 +16,16 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import isfinite
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable_joints
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
-from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.ros.gazebo.values import is_true, text_of
+from urdfkit.ros.gazebo.gravity import links_without_gravity
 
 if TYPE_CHECKING:
     from urdfkit.physics.gravity import Load
@@ -61,7 +60,7 @@ def check(context: Context) -> Findings:
     from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.gravity_model import GravityModel
 
-    model = GravityModel(context.tree, weightless=_weightless(context))
+    model = GravityModel(context.tree, weightless=links_without_gravity(context.tree))
     joints = {joint.name: joint for joint in overloaded}
     loads = _loads(model, tuple((name, effort(joint)) for name, joint in joints.items()))
     for load in loads:
@@ -76,19 +75,6 @@ def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -
     from urdfkit.physics.gravity import gravity_loads
 
     return gravity_loads(model, dict(efforts), model.starts(_SAMPLES, seed=0), pose={})
-
-
-def _weightless(context: Context) -> set[str]:
-    """Names of the links without gravity; the flag of one holds for all that are merged with it."""
-    flagged = {
-        block.get("reference")
-        for block in context.model.gazebo
-        for tag in block.children
-        if (tag.tag == "turnGravityOff" and is_true(tag))
-        or (tag.tag == "gravity" and text_of(tag).lower() in ("false", "0"))
-    }
-    bodies = [[link.name for link, _ in body.links] for body in rigid_bodies(context.tree)]
-    return {name for names in bodies if not flagged.isdisjoint(names) for name in names}
 
 
 def _finding(joint: Joint, load: Load) -> Finding:

@@ -64,7 +64,7 @@ def check(context: Context) -> Findings:
         return
     if is_carried_by_rotors(context.model):
         return
-    standing = stand(context, meshes=False)
+    standing = context.standing_on_primitives
     if not _falls(context, standing):
         return
     meshes = list(_meshes(context.model))

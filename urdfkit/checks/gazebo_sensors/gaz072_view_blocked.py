@@ -200,14 +200,14 @@ def _on_mesh(
     both_sides: bool,
 ) -> set[int]:
     """The numbers of the rays from a frame that meet a mesh; none if it cannot be loaded."""
-    from urdfkit.mesh.ray_casting import rays_that_meet  # with numpy: few robots get here
+    from urdfkit.mesh.ray_casting import rays_that_hit  # with numpy: few robots get here
 
     body = obstacle.body
     assert body.shape is not None
     mesh, vertices = context.meshes.mesh(body.shape), context.meshes.vertices(body.shape)
     if mesh is None or vertices is None:
         return set()
-    return rays_that_meet(
+    return rays_that_hit(
         vertices,
         mesh.faces,
         frame.inverse @ context.tree.frames[obstacle.link] @ body.origin,

@@ -34,7 +34,7 @@ from urdfkit.text.editing.edits import move_after, remove_element, rename_elemen
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.grammar import calling_macro, owner, places_of
 from urdfkit.text.source import shown
-from urdfkit.workspace.xml_programs import readers_of
+from urdfkit.workspace.program_strings import xml_readers
 
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
@@ -63,7 +63,7 @@ def check(context: Context) -> Findings:
         else:
             unknown.append((element, suggested))
     tags = {element.tag for element, suggested in unknown if not suggested}
-    readers = readers_of(tags, context.source.path, context.resolver) if tags else {}
+    readers = xml_readers(tags, context.source.path, context.resolver) if tags else {}
     for element, suggested in unknown:
         yield _unknown(element, suggested, readers.get(element.tag))
     yield from _misplaced(misplaced)

@@ -6,7 +6,8 @@ and white space after the last. `xyz`, `rpy`, `size` and `scale` take three numb
 
 In a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot, in a link it drops the
 inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a vector of
-the wrong length; PyBullet continues with a wrong number.
+the wrong length; PyBullet continues with a wrong number. MuJoCo reads what C reads: hexadecimal
+numbers, any white space, `inf` in a `<limit>`. These are a warning where it is the only target.
 
 In `<mujoco>` some attributes take one of a few words, as `strippath="true"`: MuJoCo rejects others
 ("invalid keyword"), also in upper case.
@@ -32,6 +33,9 @@ BAD = link_xml("ball", collision_xml('<sphere radius="0,05"/>', '<origin xyz="0,
 FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
 _PROPERTY = re.compile(rb"<xacro:property\s[^<>]*\bname=[\"']([A-Za-z_][A-Za-z_0-9]*)[\"']").findall
+#: What C reads as a number, and urdfdom does not.
+_HEXADECIMAL = re.compile(r"(?ai)[-+]?0x([\da-f]+\.?[\da-f]*|\.[\da-f]+)(p[-+]?\d+)?")
+_INFINITE = re.compile(r"(?i)[-+]?inf(inity)?")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
 
 
@@ -41,6 +45,7 @@ _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
 )
 def check(context: Context) -> Findings:
     properties: dict[str, set[str]] = {}  # by the path of their file
+    reads_c = context.targets.all_are("reads_c_numbers")
     for element, attribute, kind, _ in context.deviations.get("URD005", ()):
         assert attribute is not None
         if "|" in kind:
@@ -60,7 +65,19 @@ def check(context: Context) -> Findings:
         help = (
             f'write {attribute.name}="{better}"' if better else _of_property(attribute, properties)
         )
-        yield Finding(attribute, message, help, fix, group_key=alike)
+        is_taken = reads_c and _is_read_by_c(attribute, length)
+        severity = Severity.WARNING if is_taken else None
+        yield Finding(attribute, message, help, fix, group_key=alike, severity=severity)
+
+
+def _is_read_by_c(attribute: Attribute, length: int) -> bool:
+    """True if ``strtod`` reads so many numbers, of which only limits may be infinite."""
+    parts = attribute.value.split()
+    is_limit = attribute.element.tag == "limit"
+    return len(parts) == length and all(
+        is_number(part) or _HEXADECIMAL.fullmatch(part) or (is_limit and _INFINITE.fullmatch(part))
+        for part in parts
+    )
 
 
 def _of_property(attribute: Attribute, properties: dict[str, set[str]]) -> str:

@@ -3,8 +3,8 @@
 The types are revolute, continuous, prismatic, fixed, floating and planar, in small letters.
 urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, rejects the whole robot; so does Drake.
 `spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
-in a row, with links of almost no size between them. It is not reported where MuJoCo is the only
-target.
+in a row, with links of almost no size between them. It is not reported where these are the only
+targets.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint

@@ -2,6 +2,7 @@
 
 - Above it, an error: no position is between the two. Drake ends the program, Gazebo swaps them,
   MuJoCo and PyBullet read the joint as unlimited, MoveIt and Pinocchio compute with an empty range.
+  A warning where MuJoCo, PyBullet and yourdfpy are the only targets.
   PyBullet's own robots write lower="1" upper="-1" for a free joint: a free revolute joint is
   `continuous` in URDF, and a free prismatic one has limits that are far apart.
 - Equal, a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves it

@@ -56,6 +56,7 @@ def check(context: Context) -> Findings:
         rotation = joint.origin.rotation
         if (
             not _is_of_one_camera(camera.lower(), optical.lower())
+            or _has_misspelt_origin(joint)
             or any(word.startswith(_ELSEWHERE) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
@@ -76,6 +77,12 @@ def check(context: Context) -> Findings:
         )
     if context.model.gazebo:
         yield from _of_gazebo(context)
+
+
+def _has_misspelt_origin(joint: Joint) -> bool:
+    """True if the rotation stands in an element that is no origin, as URD001 reports."""
+    tags = {child.tag for child in joint.at.children}
+    return "origin" not in tags and any("origin" in tag for tag in tags)
 
 
 def _from_mount(context: Context, camera: str, rotation: Rotation) -> Rotation:

@@ -26,9 +26,9 @@ from urdfkit.ros.launch.contents import MAP, FileUse
 from urdfkit.ros.launch.worlds import GZ, worlds
 from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
+from urdfkit.workspace.gitignore import is_ignored
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.resolve import OUTSIDE
-from urdfkit.workspace.revisions import is_ignored
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'

@@ -15,8 +15,7 @@ Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
-from typing import Any
-
+from urdfkit.core.static_typing import Any
 from urdfkit.lint.rule_index import get
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.contents import LaunchedDescription
@@ -29,6 +28,8 @@ BAD = '<launch><param name="robot_description" command="xacro $(dirname)/bad.xac
 GOOD = BAD.replace("bad.xacro", "good.xacro")
 
 
+#: Characters of a line that a message quotes.
+_LONGEST = 60
 _NOT_YET = "which fails at the first ': ' in a comment"
 
 
@@ -89,7 +90,9 @@ def _why_no_text(robot: Context) -> str:
                 return f"which finds no text in line {mark.line + 1} of it"
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
-        return f"which fails in line {mark.line + 1} of it: {error.problem}"
+        lines = robot.text.decode("utf-8", "replace").split("\n")[mark.line :]
+        shown = lines[0].strip()[:_LONGEST] if lines else ""
+        return f"which fails in line {mark.line + 1} of it, '{shown}': {error.problem}"
     except yaml.YAMLError as error:
         return f"which fails: {error}"
     return ""

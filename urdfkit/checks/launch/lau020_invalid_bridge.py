@@ -9,10 +9,11 @@ that ROS rejects: Gazebo's `/model/bot/joint/arm/0/cmd_pos` has a part that begi
 Messages that are not in the table of urdfkit are not reported, for later releases add some.
 
 A topic that no sensor or system of the robot publishes or reads, while one with that message has
-another topic that is not passed on, is a warning. A sensor without `<topic>` publishes below
-`/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next to its images. A topic that
-is passed on in the wrong direction only is a warning, too. So is one of a message that no sensor
-and no system of the robot has, where the world is known to hold no other one.
+another topic that is not passed on, is a warning; the topics of `image_bridge` of ros_gz_image are
+images. A sensor without `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the
+`camera_info` of a camera is next to its images. A topic that is passed on in the wrong direction
+only, such as `/clock` to Gazebo, is a warning, too. So is one of a message that no sensor and no
+system of the robot has, where the world is known to hold no other one.
 
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
@@ -34,11 +35,13 @@ from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
     FROM_GAZEBO,
     KEYS,
+    SIGNS,
     TO_GAZEBO,
     BridgedTopic,
     all_messages,
     bridged_topics,
     gazebo_messages,
+    ros_messages,
 )
 from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.document import CallFrame
@@ -55,6 +58,8 @@ bridge = Node(
 """
 GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
+#: The time of the simulation, which Gazebo itself publishes.
+_OF_GAZEBO = tuple(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock"))
 #: Messages that a robot alone publishes or reads, but for models of the world.
 _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
@@ -120,9 +125,10 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
         yield "gz_type_name", f"'{topic.gz_type}' is no message of Gazebo", right
     elif message not in known and (message in all_messages() or nearest(message, known, 0.7)):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
-        expected = " or ".join(f"'{prefix}.{one}'" for one in known)
-        message = f"the bridge cannot convert {pair}; the second is {expected}"
-        yield "gz_type_name", message, right
+        both = [f"{prefix}.{one} for {topic.ros_type}" for one in known]
+        both += [f"{one} for {topic.gz_type}" for one in ros_messages(message)]
+        help = f"write {' or '.join(both)}" if message in all_messages() else right
+        yield "gz_type_name", f"the bridge cannot convert {pair}", help
 
 
 def _lacking(topic: BridgedTopic) -> str:
@@ -132,18 +138,19 @@ def _lacking(topic: BridgedTopic) -> str:
 def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
     of_robot = list(_topics(context))
-    passed = {topic.topic for topic, _ in bridged} | _images(context)
+    passed = {topic.topic for topic, _ in bridged}
     is_known = _is_known(context)
     unnamed: set[str] = set()
     unbridged = [one for one in of_robot if not any(map(one.is_called, passed))]
     for topic, frame in bridged:
-        own = [one for one in of_robot if one.is_called(topic.topic)]
+        own = [one for one in (*of_robot, *_OF_GAZEBO) if one.is_called(topic.topic)]
         only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
         if only is not None and own and all(one.is_read is only for one in own):
             verb, right = ("reads", TO_GAZEBO) if only else ("publishes", FROM_GAZEBO)
             message = f"{topic.direction} passes nothing on: {own[0].who} {verb} '{topic.topic}'"
             at = Location(topic.at("direction"), frame)
-            yield Finding(at, message, f"write {right}", severity=Severity.WARNING)
+            help = f"write {right if topic.places else SIGNS[right]}"
+            yield Finding(at, message, help, severity=Severity.WARNING)
         wanted = topic.gz_type.rpartition(".")[2]
         waiting = [one for one in unbridged if one.message == wanted and one.is_read is not only]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
@@ -209,10 +216,3 @@ def _topics(context: Context) -> Iterator[GazeboTopic]:
     for description, robot in context.described_robots:
         if description.is_whole:
             yield from topics(robot.model)
-
-
-def _images(context: Context) -> set[str]:
-    """The topics that ros_gz_image passes on."""
-    started = (*context.launch.started, *context.launch.included)
-    bridges = [one for one in started if one.executable == "image_bridge"]
-    return {word.text for one in bridges for word in one.words if word.text}

@@ -4,13 +4,14 @@
   the robot_state_publisher: tf keeps what came last, and the robot flickers where the two differ.
 - joint_state_publisher and the joint_state_broadcaster of ros2_control, joint_state_controller in
   ROS 1, publish on the same `joint_states`: the model jumps between the real positions and those of
-  the sliders.
+  the sliders. The same holds for joint states that the bridge passes on from Gazebo.
 - Two controllers that one controller manager starts claim the same command interface of a joint:
   the second does not become active. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot:
   it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is a link with a joint above it, which gives the link two parents. The same
   holds for the transform of gz-sim's drives and OdometryPublisher, where the bridge passes it on.
+- AMCL and slam_toolbox both publish the transform from map to odom.
 - `ros2_control_node` beside Gazebo's plugin, which runs a controller manager of its own: which one
   a spawner reaches is chance. Two robot_state_publishers of one robot.
 
@@ -28,6 +29,7 @@ from math import dist
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.started_twice import (
     second_manager,
+    second_map,
     second_odometry,
     second_parent,
     second_publisher,
@@ -36,8 +38,9 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.robot.model import Joint
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
+from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import activates, controllers, manager_name
+from urdfkit.ros.launch.spawned_controllers import activates, controllers, manager_name, topic_name
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 
 NAME = "launch/robot.launch.py"
@@ -52,6 +55,7 @@ nodes = [
 GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
 
 _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
+_TOPIC = "joint_states"
 _BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
 #: Positions in m that count as equal.
 _NEAR = 1e-3
@@ -63,12 +67,13 @@ def check(context: Context) -> Findings:
     started = [one for one in (*launch.started, *launch.included) if one.is_sure]
     yield from _transforms(context, started)
     if not launch.has_scopes:  # which give them namespaces
-        yield from _joint_states(started)
+        yield from _joint_states(context, started)
     yield from _claims(context, started)
     yield from second_publisher(context, started)
     yield from second_manager(context, started)
     yield from second_odometry(context, started)
     yield from second_parent(context, started)
+    yield from second_map(context, started)
 
 
 def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
@@ -102,23 +107,29 @@ def _frame(word: Word) -> str:
     return (word.text or "").lstrip("/")
 
 
-def _joint_states(started: list[StartedProgram]) -> Findings:
-    """A joint_state_publisher in the namespace of the broadcaster's controller manager."""
-    broadcasters = {
-        name.rpartition("/")[0]: word
+def _joint_states(context: Context, started: list[StartedProgram]) -> Findings:
+    """A joint_state_publisher on the topic of a broadcaster of ros2_control, or of the bridge."""
+    publishers = [
+        (f"{name.rpartition('/')[0]}/{_TOPIC}", f"controller {word.text}", word.span)
         for word, one in _activated(started)
         if word.text in _BROADCASTERS and (name := manager_name(one))
-    }
+    ]
+    publishers += [
+        (name, "the bridge", topic.span)
+        for one in started
+        for topic in bridged_topics(one, context.resolver)
+        if topic.ros_type == "sensor_msgs/msg/JointState" and topic.direction != TO_GAZEBO
+        if (name := topic_name(topic.ros_topic, one))
+    ]
+    others = {name: (who, span) for name, who, span in reversed(publishers)}
     for one in started:
-        if one.package not in _PUBLISHERS or one.namespace is None or one.is_remapped:
-            continue
-        broadcaster = broadcasters.get(f"/{one.namespace}".rstrip("/"))
-        if broadcaster and b"source_list" not in one.span.source.data:
+        other = others.get(topic_name(_TOPIC, one) or "") if one.package in _PUBLISHERS else None
+        if other and b"source_list" not in one.span.source.data:
             yield Finding(
                 Location(one.span, one.frame),
-                f"{one.package} and {broadcaster.text} both publish the joint states",
+                f"{one.package} and {other[0]} both publish the joint states",
                 f"remove {one.package}",
-                related=(Related(broadcaster.span, "the controller is started here"),),
+                related=(Related(other[1], "the other one"),),
             )
 
 

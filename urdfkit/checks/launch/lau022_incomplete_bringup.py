@@ -22,6 +22,8 @@
 - A filter, a costmap or all displays of RViz that read odometry, an IMU, images or a scan from a
   topic that nothing publishes, while such messages are published under another name. All that the
   workspace starts must be known. So must be the publishers of the robot that RViz shows.
+- twist_mux or a node for teleoperation whose velocity commands nothing reads, while a drive reads
+  them on another topic; all that the workspace starts must be known.
 
 A file is left out that includes what is not at hand, unless that is part of ROS.
 
@@ -43,6 +45,7 @@ from urdfkit.checks.launch.meeting_points import (
 from urdfkit.checks.launch.simulated_hardware import mock_hardware, without_simulator
 from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
+from urdfkit.checks.launch.unread_commands import is_of_ros, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -91,15 +94,11 @@ def check(context: Context) -> Findings:
     yield from paused(context, started)
     yield from mock_hardware(context, started)
     yield from without_simulator(context, started)
-    if not launch.has_scopes and all(map(_is_known, launch.unread)):
+    if not launch.has_scopes and all(map(is_of_ros, launch.unread)):
         yield from unpublished_description(context, started)
         yield from unpublished_inputs(context)
+        yield from unread_commands(context, started)
         yield from other_manager(context, started)
-
-
-def _is_known(path: str) -> bool:
-    """True for an included file of ROS, which starts no robot."""
-    return path.startswith(f"{UNKNOWN}/") and comes_with_ros(path.split("/")[2])
 
 
 def _is_whole(launch: Launch) -> bool:

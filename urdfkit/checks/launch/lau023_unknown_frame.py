@@ -36,8 +36,8 @@ from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
-from urdfkit.workspace.xml_programs import named_in_programs
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -102,7 +102,7 @@ def check(context: Context) -> Findings:
         if not _has_foreign_publishers(context):
             parents = dict(_unknown_parents(launch, known, _of_robots(context, (launch,))))
         words = {one.name for one in unknown} | parents.keys()
-        elsewhere = named_in_programs(words, context.source.path, context.resolver)
+        elsewhere = strings_in_programs(words, context.source.path, context.resolver)
         yield from (_unknown(one, known) for one in unknown if one.name not in elsewhere)
         yield from (found for name, found in parents.items() if name not in elsewhere)
     yield from _other_world(context)

@@ -11,6 +11,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     manager,
     manager_name,
     resolve_name,
+    topic_name,
 )
 from urdfkit.ros.launch.spawning import options, spawner_of
 from urdfkit.ros.ros_control import control_plugins
@@ -26,17 +27,16 @@ _OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 def unpublished_description(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """What spawns or shows the robot waits on a topic that no robot_state_publisher has."""
     publishers = [one for one in started if one.package == _PUBLISHER]
-    if not publishers or any(one.is_remapped or one.namespace is None for one in publishers):
+    topics = [topic_name(_DESCRIPTION, one) for one in publishers]
+    published = {topic: one for topic, one in zip(topics, publishers, strict=True) if topic}
+    if not published or None in topics:
         return
-    published = {resolve_name(_DESCRIPTION, one.namespace): one for one in publishers}
     yield from unpublished_models(context, {name: one.span for name, one in published.items()})
     for one in started:
         spawner = spawner_of(one)
         topic = options(one, spawner)[0].get("topic") if spawner else None
-        if topic is None or not topic.text or one.namespace is None or one.is_remapped:
-            continue
-        name = resolve_name(topic.text, one.namespace)
-        if name not in published:
+        name = topic_name(topic.text, one) if topic and topic.text else None
+        if topic and name and name not in published:
             known = next(iter(published))
             yield Finding(
                 Location(topic.span, one.frame),

@@ -64,10 +64,10 @@ def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
         own = _sim_time(one, resolver) if severity else None
         if own is None or own is True:
             continue
-        if other is not None:
-            message = f"{one.executable} has no {_SIM_TIME}, which '{other.executable}' has"
-        elif own is False and one.package == "robot_state_publisher":
+        if own is False and (other is not None or one.package == "robot_state_publisher"):
             message = f"{_SIM_TIME} of {one.executable} is false, though Gazebo gives the time"
+        elif other is not None:
+            message = f"{one.executable} has no {_SIM_TIME}, which '{other.executable}' has"
         else:
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'

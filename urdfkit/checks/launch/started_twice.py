@@ -24,6 +24,8 @@ _FILTER = {
 _ODOM, _BASE = "odom_frame", "base_link_frame"
 #: Roots that are frames of their own.
 _WORLDS = ("world", "map", "odom")
+#: Packages of programs that publish the transform from map to odom, and the parameter for it.
+_LOCALIZING = {"nav2_amcl": "tf_broadcast", "slam_toolbox": "transform_publish_period"}
 _FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
 
 
@@ -100,6 +102,35 @@ def second_odometry(context: Context, started: list[StartedProgram]) -> Findings
                 "write enable_odom_tf: false",
                 related=(Related(other.span, "the filter is started here"),),
             )
+
+
+def second_map(context: Context, started: list[StartedProgram]) -> Findings:
+    """The transform from map to odom by two programs that localize the robot."""
+    found: dict[str, StartedProgram] = {}
+    for one in started if not context.launch.has_scopes else ():
+        is_known = one.package in _LOCALIZING and _is_plain(one)
+        if is_known and not _is_quiet(one, _LOCALIZING[one.package], context):
+            found.setdefault(one.package, one)
+    for one in list(found.values())[1:]:
+        first = next(iter(found.values()))
+        yield Finding(
+            Location(one.span, one.frame),
+            f"the transform from map to odom is published twice: by '{first.executable}' and by "
+            f"'{one.executable}'",
+            "start one of the two: SLAM to map, or localization in a map",
+            related=(Related(first.span, f"'{first.executable}' is started here"),),
+        )
+
+
+def _is_quiet(started: StartedProgram, switch: str, context: Context) -> bool:
+    """True if a parameter keeps a program from publishing transforms, or is not known."""
+    values = [value for key, value in started.parameters.values.items() if key == switch]
+    for path in started.parameters.files:
+        source = context.resolver.readable(path)
+        nodes = list(node_parameters(source)) if source else []
+        written = [node.values[switch] for node in nodes if switch in node.values]
+        values += [one.text if isinstance(one, Value) else None for one in written]
+    return any(value is None or value.lower() in ("false", "0", "0.0") for value in values)
 
 
 def second_parent(context: Context, started: list[StartedProgram]) -> Findings:

@@ -1,6 +1,6 @@
 """A mesh file cannot be read, or only a part of it.
 
-It is empty, as `touch` makes it, or holds no triangles; it is truncated, as by an interrupted
+It is empty, as `touch` makes it, or contains no triangles; it is truncated, as by an interrupted
 download; it is something else: a web page saved instead of the file, the pointer that Git LFS
 leaves where `git lfs pull` was not run, an image, an archive; or its content contradicts itself: a
 vertex that is not three finite numbers, a face of a vertex that does not exist, XML with a wrong

@@ -13,6 +13,8 @@
   are. No file suits both: use COLLADA with Z_UP, OBJ or STL. `urdfkit mesh convert` keeps the
   numbers, and with `--upright` rotates them as the new RViz does. An info.
 
+A file that no given target loads, as MuJoCo loads no COLLADA, is not reported.
+
 Sources:
     COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
     ros-visualization/rviz#1045: https://github.com/ros-visualization/rviz/issues/1045
@@ -26,12 +28,13 @@ Sources:
     measured: of 517 public COLLADA files, 23 have another unit and 213 another axis
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import MeshFacts, has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 
 BAD = mesh_xml("visual", "forearm.dae")
@@ -50,7 +53,7 @@ FILES = {
 def check(context: Context) -> Findings:
     collisions = {mesh.located.path for mesh in context.files.meshes if mesh.role == "collision"}
     for mesh in context.files.each_file:
-        if mesh.facts and has_other_unit(mesh.facts):
+        if mesh.facts and has_other_unit(mesh.facts) and _is_loaded(context, mesh, collisions):
             is_only_visual = mesh.located.path not in collisions and not context.targets.that(
                 "ignores_units"
             )
@@ -63,6 +66,7 @@ def check(context: Context) -> Findings:
             )
     yield from _once(
         context,
+        collisions,
         has_other_up_axis,
         lambda facts: f"has {facts.up_axis}",
         "Bullet rotates it by 90 degrees, RViz, Gazebo, MoveIt and Pinocchio do not",
@@ -70,6 +74,7 @@ def check(context: Context) -> Findings:
     )
     yield from _once(
         context,
+        collisions,
         is_gltf,
         lambda _: "is glTF, where y is up",
         "RViz since 15.1.4 and Drake rotate it by 90 degrees, Gazebo and earlier RViz do not",
@@ -77,15 +82,29 @@ def check(context: Context) -> Findings:
     )
 
 
+def _is_loaded(context: Context, mesh: MeshReference, collisions: Collection[str | None]) -> bool:
+    """True unless no given target loads a file of this format, or only visuals that none loads."""
+    if not context.loads_visuals and mesh.located.path not in collisions:
+        return False
+    given = context.given_facts
+    form = mesh.facts.format if mesh.facts else ""
+    return not given or any(not one.meshes or form in one.meshes for one in given)
+
+
 def _once(
     context: Context,
+    collisions: Collection[str | None],
     concerns: Callable[[MeshFacts], bool],
     describe: Callable[[MeshFacts], str],
     effect: str,
     help: str,
 ) -> Findings:
     """One info for all files of a robot that a predicate holds for."""
-    found = [mesh for mesh in context.files.each_file if mesh.facts and concerns(mesh.facts)]
+    found = [
+        mesh
+        for mesh in context.files.each_file
+        if mesh.facts and concerns(mesh.facts) and _is_loaded(context, mesh, collisions)
+    ]
     if found:
         mesh, *others = found
         assert mesh.facts

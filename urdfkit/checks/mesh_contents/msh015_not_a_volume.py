@@ -8,7 +8,8 @@
   info.
 - It is flat: all of it lies in one plane. Simulators that take the convex hull reject it or make
   it a sheet that fast parts tunnel through. Use a thin `<box>`. A warning; an error where MuJoCo is
-  a target, which also rejects a mesh of less than 1e-15 m³.
+  a target, which also rejects a mesh of less than 1e-15 m³, of visuals as well if it is told to
+  load them (`discardvisual="false"`).
 - Its closed pieces overlap by more than a twentieth of the volume, which then counts twice in the
   volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute. Unite them,
   as with `urdfkit mesh repair --union`, or write the inertial by hand. An info; it is also reported
@@ -56,7 +57,7 @@ def check(context: Context) -> Findings:
         yield Finding(use.at, message, "use a thin <box>", severity=severity, targets=fatal)
     for target in context.given_facts:
         if target.least_volume:
-            yield from _tiny(context.measured.uses, target)
+            yield from _tiny(context, target)
     yield from map(_open, defects.get(MeshDefect.OPEN, ()))
     for use in defects.get(MeshDefect.OVERLAPPING, ()):
         yield Finding(
@@ -76,13 +77,16 @@ def check(context: Context) -> Findings:
         yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
 
 
-def _tiny(uses: list[MeshUse], target: TargetFacts) -> Findings:
-    """The collision meshes with less volume than a target takes."""
-    for use in uses:
+def _tiny(context: Context, target: TargetFacts) -> Findings:
+    """The meshes that a target loads and that have less volume than it takes."""
+    loads_visuals = not (target.drops_visuals and context.mujoco.drops_visuals)
+    for use in context.measured.uses:
         volume = use.solid.volume if use.solid else 0.0
-        if use.role == "collision" and use.measures.hull and volume < target.least_volume:
+        # A flat collision is reported above.
+        is_loaded = use.measures.hull if use.role == "collision" else loads_visuals
+        if is_loaded and volume < target.least_volume:
             message = f"{use.who} has a volume of {volume:.3g} m³, which {target.title} rejects"
-            help = "correct its scale, or remove the collision"
+            help = f"correct its scale, or remove the {use.role}"
             yield Finding(use.at, message, help, severity=Severity.ERROR, targets=(target.name,))
 
 

@@ -1,13 +1,15 @@
 """Two links, joints or materials of the robot have the same name.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake reject the robot, for materials even if both
-have the same colour; MuJoCo and PyBullet reject it for links. It happens when a macro is called
-twice without a prefix, a link is copied, or two included files define the same materials. Give one
-of them another name, and use it in the joints that refer to it; of materials keep one.
+have the same colour; MuJoCo rejects it for links, PyBullet for links and joints. What all given
+targets take is a warning. It happens when a macro is called twice without a prefix, a link is
+copied, or two included files define the same materials. Give one of them another name, and use it
+in the joints that refer to it; of materials keep one.
 
 Visuals that give one material name two colours are a warning: urdfdom keeps the colour that it
 reads first, one defined below `<robot>` before all, and paints every part with it; other parsers
-take each part's own. Give each colour its own name.
+take each part's own. Drake rejects the robot, an error where it is a target. Give each colour its
+own name.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -21,7 +23,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.model import Material, RobotModel
+from urdfkit.robot.model import Material
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Element
 
@@ -38,32 +40,52 @@ GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 def check(context: Context) -> Findings:
     model = context.model
     help = "give each {} its own name, in a macro by a prefix"
-    yield from _duplicates((link.at for link in model.links), help.format("link"))
-    yield from _duplicates((joint.at for joint in model.joints), help.format("joint"))
+    yield from _duplicates(context, (link.at for link in model.links), help.format("link"))
+    yield from _duplicates(context, (joint.at for joint in model.joints), help.format("joint"))
     materials = (material.at for material in model.materials)
-    yield from _duplicates(materials, "keep one of them", group_key="material")
-    yield from _redefined(model)
+    yield from _duplicates(context, materials, "keep one of them", group_key="material")
+    yield from _redefined(context)
 
 
-def _duplicates(elements: Iterable[Element], help: str, group_key: str = "") -> Findings:
+def _duplicates(
+    context: Context, elements: Iterable[Element], help: str, group_key: str = ""
+) -> Findings:
+    given = context.given_facts
     first: dict[str, Element] = {}
     for element in elements:
         name = element.attributes.get("name")
         if name is None or not name.value:
             continue
         if name.value in first:
+            is_taken = (
+                bool(given)
+                and all(element.tag in one.repeatable_names for one in given)
+                # An element that is there twice gives its child two parents.
+                and (element.tag != "joint" or _child(element) != _child(first[name.value]))
+            )
             yield Finding(
                 name,
                 f"duplicate {element.tag} '{name.value}'",
                 help,
                 related=(Related(first[name.value].span, "first defined here"),),
                 group_key=group_key,
+                severity=Severity.WARNING if is_taken else None,
             )
         first.setdefault(name.value, element)
 
 
-def _redefined(model: RobotModel) -> Findings:
+def _child(joint: Element) -> str | None:
+    child = joint.child("child")
+    return child.get("link") if child else None
+
+
+def _redefined(context: Context) -> Findings:
     """Materials of visuals with a name that has another colour or texture already."""
+    model = context.model
+    rejecting = [one for one in context.given_facts if one.rejects_recoloured]
+    effect = "parsers keep the first"
+    if rejecting:
+        effect = f"{' and '.join(one.title for one in rejecting)} rejects the robot"
     first: dict[str, Material] = {}
     for material in model.materials:
         if material.name and _appearance(material):
@@ -78,11 +100,12 @@ def _redefined(model: RobotModel) -> Findings:
             yield Finding(
                 used.rgba or used.texture or used.at,
                 f"link '{link.name}': material '{name}' is {given} here and "
-                f"{_appearance(known)} before; parsers keep the first",
+                f"{_appearance(known)} before; {effect}",
                 "give each colour its own name",
                 related=(Related(known.at.span, "the first"),),
                 group_key=name,
-                severity=Severity.WARNING,
+                severity=Severity.ERROR if rejecting else Severity.WARNING,
+                targets=tuple(one.name for one in rejecting),
             )
 
 

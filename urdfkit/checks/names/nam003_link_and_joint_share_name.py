@@ -4,11 +4,13 @@ URDF keeps the two apart, SDF does not: Gazebo (gz sim) reports that the name is
 does not load the model. A `<gazebo reference>` of that name goes to both. Add `_joint` to the
 joint.
 
-A fixed joint that Gazebo merges does not exist in SDF, nor does the link below it: then the shared
-name is an info.
+A fixed joint that Gazebo merges leaves a frame of its name in SDF, and so does the link below it
+(sdformat from 12.7.2): gz sim requires that these names are unique, too. Gazebo Classic has no such
+frames: then the shared name is an info.
 
 Sources:
     sdformat, FrameSemantics.cc: https://github.com/gazebosim/sdformat/blob/main/src/FrameSemantics.cc
+    gazebosim/sdformat#1148: https://github.com/gazebosim/sdformat/pull/1148
     stack-of-tasks/pinocchio#1771: https://github.com/stack-of-tasks/pinocchio/issues/1771
     o3de/o3de-extras#476: https://github.com/o3de/o3de-extras/issues/476
 """
@@ -16,6 +18,7 @@ Sources:
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.ros.gazebo.rejection import shared_frames
 
 BAD = robot_xml(
     link_xml("base"), link_xml("gripper"), joint_xml("continuous", name="gripper", child="gripper")
@@ -34,17 +37,19 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
 )
 def check(context: Context) -> Findings:
     links = context.model.links_by_name
+    is_gz = any(name.startswith("gz-") for name in context.targets.names)
+    frames = shared_frames(context.gazebo) if is_gz else frozenset()
     for joint in context.model.joints:
         if joint.name not in links:
             continue
-        is_merged = _is_merged(joint, context)
+        is_allowed = _is_merged(joint, context) and joint.name not in frames
         yield Finding(
             joint.at.attributes["name"],
             f"joint '{joint.name}' has the name of a link"
-            + ("" if is_merged else ", which Gazebo's SDF does not allow"),
+            + ("" if is_allowed else ", which Gazebo's SDF does not allow"),
             related=(Related(links[joint.name].at.span, "the link"),),
             group_key="shared",
-            severity=Severity.INFO if is_merged else None,
+            severity=Severity.INFO if is_allowed else None,
         )
 
 

@@ -7,7 +7,8 @@ link, except for Drake, which has that link itself. In a xacro that has no base 
 a sensor for some robot, a missing parent is a warning.
 
 urdfdom does not check the joint of a `<mimic>`: Drake rejects the robot, MoveIt drops the coupling,
-joint_state_publisher stops with an exception.
+joint_state_publisher stops with an exception. MuJoCo, Pinocchio, Newton, PyBullet and yourdfpy load
+the robot without the coupling: a warning where they are the only targets.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -73,6 +74,8 @@ def _links(context: Context) -> Findings:
 def _leaders(context: Context) -> Findings:
     known = context.model.joints_by_name
     suggester = Suggester(known)
+    is_ignored = context.targets.all_are("ignores_unknown_leaders")
+    severity = Severity.WARNING if is_ignored else None
     for joint in context.model.joints:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):
@@ -80,7 +83,8 @@ def _leaders(context: Context) -> Findings:
         hint, suggested = suggester.hint(leader.value), suggester.suggested(leader.value)
         message = f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}"
         help = "correct the name, or add the joint"
-        yield Finding(leader, message, help, _corrected(context, leader, known.get(suggested)))
+        correction = _corrected(context, leader, known.get(suggested))
+        yield Finding(leader, message, help, correction, severity=severity)
 
 
 def _ends(joint: Joint) -> list[str]:

@@ -2,7 +2,7 @@
 
 from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.workspace.package_references import are_in
+from urdfkit.workspace.package_references import have_references
 
 
 def applies(context: Context) -> bool:
@@ -11,4 +11,4 @@ def applies(context: Context) -> bool:
         return True
     document = context.reading.document
     sources = document.sources if document else (context.source,)
-    return are_in(sources) or any(b"model://" in source.data for source in sources)
+    return have_references(sources) or any(b"model://" in source.data for source in sources)

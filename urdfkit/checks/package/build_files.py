@@ -48,11 +48,12 @@ def other_name(name: str, directory: str) -> Findings:
 
 def not_finished(directory: str) -> Findings:
     """A CMakeLists.txt that does not end in ament_package(): ROS does not find the package."""
-    is_built = build_file(directory).endswith(".txt")
-    source = _read(directory, "CMakeLists.txt") if is_built else None
-    text = re.sub(rb"#.*", b"", source.data) if source else b""
-    found = source and re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
-    if source and found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
+    source = _build_file_of_ament(directory)
+    if source is None:
+        return
+    text = re.sub(rb"#.*", b"", source.data)
+    found = re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
+    if found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
         yield Finding(
             Location(Span(source, *found.span(1))),
             "ament_package() is not called: ROS does not find the package after the build",
@@ -62,11 +63,13 @@ def not_finished(directory: str) -> Findings:
 
 def missing_directories(name: str, directory: str) -> Findings:
     """Files and directories that a CMakeLists.txt of ROS 2 installs and that do not exist."""
-    source = _read(directory, "CMakeLists.txt") if build_file(directory).endswith(".txt") else None
-    text = re.sub(rb"#[^\n]*", lambda one: b" " * len(one[0]), source.data) if source else b""
+    source = _build_file_of_ament(directory)
+    if source is None:
+        return
+    text = re.sub(rb"#[^\n]*", lambda one: b" " * len(one[0]), source.data)
     is_sure = not re.search(rb"\b(OPTIONAL|EXISTS)\b", text)
     is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
-    if source is None or not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
+    if not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
         return
     for path in dict.fromkeys(one.source for one in read_rules(directory, name)):
         place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
@@ -82,7 +85,7 @@ def _is_missing(directory: str, path: str) -> bool:
     whole = os.path.normpath(os.path.join(directory, path))
     if not whole.startswith(os.path.join(directory, "")) or disk.exists(whole):
         return False
-    from urdfkit.workspace.revisions import is_ignored  # which runs git
+    from urdfkit.workspace.gitignore import is_ignored  # which runs git
 
     return not is_ignored(whole)
 
@@ -90,7 +93,7 @@ def _is_missing(directory: str, path: str) -> bool:
 def finds_catkin(directory: str) -> Findings:
     """A package of type ament_cmake whose CMakeLists.txt is that of ROS 1."""
     manifest, source = (_read(directory, file) for file in ("package.xml", "CMakeLists.txt"))
-    if manifest is None or source is None:
+    if manifest is None or source is None or b"ament_cmake" not in manifest.data:
         return
     kinds = re.findall(rb"<build_type\b([^>]*)>\s*(\w+)", blank_comments(manifest.data))
     found = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*(catkin)\b", source.data)
@@ -107,9 +110,11 @@ def finds_catkin(directory: str) -> Findings:
 def other_build_type(directory: str) -> Findings:
     """A build type whose build file is not there, while that of another type is."""
     manifest = _read(directory, "package.xml")
-    data = bytes(blank_comments(manifest.data)) if manifest else b""
+    if manifest is None or b"<build_type" not in manifest.data:
+        return
+    data = bytes(blank_comments(manifest.data))
     found = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", data)
-    if manifest is None or found is None or len(re.findall(rb"<build_type\b", data)) > 1:
+    if found is None or len(re.findall(rb"<build_type\b", data)) > 1:
         return
     kind = found.group(1).decode()
     needed, other = _BUILT_BY.get(kind, ("", ""))
@@ -136,6 +141,12 @@ def not_registered(name: str, directory: str) -> Findings:
         message = "no build type: colcon looks for a CMakeLists.txt"
         help = "add <export><build_type>ament_python</build_type></export>"
         yield Finding(Location(Span(manifest, 0, 0)), message, help)
+
+
+def _build_file_of_ament(directory: str) -> Source | None:
+    """The CMakeLists.txt that builds a package, if it mentions ament_cmake."""
+    source = _read(directory, "CMakeLists.txt") if build_file(directory).endswith(".txt") else None
+    return source if source and b"ament_cmake" in source.data else None
 
 
 def _read(directory: str, file: str) -> Source | None:

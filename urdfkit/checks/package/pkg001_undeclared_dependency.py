@@ -24,7 +24,7 @@ from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import Manifest, depends_on, manifest_of
-from urdfkit.workspace.package_references import of_package
+from urdfkit.workspace.package_references import references_of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "bot_description/bot.urdf"
@@ -165,7 +165,7 @@ def _referenced(context: Context) -> Iterator[tuple[str, Span]]:
 
     A directory without a manifest, such as ``assets`` in ``package://assets/arm.stl``, is none.
     """
-    for mention in of_package(context.document.sources, context.resolver.packages):
+    for mention in references_of_package(context.document.sources, context.resolver.packages):
         try:
             directory = context.resolver.package(mention.package, mention.span.source.path)
         except PackageNotFound:

@@ -24,7 +24,7 @@ from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.package_references import mentions
+from urdfkit.workspace.package_references import package_references
 
 NAME = "urdf/bot.urdf"
 BAD = robot_of_package("bot_description")
@@ -82,7 +82,7 @@ def _uninstalled(
 def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Span]]:
     """The files of a package that its own descriptions refer to, relative to the package."""
     for source in sources:
-        for mention in mentions(source):
+        for mention in package_references(source):
             if mention.package == name and mention.relative.partition("/")[0]:
                 yield os.path.normpath(mention.relative), mention.span
 

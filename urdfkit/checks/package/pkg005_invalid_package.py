@@ -50,7 +50,7 @@ from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
-from urdfkit.workspace.package_references import are_in
+from urdfkit.workspace.package_references import have_references
 
 NAME = "urdf/bot.urdf"
 BAD = robot_of_package("bot_description")
@@ -74,7 +74,7 @@ _BROKEN = ("XML001", "XML002")
 @rule(Severity.ERROR, help="fix the package.xml")
 def check(context: Context) -> Findings:
     path, resolver = context.source.path, context.resolver
-    if not (is_launch(path) or are_in(context.document.sources)):
+    if not (is_launch(path) or have_references(context.document.sources)):
         return
     if home := resolver.packages.enclosing(path):
         others = list(other_name(*home))

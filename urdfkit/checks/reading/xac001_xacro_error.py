@@ -21,7 +21,7 @@ import re
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import UNBUILT
+from urdfkit.xacro.errors import NOT_BUILT
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
@@ -39,7 +39,7 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 def check(context: Context) -> Findings:
     unprefixed: dict[str, list[Finding]] = {}
     for finding in reported(context, "XAC001"):
-        if finding.message.startswith(UNBUILT):  # which is no defect of the robot
+        if finding.message.startswith(NOT_BUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
             continue
         if _is_in_plain_macro(finding):

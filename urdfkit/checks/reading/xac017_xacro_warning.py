@@ -4,7 +4,8 @@ An unknown attribute of a xacro tag, an include whose pattern matches no file, a
 model prints with `xacro.warning()`, or a property or parameter with the name of something that
 expressions already have ("redefining global symbol"): `pi`, `e`, `radians`, `sin`, `min`, `len`
 and the other names of Python's math module. Such a property hides the constant or function in every
-file that is included afterwards; with `e` or `pi` that gives wrong numbers elsewhere.
+file that is included afterwards; with `e` or `pi` that gives wrong numbers elsewhere. Also a
+variable of `$(optenv)` that is set and that urdfkit does not read: ROS may start another robot.
 
 `load_yaml`, `sorted` and other functions moved into the namespaces `xacro` and `python`; the bare
 names print a warning today and will be removed. An info.

@@ -14,6 +14,8 @@ _KNOWN = (
     "fake_components", "gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control",
     "mock_components",
 )  # fmt: skip
+#: The usual types of interfaces, and the similarity from which another name is a typo.
+_DATA_TYPES, _TYPO_OF_TYPE = ("double", "bool"), 0.8
 #: Similarity from which an unknown name is a typo.
 _TYPO = 0.85
 
@@ -24,6 +26,10 @@ def invalid_values(component: Component) -> Findings:
     if rate is not None and not _is_count(rate.value, least=0):
         message = f"{component.called}: rw_rate is '{rate.value}', not a positive integer"
         yield Finding(rate, message, "write the rate in Hz, or remove it")
+    is_async = component.at.attributes.get("is_async")
+    if is_async is not None and not _is_boolean(is_async.value):
+        message = f"{component.called}: is_async is '{is_async.value}', which is read as false"
+        yield Finding(is_async, message, "write true or false", severity=Severity.WARNING)
     is_known = component.hardware.partition("/")[0] in _KNOWN
     for part in component.parts:
         for element in part.at.all("param") if is_known else ():
@@ -33,11 +39,11 @@ def invalid_values(component: Component) -> Findings:
                 help = "move it into the <state_interface> that it is for"
                 yield Finding(element, message, help, severity=Severity.WARNING)
         for interface in part.interfaces:
-            yield from _size(
-                part.kind, f"{part.kind} '{part.name}', {interface.name}", interface.at
-            )
+            who = f"{part.kind} '{part.name}', {interface.name}"
+            yield from _size(part.kind, who, interface.at)
+            yield from _data_type(who, interface.at)
             for element in interface.at.all("param"):
-                yield from _parameter(f"{part.kind} '{part.name}', {interface.name}", element)
+                yield from _parameter(who, element)
 
 
 def _size(kind: str, who: str, interface: Element) -> Findings:
@@ -47,6 +53,21 @@ def _size(kind: str, who: str, interface: Element) -> Findings:
         message = f"{who}: size is '{size.value}', not a positive integer"
         severity = None if kind == "gpio" else Severity.WARNING
         yield Finding(size, message, "write the number of values", severity=severity)
+
+
+def _data_type(who: str, interface: Element) -> Findings:
+    """Hardware may have types of its own, whose names are no typos."""
+    kind = interface.attributes.get("data_type")
+    if kind is None or kind.value in _DATA_TYPES or is_expression(kind.value):
+        return
+    if suggested := nearest(kind.value, _DATA_TYPES, _TYPO_OF_TYPE):
+        message = f"{who}: unknown data_type '{kind.value}'; did you mean '{suggested}'?"
+        fix = fix_value(kind, suggested)
+        yield Finding(kind, message, f"write {suggested}", fix, severity=Severity.WARNING)
+
+
+def _is_boolean(text: str) -> bool:
+    return is_expression(text) or text.lower() == "false" or text in ("true", "True")
 
 
 def _is_count(text: str, least: int) -> bool:

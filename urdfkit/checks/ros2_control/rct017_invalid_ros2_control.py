@@ -10,8 +10,8 @@ The parser of ros2_control throws an exception and the controller manager does n
 
 Reported as a warning are unknown elements in a joint, sensor or GPIO, which are ignored; an
 interface whose name is nearly a standard one, or that the simulator does not offer; a misspelt
-`initial_value`, or one outside of a state interface; and values of `min`, `max` and `initial_value`
-that are not numbers.
+`initial_value`, or one outside of a state interface; values of `min`, `max` and `initial_value`
+that are not numbers; a misspelt `data_type`; and an `is_async` that is neither true nor false.
 Interfaces with other names are legal, since hardware and controller agree on them. `<ec_module>` is
 read by the EtherCAT driver. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the
 same way.

@@ -1,7 +1,7 @@
 """Whether the SRDF near a robot is that of this robot."""
 
 from urdfkit.lint.context import Context
-from urdfkit.workspace.siblings import other_srdf_files, srdf_files
+from urdfkit.workspace.srdf_files import other_srdf_files, srdf_files
 
 
 def applies(context: Context) -> bool:

@@ -1,8 +1,9 @@
 """More than one link has no parent.
 
 A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
-Pinocchio) rejects a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
-the others with a joint, or remove it.
+Pinocchio) and PyBullet reject a robot with two roots. MuJoCo, Drake, Newton and yourdfpy load the
+parts loose, a warning where they are the only targets. Connect each of the others with a joint, or
+remove it.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot

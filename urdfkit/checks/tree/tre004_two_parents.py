@@ -24,7 +24,11 @@ BAD = robot_xml(
 GOOD = BAD[: BAD.index('\n<joint name="mount"')]
 
 
-@rule(Severity.ERROR, help="keep one joint for each child")
+@rule(
+    Severity.ERROR,
+    help="keep one joint for each child, and close a closed mechanism in the simulator: urdfkit "
+    "explain TRE003",
+)
 def check(context: Context) -> Findings:
     for name, joints in context.tree.parents.items():
         for joint in joints[1:]:

@@ -1,9 +1,13 @@
-"""A link or joint is named without the prefix that its definition has.
+"""A link or joint is named without the prefix or the condition that its definition has.
 
-The robot is right as long as the prefix is empty, which is the default, and breaks as soon as
-somebody passes one: with `prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. The
-robot is expanded once more with a prefix to see what its names become. Write `${prefix}` there,
-too.
+The robot is right as long as the prefix is empty, and breaks as soon as somebody passes one: with
+`prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. The robot is expanded once more
+with a value for each argument that is empty, whatever the argument is called, to see what the names
+become. Write `${prefix}` there, too.
+
+The same holds for a link that `<xacro:if value="${with_camera}">` adds: where a joint outside of
+the condition has it as its parent, the robot breaks with `with_camera:=false`. A `<gazebo>` block
+outside of it is an info: Gazebo ignores the block.
 
 Sources:
     ROS-Industrial, coordinate frames and prefixes: https://wiki.ros.org/Industrial/Tutorials/WorkingWithRosIndustrialRobotSupportPackages
@@ -12,6 +16,7 @@ Sources:
 
 from collections.abc import Iterator
 
+from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -26,8 +31,10 @@ BAD = xacro_xml(
 )
 GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
 
-#: What the prefix becomes in the second expansion.
+#: What the prefix becomes in another expansion.
 _PREFIX = "left_"
+#: Empty arguments that are tried as a prefix.
+_MOST = 4
 _DEFINED = ("link", "joint")
 #: Attributes that name a link or a joint; ``name`` does in `_DEFINED` inside of other elements.
 _ATTRIBUTES = ("link", "joint", "reference")
@@ -37,9 +44,15 @@ _NAMING = ("frame", "link", "joint", "body")
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
 def check(context: Context) -> Findings:
+    if not context.is_part:
+        yield from _forgotten_prefixes(context)
+        yield from forgotten_conditions(context)
+
+
+def _forgotten_prefixes(context: Context) -> Findings:
     root = context.document.root
-    empty = [name for name in _prefixes(context) if name not in context.arguments]
-    if not empty or context.is_part:
+    arguments = _empty_arguments(context)
+    if not arguments:
         return
     prefixed = {name for name, at in _definitions(root) if not at.literal}
     suspects = {
@@ -47,31 +60,29 @@ def check(context: Context) -> Findings:
         for name, span, element in _references(root, prefixed)
         if _written(name, span, element.frame)
     }
-    if not suspects:
-        return
-    arguments = {**context.arguments, **dict.fromkeys(empty, _PREFIX)}
-    other = context.other_robot(context.source.path, arguments).reading.document
-    if other is None:
-        return
-    names = {name for name, _ in _definitions(other.root)}
-    lost = {name for name in suspects - names if f"{_PREFIX}{name}" in names}
-    for name, span, element in _references(other.root, lost):
-        yield Finding(
-            Location(_written(name, span, element.frame) or span, element.frame),
-            f"'{name}' is called '{_PREFIX}{name}' if {empty[0]} is '{_PREFIX}'; "
-            f"<{element.tag}> names it without",
-            f"write ${{{empty[0]}}}{name}",
-            related=tuple(_defined(root, name)),
-        )
+    for argument in arguments if suspects else ():
+        values = {**context.arguments, argument: _PREFIX}
+        other = context.other_robot(context.source.path, values).reading.document
+        if other is None:
+            continue
+        names = {name for name, _ in _definitions(other.root)}
+        lost = {name for name in suspects - names if f"{_PREFIX}{name}" in names}
+        for name, span, element in _references(other.root, lost):
+            yield Finding(
+                Location(_written(name, span, element.frame) or span, element.frame),
+                f"'{name}' is called '{_PREFIX}{name}' if {argument} is '{_PREFIX}'; "
+                f"<{element.tag}> names it without",
+                f"write ${{{argument}}}{name}",
+                related=tuple(_defined(root, name)),
+            )
+        suspects -= lost
 
 
-def _prefixes(context: Context) -> list[str]:
-    """The arguments that are a prefix, and empty unless given."""
-    return [
-        one.name
-        for one in context.xacro.arguments
-        if one.name.endswith("prefix") and not one.attributes.get("default", "x").strip()
-    ]
+def _empty_arguments(context: Context) -> list[str]:
+    """The arguments whose value is empty, by default or as given; prefixes by name come first."""
+    defaults = context.xacro.defaults
+    empty = [name for name in defaults if not context.arguments.get(name, defaults[name]).strip()]
+    return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MOST]
 
 
 def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:

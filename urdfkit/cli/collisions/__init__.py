@@ -102,9 +102,9 @@ def _srdf(path: str, context: Context) -> Srdf:
 
 def _write(matrix: Matrix, path: str) -> None:
     """Write the SRDF, or bring the one that is there up to date."""
-    from urdfkit.physics.collision.srdf_matrix import updated, written
+    from urdfkit.physics.collision.srdf_matrix import new_srdf, updated_srdf
 
     is_there = os.path.exists(path)
-    atomic.write(path, updated(matrix, Source.read(path)) if is_there else written(matrix))
+    atomic.write(path, updated_srdf(matrix, Source.read(path)) if is_there else new_srdf(matrix))
     done = "updated" if is_there else "written"
     print(f"{path} {done}", file=sys.stderr)

@@ -38,7 +38,7 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
 
     Raises:
         UsageError: both a file and in place.
-        SoundMesh: the file is a good mesh, and not to be replaced.
+        SoundMesh: the file is a valid mesh, and must not be replaced.
     """
     if out and in_place:
         raise options.UsageError("--output and --write exclude one another")

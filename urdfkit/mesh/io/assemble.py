@@ -1,4 +1,4 @@
-"""From the lists of a mesh file to parts: corners, bad indices and numbers, transforms."""
+"""Mesh parts from the arrays of a mesh file: corners, invalid values, transforms."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -9,35 +9,35 @@ from urdfkit.core.words import counted
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshMaterial, MeshPart, NoTriangles
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
-#: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.
+#: Limits for the nodes and triangles of a scene: a short file can repeat geometry many times.
 MAX_NODES = 20_000
 MAX_TRIANGLES = 20_000_000
 
-#: Parts with so much fewer corners than the file has values are numbered by sorting: a file may have
-#: thousands of parts.
+#: Parts with so much fewer corners than the file has values are numbered by sorting: a file can
+#: contain thousands of parts.
 _SMALL = 16
 
 
 class Stream(NamedTuple):
-    """Values, and which of them each corner of each triangle takes."""
+    """Values, and the row of each corner of each triangle in them."""
 
     values: Floats  # (n, k)
-    rows: Integers  # (m, 3), of the values
+    rows: Integers  # (m, 3), indices of values
 
 
 class LostData:
-    """What is lost of one file, counted by kind."""
+    """Elements of a file that could not be read, counted by kind."""
 
     def __init__(self) -> None:
         self._counts: dict[str, int] = {}
 
     def add(self, kind: str, number: int | np.signedinteger = 1) -> None:
-        """Count something; ``kind`` is a noun that an ``s`` can be put at the ``*`` of."""
+        """Count losses; ``kind`` is a noun phrase with a ``*`` where the plural has an ``s``."""
         if number:
             self._counts[kind] = self._counts.get(kind, 0) + int(number)
 
     def sentences(self) -> tuple[str, ...]:
-        """One for each kind, in the order of their first occurrence."""
+        """A sentence for each kind, in the order of first occurrence."""
         return tuple(
             f"{number} {kind.replace('*', '' if number == 1 else 's', 1)}"
             for kind, number in self._counts.items()
@@ -53,24 +53,24 @@ def assemble(
     uv: Stream | None = None,
     colors: Stream | None = None,
 ) -> MeshPart | None:
-    """A part of triangles that exist; None if none is left.
+    """A part of the valid triangles; None if there are none.
 
-    Corners that share all of their values share a vertex. Values that no triangle uses are left.
+    Corners with equal values share a vertex. Unused values are omitted.
     """
     keep = _usable(position, losses)
     if not keep.any():
         return None
     streams = {"positions": _at(position, keep)}
-    given = {"normals": normals, "texture coordinates": uv, "colours": colors}
-    for what, stream in given.items():
+    attributes = {"normals": normals, "texture coordinates": uv, "colours": colors}
+    for name, stream in attributes.items():
         if stream is not None and len(stream.values):
             if _exist(stream)[keep].all():
-                streams[what] = _at(stream, keep)
+                streams[name] = _at(stream, keep)
             else:
-                losses.add(f"surface* whose {what} are not in the file")
+                losses.add(f"surface* whose {name} are not in the file")
     rows, faces = _unified(list(streams.values()))
     values = {
-        what: stream.values[row] for (what, stream), row in zip(streams.items(), rows, strict=True)
+        name: stream.values[row] for (name, stream), row in zip(streams.items(), rows, strict=True)
     }
     vertices = values["positions"]
     return MeshPart(
@@ -89,18 +89,18 @@ def mesh_of(
     """Build a mesh from its parts.
 
     Raises:
-        NoTriangles: there are none.
+        NoTriangles: there are no parts.
     """
-    found = tuple(part for part in parts if part is not None)
-    if not found:
+    present = tuple(part for part in parts if part is not None)
+    if not present:
         lost = "; ".join(losses.sentences())
-        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
-    mesh = Mesh(found, losses=losses.sentences())
+        raise NoTriangles(f"contains no triangles{f' ({lost})' if lost else ''}")
+    mesh = Mesh(present, losses=losses.sentences())
     return files.added_to(mesh) if files else mesh
 
 
 def transformed(part: MeshPart, matrix: Floats) -> MeshPart:
-    """A part moved by a homogeneous (4, 4) matrix; a mirrored one keeps its outside outside."""
+    """A part transformed by a homogeneous (4, 4) matrix; a mirrored part keeps its outside."""
     if np.array_equal(matrix, np.eye(4)):
         return part
     linear = matrix[:3, :3]
@@ -114,20 +114,19 @@ def transformed(part: MeshPart, matrix: Floats) -> MeshPart:
 
 
 def _usable(position: Stream, losses: LostData) -> Flags:
-    """The triangles whose corners are in the file, and finite."""
-    there = _exist(position)
-    losses.add("triangle* with a vertex that is not in the file", np.count_nonzero(~there))
-    keep: Flags = there.copy()
-    keep[there] = np.isfinite(position.values[position.rows[there]]).all(axis=(1, 2))
-    lost = np.count_nonzero(there & ~keep)
-    losses.add("triangle* with a coordinate that is no finite number", lost)
+    """(m,), True for triangles whose corners exist and are finite."""
+    exists = _exist(position)
+    losses.add("triangle* with a vertex that is not in the file", np.count_nonzero(~exists))
+    keep: Flags = exists.copy()
+    keep[exists] = np.isfinite(position.values[position.rows[exists]]).all(axis=(1, 2))
+    lost = np.count_nonzero(exists & ~keep)
+    losses.add("triangle* with a coordinate that is not finite", lost)
     return keep
 
 
 def _exist(stream: Stream) -> Flags:
-    """Whether all values of each triangle exist, (m,)."""
-    found: Flags = np.all((stream.rows >= 0) & (stream.rows < len(stream.values)), axis=1)
-    return found
+    """(m,), True for triangles whose values all exist."""
+    return np.asarray(np.all((stream.rows >= 0) & (stream.rows < len(stream.values)), axis=1))
 
 
 def _at(stream: Stream, keep: Flags) -> Stream:
@@ -135,7 +134,7 @@ def _at(stream: Stream, keep: Flags) -> Stream:
 
 
 def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
-    """The rows of each stream that the vertices use, and the vertices (m, 3) of the triangles."""
+    """The row of each vertex in each stream, and the vertices (m, 3) of the triangles."""
     first = streams[0]
     if all(np.array_equal(stream.rows, first.rows) for stream in streams[1:]):
         if _SMALL * first.rows.size < len(first.values):
@@ -147,7 +146,7 @@ def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
         return [np.flatnonzero(used)] * len(streams), faces
     key = first.rows.reshape(-1)
     for stream in streams[1:]:
-        # Numbered anew each time, so that no product overflows.
+        # Renumbered in each round, so that no product overflows.
         _, key = np.unique(key, return_inverse=True)
         key = key * len(stream.values) + stream.rows.reshape(-1)
     _, corners, faces = np.unique(key, return_index=True, return_inverse=True)
@@ -155,14 +154,14 @@ def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
 
 
 def _rgba(colors: Floats) -> Floats:
-    """Colours of three or four parts as four, each from 0 to 1."""
+    """RGB or RGBA colours as RGBA, each component from 0 to 1."""
     full = np.ones((len(colors), 4))
     full[:, : colors.shape[1]] = np.clip(np.nan_to_num(colors[:, :4], nan=1.0), 0, 1)
     return full
 
 
 def _unit(normals: Floats, vertices: Floats, faces: Integers) -> Floats:
-    """Normals of length 1; those of no length become the normal of a triangle at the vertex."""
+    """Unit normals; a zero normal is replaced by the normal of a triangle at the vertex."""
     with np.errstate(over="ignore", invalid="ignore"):
         length = np.linalg.norm(normals, axis=1)
         bad = ~(np.isfinite(length) & (length > 1e-12))
@@ -182,5 +181,5 @@ def _unit(normals: Floats, vertices: Floats, faces: Integers) -> Floats:
 
 
 def counted_kinds(kinds: dict[str, int]) -> tuple[str, ...]:
-    """``2 cameras``, ``1 line set``: the things of which there are any."""
+    """The kinds that occur, as ``2 cameras``, ``1 line set``."""
     return tuple(counted(number, kind) for kind, number in kinds.items() if number)

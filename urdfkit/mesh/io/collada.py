@@ -1,4 +1,4 @@
-"""Validating COLLADA files from their bytes, without reading their numbers."""
+"""Validation of the bytes of COLLADA files, without parsing their numbers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from xml.parsers import expat
 
 from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
 
-#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
+#: Unterminated comments extend to the end: searching from each beginning again would take hours.
 _TAG = re.compile(rb"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<[^<>]*>", re.DOTALL)
 _SURFACE = re.compile(
     rb"""<(?:triangles|polylist|polygons|trifans|tristrips)\s[^<>]*\bcount\s*=\s*["']0*[1-9]"""
@@ -25,25 +25,25 @@ _VALUE = re.compile(rb"""=\s*(?:"[^"<]*<[^"]*"|'[^'<]*<[^']*')""")
 _LATE_DECLARATION = re.compile(rb"\A(?:\xef\xbb\xbf)?\s+<\?xml\b[^>]*\?>")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
-#: Errors of expat that only the end of the file explains: no element, unclosed token, partial
-#: character, unclosed CDATA section.
+#: Errors of expat caused by a truncated file: no element, unclosed token, partial character,
+#: unclosed CDATA section.
 _CUT_OFF = (3, 5, 6, 20)
-#: An XML declaration that is not at the start.
+#: Error of expat: the XML declaration is not at the start.
 _DECLARED_LATE = 17
-#: Entities are not read: nested ones grow without bound, or overflow the stack of the parser.
-ENTITIES = "declares XML entities, which are not read"
-#: Errors that the XML parsers of Gazebo and assimp ignore: an undefined entity, an encoding.
+#: Nested entities grow without bound, or overflow the stack of the parser.
+ENTITIES = "declares XML entities, which are not supported"
+#: Errors of expat that the XML parsers of Gazebo and assimp ignore: undefined entity, encoding.
 _TOLERATED = (11, 18, 19)
 
 
 def validate(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with a COLLADA file, and which coordinate is not finite."""
+    """The defect of a COLLADA file, and its first non-finite coordinate."""
     if declares_entities(data):
         return unreadable(ENTITIES), ""
     content = _Content()
     error: expat.ExpatError | None = None
     if not data.startswith((b"\xff\xfe", b"\xfe\xff")) and b"\0" not in data:
-        # The tags alone, 4 % of the bytes, are well formed if the whole is.
+        # The tags, 4 % of the bytes, are well formed if the file is.
         tags = b"".join(_TAG.findall(data)).replace(b"<p></p>", b"")
         if _is_sound(tags) and not any(map(_has_letters, _number_lists(data))):
             return None, ""
@@ -69,10 +69,10 @@ def declares_entities(data: bytes) -> bool:
 
 
 def forgive(data: bytes) -> bytes:
-    """XML as the readers of Gazebo (tinyxml2) and assimp (pugixml) take it, where expat does not.
+    """XML without the errors that Gazebo (tinyxml2) and assimp (pugixml) accept, but not expat.
 
-    They end at a zero byte, and let "<" stand in the value of an attribute and white space before
-    the XML declaration, which says nothing that is not known.
+    They stop at a zero byte, and accept "<" in attribute values and white space before the XML
+    declaration, which is not needed.
     """
     if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.partition(b"\0")[0]
@@ -81,7 +81,7 @@ def forgive(data: bytes) -> bytes:
 
 
 def _is_sound(tags: bytes) -> bool:
-    """True if the tags leave nothing to say: quick, and what all but broken files need."""
+    """True if the tags are valid: a fast check that is enough for all but broken files."""
     try:
         expat.ParserCreate("iso-8859-1").Parse(tags, True)
     except expat.ExpatError:
@@ -96,12 +96,12 @@ def _is_sound(tags: bytes) -> bool:
 
 def _where_it_ends(content: _Content) -> str:
     open_tags = " in ".join(f"<{tag}>" for tag in reversed(content.open[-2:]))
-    held = "" if content.surfaces else ", before any triangle"
-    return f"ends inside {open_tags or 'its first tag'}{held}"
+    before = "" if content.surfaces else ", before any triangle"
+    return f"ends inside {open_tags or 'its first tag'}{before}"
 
 
 def conventions(data: bytes) -> tuple[float, str]:
-    """Metres per unit of length and the upward axis, as the ``<asset>`` at the top says."""
+    """Metres per unit of length and the up axis, from the first ``<asset>``."""
     start = data.find(b"<asset")
     asset = data[start : data.find(b"</asset>", start)] if start >= 0 else b""
     unit, axis = _UNIT.search(asset), _UP_AXIS.search(asset)
@@ -110,22 +110,22 @@ def conventions(data: bytes) -> tuple[float, str]:
 
 
 class _Content:
-    """What the tags of a COLLADA file say."""
+    """Information from the tags of a COLLADA file."""
 
     def __init__(self) -> None:
-        self.root = ""  # the tag of its root element
-        self.open: list[str] = []  # the tags of the elements that are open
-        self.surfaces = 0  # number of faces, as the file declares them
-        #: For each ``float_array``, in order, the id of the source that it is in.
+        self.root = ""  # tag of the root element
+        self.open: list[str] = []  # tags of the open elements
+        self.surfaces = 0  # declared number of faces
+        #: For each ``float_array``, in order, the id of its source.
         self.arrays: list[str] = []
-        self.positions: set[str] = set()  # the ids of sources that hold coordinates of vertices
+        self.positions: set[str] = set()  # ids of sources with vertex coordinates
         self._ids: set[str] = set()
         self._references: dict[str, str] = {}
         self._tags: set[str] = set()
         self._source = ""
 
     def parse(self, data: bytes) -> expat.ExpatError | None:
-        # As Latin-1 every byte is a character: names of parts in other encodings are kept.
+        # In Latin-1, every byte is a character, so names in other encodings are accepted.
         encoding = None if data.startswith((b"\xff\xfe", b"\xfe\xff")) else "iso-8859-1"
         parser = expat.ParserCreate(encoding)
         parser.StartElementHandler = self._start
@@ -139,14 +139,14 @@ class _Content:
     def defect(self) -> Defect | None:
         if not self.surfaces:
             lines = self._tags & {"lines", "linestrips"}
-            return empty(f"holds no triangles{', only lines' if lines else ''}")
+            return empty(f"contains no triangles{', only lines' if lines else ''}")
         if not self._tags & {"instance_geometry", "instance_controller"}:
-            return empty("holds geometry, but its scene shows none of it")
+            return empty("contains geometry, but no instance of it in its scene")
         if "instance_visual_scene" not in self._tags:
-            return empty("holds geometry, but no <scene> that shows it")
+            return empty("contains geometry, but no <scene> that refers to it")
         for reference, tag in self._references.items():
             if reference not in self._ids:
-                return unreadable(f"refers in <{tag}> to '#{reference}', which is not in it")
+                return unreadable(f"refers in <{tag}> to '#{reference}', which does not exist")
         return None
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
@@ -164,7 +164,7 @@ class _Content:
         elif tag == "float_array":
             self.arrays.append(self._source)
         reference = attributes.get(_REFERENCES.get(tag, ""), "")
-        # Those of animations and controllers are not needed to show the mesh.
+        # References of animations and controllers are not needed for the mesh.
         if reference.startswith("#") and (tag == "instance_geometry" or "mesh" in self.open):
             self._references.setdefault(reference[1:], tag)
             if attributes.get("semantic") == "POSITION":
@@ -191,7 +191,7 @@ def _has_letters(numbers: tuple[int, bytes]) -> bool:
 
 
 def _non_finite(data: bytes, content: _Content) -> str:
-    """The first number of the vertices that is nan or infinite."""
+    """The first vertex coordinate that is nan or infinite."""
     for source, (start, numbers) in zip(content.arrays, _number_lists(data), strict=False):
         match = _NOT_FINITE.search(numbers) if source in content.positions else None
         if match:

@@ -1,7 +1,7 @@
-"""The triangles in a ``<geometry>`` of COLLADA.
+"""The triangles of a COLLADA ``<geometry>``.
 
 COLLADA 1.4.1, chapter 5: the corners of a surface are rows of indices, one index for each input
-offset; an input of the semantic VERTEX stands for the inputs of ``<vertices>``.
+offset; an input with the semantic VERTEX refers to the inputs of ``<vertices>``.
 """
 
 from collections.abc import Iterator
@@ -18,24 +18,24 @@ from urdfkit.mesh.io.polygons import fans, strips, triangles
 SURFACES = ("triangles", "polylist", "polygons", "trifans", "tristrips")
 LINES = ("lines", "linestrips")
 
-#: The most inputs that a corner can sensibly have.
+#: Limit for the inputs of a corner.
 _MOST_OFFSETS = 64
 
 
 class ColladaTriangles(NamedTuple):
-    """One list of triangles with the same material."""
+    """Triangles with the same material."""
 
-    symbol: str  # that stands for its material
-    position: Stream  # its corners
-    #: normals and colors: of its corners, or None.
+    symbol: str  # of the material
+    position: Stream  # of the corners
+    #: normals and colors: of the corners, or None.
     normals: Stream | None
     colors: Stream | None
-    #: Texture coordinates by the number of their set, in the order of the file.
+    #: Texture coordinates by set number, in the order of the file.
     uvs: dict[str, Stream]
 
 
 class _Input(NamedTuple):
-    """Values that corners take, and the column of their index."""
+    """Values of corners, and the column of their index."""
 
     semantic: str
     set: str
@@ -44,7 +44,7 @@ class _Input(NamedTuple):
 
 
 class Geometries:
-    """The surfaces of the geometries of one file, each read once."""
+    """The surfaces of the geometries of a file, each parsed once."""
 
     def __init__(self, tree: ColladaTree, losses: LostData) -> None:
         self._tree = tree
@@ -54,30 +54,29 @@ class Geometries:
         self.lines = 0
 
     def surfaces(self, geometry: Element) -> list[ColladaTriangles]:
-        """The surfaces of a geometry."""
         if geometry not in self._surfaces:
             mesh = child(geometry, "mesh")
             self.lines += sum(1 for _ in children(mesh, *LINES))
-            found = [self._surface(element) for element in children(mesh, *SURFACES)]
-            self._surfaces[geometry] = [surface for surface in found if surface]
+            surfaces = [self._surface(element) for element in children(mesh, *SURFACES)]
+            self._surfaces[geometry] = [surface for surface in surfaces if surface]
         return self._surfaces[geometry]
 
     def _surface(self, element: Element) -> ColladaTriangles | None:
         inputs = list(self._inputs(element))
-        position = next((one for one in inputs if one.semantic == "POSITION"), None)
-        offsets = [_number(one.get("offset"), 0) for one in children(element, "input")]
+        position = next((entry for entry in inputs if entry.semantic == "POSITION"), None)
+        offsets = [_number(entry.get("offset"), 0) for entry in children(element, "input")]
         width = max(offsets, default=0) + 1
         if position is None or width > _MOST_OFFSETS:
-            self._losses.add("surface* without coordinates of its corners")
+            self._losses.add("surface* without coordinates")
             return None
         corners, index = self._corners(element, width, position)
-        streams = [(one, Stream(one.values, corners[:, one.offset][index])) for one in inputs]
         by_semantic: dict[str, Stream] = {}
         uvs: dict[str, Stream] = {}
-        for one, stream in streams:
-            by_semantic.setdefault(one.semantic, stream)
-            if one.semantic == "TEXCOORD":
-                uvs.setdefault(one.set, stream)
+        for entry in inputs:
+            stream = Stream(entry.values, corners[:, entry.offset][index])
+            by_semantic.setdefault(entry.semantic, stream)
+            if entry.semantic == "TEXCOORD":
+                uvs.setdefault(entry.set, stream)
         return ColladaTriangles(
             element.get("material", ""),
             by_semantic["POSITION"],
@@ -87,22 +86,22 @@ class Geometries:
         )
 
     def _inputs(self, element: Element) -> Iterator[_Input]:
-        for given in children(element, "input"):
-            offset = _number(given.get("offset"), 0)
-            number = given.get("set", "0")
-            if given.get("semantic") != "VERTEX":
-                yield from self._input(given, offset, number)
+        for entry in children(element, "input"):
+            offset = _number(entry.get("offset"), 0)
+            number = entry.get("set", "0")
+            if entry.get("semantic") != "VERTEX":
+                yield from self._input(entry, offset, number)
                 continue
-            vertices = self._tree.named(given.get("source"), "vertices")
+            vertices = self._tree.named(entry.get("source"), "vertices")
             for shared in children(vertices, "input"):
                 yield from self._input(shared, offset, number)
 
-    def _input(self, given: Element, offset: int, number: str) -> Iterator[_Input]:
-        semantic = given.get("semantic", "")
+    def _input(self, entry: Element, offset: int, number: str) -> Iterator[_Input]:
+        semantic = entry.get("semantic", "")
         width = {"POSITION": (3, 3), "NORMAL": (3, 3), "TEXCOORD": (2, 2), "COLOR": (3, 4)}
         if semantic not in width or offset < 0:
             return
-        source = self._tree.named(given.get("source"), "source")
+        source = self._tree.named(entry.get("source"), "source")
         values = self._source(source) if source is not None else np.zeros((0, 0))
         least, most = width[semantic]
         if values.shape[1] >= least:
@@ -111,7 +110,7 @@ class Geometries:
             self._losses.add(f"list* of {semantic} values that cannot be read")
 
     def _source(self, source: Element) -> Floats:
-        """(n, k), the values that a source's accessor gives."""
+        """(n, k), the values of a source."""
         if source not in self._sources:
             self._sources[source] = self._read(source)
         return self._sources[source]
@@ -131,12 +130,12 @@ class Geometries:
             return np.zeros((0, 0))
         numbers = numbers[start:]
         rows = numbers[: len(numbers) // stride * stride].reshape(-1, stride)
-        # A parameter without a name is ignored.
+        # COLLADA: a parameter without a name is skipped.
         used = [i for i, name in enumerate(names[:stride]) if name]
         return rows[:, used] if used else rows
 
     def _corners(self, element: Element, width: int, position: _Input) -> tuple[Integers, Integers]:
-        """Rows of indices, (c, width), and triangles as numbers of rows, (m, 3)."""
+        """Rows of indices, (c, width), and triangles as indices of rows, (m, 3)."""
         kind = tag(element)
         if kind == "triangles":
             rows = self._rows(text(child(element, "p")), width)
@@ -145,12 +144,12 @@ class Geometries:
             rows = self._rows(text(child(element, "p")), width)
             counts = np.clip(integers(text(child(element, "vcount"))), 0, len(rows) + 1)
             whole = np.cumsum(counts) <= len(rows)
-            self._losses.add("polygon* without all of their corners", np.count_nonzero(~whole))
+            self._losses.add("polygon* with missing corners", np.count_nonzero(~whole))
             return rows, triangles(counts[whole], _places(rows, position))
         pieces = [self._rows(text(p), width) for p in children(element, "p")]
         if kind == "polygons":
             holed = list(children(element, "ph"))
-            self._losses.add("polygon* whose holes are filled", len(holed))
+            self._losses.add("polygon* with filled holes", len(holed))
             pieces += [self._rows(text(child(ph, "p")), width) for ph in holed]
         counts = np.array([len(piece) for piece in pieces], dtype=np.int64)
         rows = np.concatenate(pieces) if pieces else np.zeros((0, width), dtype=np.int64)
@@ -161,21 +160,21 @@ class Geometries:
         return rows, triangles(counts, _places(rows, position))
 
     def _rows(self, numbers: str, width: int) -> Integers:
-        found = integers(numbers)
-        whole = len(found) // width * width
-        self._losses.add("cut-off list* of corners", int(whole < len(found)))
-        return found[:whole].reshape(-1, width)
+        indices = integers(numbers)
+        whole = len(indices) // width * width
+        self._losses.add("truncated list* of corners", int(whole < len(indices)))
+        return indices[:whole].reshape(-1, width)
 
 
 def _places(rows: Integers, position: _Input) -> Floats:
-    """(c, 3), where the corners are; anywhere, if a file says what it does not hold."""
+    """(c, 3), positions of the corners; arbitrary for invalid indices."""
     if not len(position.values):
         return np.zeros((len(rows), 3))
     return position.values.take(rows[:, position.offset], axis=0, mode="clip")
 
 
 def _number(word: str | None, default: int) -> int:
-    """A small whole number in an attribute; -1 if it is none."""
+    """A small integer in an attribute; -1 if invalid."""
     if word is None:
         return default
     word = word.strip()

@@ -1,4 +1,4 @@
-"""The materials of COLLADA: from ``<material>`` through ``<effect>`` to colour and texture."""
+"""COLLADA materials: from ``<material>`` through ``<effect>`` to colour and texture."""
 
 import os
 from typing import NamedTuple
@@ -14,13 +14,13 @@ from urdfkit.mesh.io.referenced_files import ReferencedFiles
 Colour = tuple[float, float, float, float]
 
 _SHADERS = ("phong", "blinn", "lambert", "constant")
-#: How bright each part of a colour looks; COLLADA 1.4.1, chapter 7, "Determining Transparency".
+#: Weights of RGB; COLLADA 1.4.1, chapter 7, "Determining Transparency".
 _LUMINANCE = (0.212671, 0.715160, 0.072169)
 _DEFAULT = MeshMaterial()
 
 
 class ColladaMaterial(NamedTuple):
-    """A material, and the name of the coordinates that its texture uses."""
+    """A material, and the name of its texture coordinates."""
 
     material: MeshMaterial
     coordinates: str = ""
@@ -33,16 +33,16 @@ class ColladaMaterials:
         self._tree = tree
         self._files = files
         self._losses = losses
-        self._known: dict[Element, ColladaMaterial] = {}
+        self._cache: dict[Element, ColladaMaterial] = {}
 
     def material(self, reference: str) -> ColladaMaterial | None:
-        """What ``#material`` refers to; None if there is no such material."""
+        """The material that ``#id`` refers to; None if it does not exist."""
         material = self._tree.named(reference, "material")
         if material is None:
             return None
-        if material not in self._known:
-            self._known[material] = self._read(material)
-        return self._known[material]
+        if material not in self._cache:
+            self._cache[material] = self._read(material)
+        return self._cache[material]
 
     def _read(self, material: Element) -> ColladaMaterial:
         name = material.get("name") or material.get("id", "")
@@ -52,7 +52,7 @@ class ColladaMaterials:
         technique = child(profile, "technique")
         shader = next(children(technique, *_SHADERS), None)
         if shader is None:
-            self._losses.add("material* without an effect that can be read")
+            self._losses.add("material* without a readable effect")
             return ColladaMaterial(MeshMaterial(name))
         base = child(shader, "emission" if tag(shader) == "constant" else "diffuse")
         rgba = self._colour(base) or _DEFAULT.rgba
@@ -63,27 +63,26 @@ class ColladaMaterials:
         image = self._image(texture.get("texture", ""), effect)
         path = self._files.image(image) if image else None
         rgb = (1.0, 1.0, 1.0) if path else _DEFAULT.rgba[:3]
-        found = MeshMaterial(name, (*rgb, self._opacity(shader, 1.0)), path)
-        return ColladaMaterial(found, texture.get("texcoord", ""))
+        result = MeshMaterial(name, (*rgb, self._opacity(shader, 1.0)), path)
+        return ColladaMaterial(result, texture.get("texcoord", ""))
 
     def _colour(self, element: Element | None) -> Colour | None:
-        """The ``<color>`` in an element; None if it has none that can be read."""
-        given = child(element, "color")
-        if given is None:
+        """The ``<color>`` in an element; None if it is missing or invalid."""
+        color = child(element, "color")
+        if color is None:
             return None
-        numbers = floats(text(given))[:4]
+        numbers = floats(text(color))[:4]
         if len(numbers) < 3 or not np.isfinite(numbers).all():
-            self._losses.add(f"colour* that cannot be read ('{text(given)[:40]}')")
+            self._losses.add(f"colour* that cannot be read ('{text(color)[:40]}')")
             return None
         red, green, blue, *alpha = (float(value) for value in np.clip(numbers, 0, 1))
         return (red, green, blue, alpha[0] if alpha else 1.0)
 
     def _opacity(self, shader: Element, alpha: float) -> float:
-        """Opacity from ``<transparent>`` and ``<transparency>``, as the mode of the former says.
+        """Opacity from ``<transparent>``, its mode, and ``<transparency>``.
 
         Args:
-            shader: with or without them.
-            alpha: of the colour, which counts where they are not there.
+            alpha: alpha of the colour, the default.
         """
         transparent = child(shader, "transparent")
         number = floats(text(child(shader, "transparency", "float")))
@@ -107,7 +106,7 @@ class ColladaMaterials:
             for holder in (profile, *children(profile, "technique"))
             for param in children(holder, "newparam")
         }
-        parameters |= {one.get("sid", ""): one for one in children(effect, "newparam")}
+        parameters |= {param.get("sid", ""): param for param in children(effect, "newparam")}
         identity = sampler
         surface = text(child(parameters.get(identity), "sampler2D", "source")) or identity
         identity = text(child(parameters.get(surface), "surface", "init_from")) or surface
@@ -115,8 +114,8 @@ class ColladaMaterials:
         reference = instance.get("url", "")[1:] if instance is not None else identity
         image = self._tree.with_id(reference, "image")
         if image is None and reference != sampler:
-            # An image that the library lacks: assimp, which RViz and Gazebo read with, takes the
-            # reference for the name of a JPEG.
+            # If the library has no such image, assimp, the reader of RViz and Gazebo, uses the
+            # reference as the name of a JPEG file.
             return reference if os.path.splitext(reference)[1] else f"{reference}.jpg"
         source = child(image, "init_from")
         return text(child(source, "ref")) or text(source)

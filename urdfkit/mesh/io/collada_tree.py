@@ -1,4 +1,4 @@
-"""The elements of a COLLADA file, found by tag and by id."""
+"""The elements of a COLLADA file by tag and by id."""
 
 from collections.abc import Iterator
 from typing import Any, TypeAlias
@@ -9,9 +9,9 @@ from lxml import etree
 from urdfkit.mesh.geometry import NoTriangles
 from urdfkit.mesh.io.collada import ENTITIES, declares_entities, forgive
 
-Element: TypeAlias = Any  # lxml comes without types
+Element: TypeAlias = Any  # lxml has no types
 
-#: libxml2 rejects longer texts unless `huge_tree` is set, and then checks less.
+#: libxml2 rejects longer texts unless `huge_tree` is set, which disables other checks, too.
 _LONG_TEXT = 10_000_000
 
 
@@ -19,7 +19,7 @@ class ColladaTree:
     """A COLLADA file."""
 
     def __init__(self, data: bytes, *, recover: bool = False) -> None:
-        self.root = parse(data, recover=recover)  # its root element
+        self.root = parse(data, recover=recover)
         self._by_id: dict[str, Element] = {}
         for element in self.root.iter(etree.Element):
             identity = element.get("id")
@@ -37,7 +37,7 @@ class ColladaTree:
         return element if element is not None and tag(element) in tags else None
 
     def with_id(self, identity: str | None, *tags: str) -> Element | None:
-        """The element of an id, if it has one of the tags."""
+        """The element with an id, if it has one of the tags."""
         return self.named(f"#{identity}", *tags) if identity else None
 
 
@@ -45,13 +45,13 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
     """The root element of XML.
 
     Raises:
-        NoTriangles: it is not well formed, or declares entities.
+        NoTriangles: the XML is not well formed, or declares entities.
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", "replace").encode()
         encoding = "utf-8"
     else:
-        # Names of parts may have other encodings, and no encoding can hide an entity.
+        # Names may have other encodings, and no encoding can hide an entity.
         encoding = "utf-8" if _is_utf8(data) else "iso-8859-1"
     if declares_entities(data):
         raise NoTriangles(ENTITIES)
@@ -72,7 +72,7 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
             return parse(forgiven, recover=recover)
         raise NoTriangles(f"is not well-formed XML: {error.msg}") from error
     if root is None:
-        raise NoTriangles("holds no XML")
+        raise NoTriangles("contains no XML")
     return root
 
 
@@ -82,10 +82,9 @@ def tag(element: Element) -> str:
 
 def children(element: Element | None, *tags: str) -> Iterator[Element]:
     """The children of an element, or those with one of the tags."""
-    if element is not None:
-        for found in element:
-            if isinstance(found.tag, str) and (not tags or tag(found) in tags):
-                yield found
+    for candidate in element if element is not None else ():
+        if isinstance(candidate.tag, str) and (not tags or tag(candidate) in tags):
+            yield candidate
 
 
 def child(element: Element | None, *path: str) -> Element | None:
@@ -96,7 +95,7 @@ def child(element: Element | None, *path: str) -> Element | None:
 
 
 def text(element: Element | None) -> str:
-    """The text of an element without white space around it; empty if there is none."""
+    """The stripped text of an element; empty if there is none."""
     return (element.text or "").strip() if element is not None else ""
 
 

@@ -1,4 +1,4 @@
-"""What is known of a mesh file before it is loaded."""
+"""Format and defects of a mesh file, before it is loaded."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ PLY = "PLY"
 GLB = "GLB"
 GLTF = "glTF"
 
-#: Larger files are recognised by their beginning, and not validated further.
+#: Larger files are recognised by their beginning, and not validated.
 MAX_BYTES = 128 * 1024 * 1024
 
-#: The formats whose triangles are read.
+#: Formats that can be loaded.
 READ = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
 
-#: The formats that a suffix promises; consumers choose their reader by the suffix.
+#: Formats by suffix, by which programs choose their reader.
 BY_SUFFIX = {
     ".stl": (BINARY_STL, ASCII_STL),
     ".stlb": (BINARY_STL,),
@@ -34,7 +34,7 @@ BY_SUFFIX = {
 
 
 class DefectKind(Enum):
-    """What is wrong with a mesh file."""
+    """Kinds of defects of mesh files."""
 
     EMPTY = "empty"
     NOT_A_MESH = "not a mesh"
@@ -43,37 +43,37 @@ class DefectKind(Enum):
 
 
 class Defect(Record):
-    """Why a mesh file cannot be used."""
+    """The reason why a mesh file cannot be used."""
 
-    kind: DefectKind  # in one word
-    reason: str  # a predicate whose subject is the file: ``holds no triangles``
+    kind: DefectKind
+    reason: str  # a predicate whose subject is the file: ``contains no triangles``
 
 
 class MeshFacts(Record):
-    """What the bytes of a mesh file say."""
+    """Properties of the bytes of a mesh file."""
 
-    format: str  # by content, such as ``binary STL``; empty if it is none that is known
+    format: str  # by content, such as ``binary STL``; empty if unknown
     size: int  # in bytes
-    defect: Defect | None = None  # why it cannot be used, or None
-    non_finite: str = ""  # which coordinate is not finite, in words; empty if all are
-    unit: float = 1.0  # metres per unit of length, as COLLADA says; 1 where nothing is said
-    #: ``X_UP``, ``Y_UP`` or ``Z_UP``, as COLLADA says; empty where nothing is said.
+    defect: Defect | None = None  # why the file cannot be used, or None
+    non_finite: str = ""  # the first non-finite coordinate, in words; empty if there is none
+    unit: float = 1.0  # metres per unit of length, in COLLADA; 1 if not defined
+    #: ``X_UP``, ``Y_UP`` or ``Z_UP``, in COLLADA; empty if not defined.
     up_axis: str = ""
-    starts_with_solid: bool = False  # True for a binary STL that begins as ASCII ones do
+    starts_with_solid: bool = False  # True for a binary STL that begins as an ASCII STL
 
 
 def has_other_unit(facts: MeshFacts) -> bool:
-    """True if a file says that it is not in metres."""
+    """True if a file declares another unit than metres."""
     return abs(facts.unit - 1) > 1e-6
 
 
 def has_other_up_axis(facts: MeshFacts) -> bool:
-    """True for a COLLADA file that says that x or y is up."""
+    """True for a COLLADA file that declares x or y as up."""
     return facts.up_axis not in ("", "Z_UP")
 
 
 def is_gltf(facts: MeshFacts) -> bool:
-    """True for a glTF file that can be read."""
+    """True for a valid glTF file."""
     return not facts.defect and facts.format in (GLB, GLTF)
 
 

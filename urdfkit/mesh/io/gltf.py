@@ -1,4 +1,4 @@
-"""Validating glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
+"""Validation of the bytes of glTF 2.0 files: JSON, or the binary container GLB."""
 
 from struct import unpack_from
 from typing import Any
@@ -16,7 +16,7 @@ def validate_glb(data: bytes) -> tuple[Defect | None, str]:
         return truncated(f"ends after {counted(len(data), 'byte')}, inside its header"), ""
     version, length = unpack_from("<II", data, 4)
     if version != 2:
-        return unreadable(f"is GLB of version {version}; readers know version 2"), ""
+        return unreadable(f"is GLB version {version}; parsers support version 2"), ""
     if length > len(data):
         return truncated(f"declares {length} bytes and has {len(data)}"), ""
     size, kind = unpack_from("<II", data, _HEADER)
@@ -29,7 +29,7 @@ def validate_glb(data: bytes) -> tuple[Defect | None, str]:
 
 
 def validate_json(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with the JSON of a glTF file."""
+    """The defect of the JSON of a glTF file."""
     import json  # 3 ms, and few robots have glTF
 
     try:
@@ -46,8 +46,8 @@ def validate_json(data: bytes) -> tuple[Defect | None, str]:
         return not_a_mesh("is JSON, but not glTF"), ""
     version = content["asset"].get("version") if isinstance(content["asset"], dict) else None
     if version == "1.0" or isinstance(content.get("meshes"), dict):
-        return unreadable("is glTF of version 1.0; readers know version 2"), ""
-    return (None if _has_primitives(content) else empty("holds no triangles")), ""
+        return unreadable("is glTF version 1.0; parsers support version 2"), ""
+    return (None if _has_primitives(content) else empty("contains no triangles")), ""
 
 
 def _has_primitives(content: dict[str, Any]) -> bool:

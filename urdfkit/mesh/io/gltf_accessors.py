@@ -1,4 +1,4 @@
-"""The lists of numbers in a glTF file: accessors of buffer views.
+"""Accessors and buffer views of glTF files.
 
 Source: glTF 2.0 Specification, chapter "Binary Data Storage",
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html#binary-data-storage.
@@ -15,13 +15,13 @@ from urdfkit.mesh.geometry import Floats, Integers, NoTriangles
 from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
-#: Rows of a list of zeros that a sparse one changes: no byte of it need be in the file.
+#: Most rows of a sparse accessor without a buffer view, which takes no bytes in the file.
 MAX_ZEROS = 1_000_000
 
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
-#: An object of the JSON, which may hold anything: `load_gltf.read` catches what comes of that.
+#: A JSON object with unchecked content: `load_gltf.read` catches the errors.
 GltfObject = dict[str, Any]
 _Numbers = NDArray[Any]
 
@@ -40,28 +40,28 @@ class Accessors:
         self._buffers: dict[int, bytes] = {}
 
     def floats(self, index: int) -> Floats:
-        """(n, k), a list of vectors; normalised whole numbers lie between -1 or 0 and 1.
+        """(n, k), vectors; normalised integers are converted to numbers between -1 or 0 and 1.
 
         Raises:
-            NoTriangles: it is not in the file; so do the functions below.
+            NoTriangles: the data is not in the file; also for the methods below.
         """
         accessor = self._root["accessors"][index]
-        found = self._numbers(accessor)
-        if accessor.get("normalized") is not True or found.dtype.kind == "f":
-            with np.errstate(invalid="ignore"):  # of what is not finite
-                return found.astype(np.float64)
-        fractions: Floats = np.maximum(found / float(np.iinfo(found.dtype).max), -1.0)
+        values = self._numbers(accessor)
+        if accessor.get("normalized") is not True or values.dtype.kind == "f":
+            with np.errstate(invalid="ignore"):  # for values that are not finite
+                return values.astype(np.float64)
+        fractions: Floats = np.maximum(values / float(np.iinfo(values.dtype).max), -1.0)
         return fractions
 
     def indices(self, index: int) -> Integers:
-        """(n,), a list of whole numbers."""
-        found = self._numbers(self._root["accessors"][index])
-        if found.dtype.kind == "f":
+        """(n,), integers."""
+        values = self._numbers(self._root["accessors"][index])
+        if values.dtype.kind == "f":
             raise NoTriangles("is not valid glTF: indices are fractions")
-        return found[:, 0].astype(np.int64)
+        return values[:, 0].astype(np.int64)
 
     def view(self, index: int) -> memoryview:
-        """The bytes that a view shows."""
+        """The bytes of a buffer view."""
         view = self._root["bufferViews"][index]
         data = self._buffer(view["buffer"])
         start, length = view.get("byteOffset", 0), view["byteLength"]
@@ -71,31 +71,31 @@ class Accessors:
         return memoryview(data)[start : start + length]
 
     def _numbers(self, accessor: GltfObject) -> _Numbers:
-        """(n, k), as they are stored, with the rows that a sparse list replaces."""
+        """(n, k), values as stored, with sparse substitutions."""
         count, width, kind = accessor["count"], _WIDTHS[accessor["type"]], _type(accessor)
         sparse = accessor.get("sparse")
         if "bufferView" in accessor:
-            found = self._table(accessor, kind, count, width)
+            numbers = self._table(accessor, kind, count, width)
         elif sparse and count <= MAX_ZEROS:
-            found = np.zeros((count, width), kind)
+            numbers = np.zeros((count, width), kind)
         else:
-            raise NoTriangles(f"declares {count} rows of numbers and holds none")
+            raise NoTriangles(f"declares {count} rows of numbers and contains none")
         if sparse:
-            places, values = sparse["indices"], sparse["values"]
-            rows = self._table(places, _type(places), sparse["count"], 1)[:, 0]
-            found = found.copy()
-            found[rows.astype(np.int64)] = self._table(values, kind, sparse["count"], width)
-        return found
+            indices, values = sparse["indices"], sparse["values"]
+            rows = self._table(indices, _type(indices), sparse["count"], 1)[:, 0]
+            numbers = numbers.copy()
+            numbers[rows.astype(np.int64)] = self._table(values, kind, sparse["count"], width)
+        return numbers
 
     def _table(self, owner: GltfObject, kind: np.dtype[Any], count: int, width: int) -> _Numbers:
-        """(count, width), the numbers that an accessor or a part of it finds in a view."""
+        """(count, width), the numbers of an accessor or its sparse part in a buffer view."""
         row = kind.itemsize * width
         stride = self._root["bufferViews"][owner["bufferView"]].get("byteStride") or row
         if stride < row:
             raise NoTriangles("is not valid glTF: rows of numbers overlap")
         data, start = self.view(owner["bufferView"]), owner.get("byteOffset", 0)
-        found: _Numbers = np.ndarray((count, width), kind, data, start, (stride, kind.itemsize))
-        return found
+        table: _Numbers = np.ndarray((count, width), kind, data, start, (stride, kind.itemsize))
+        return table
 
     def _buffer(self, index: int) -> bytes:
         if index not in self._buffers:
@@ -113,10 +113,10 @@ class Accessors:
 
 
 def embedded(uri: str) -> bytes | None:
-    """The bytes that a URI itself holds; None for one that names a file.
+    """The bytes of a data URI; None for the URI of a file.
 
     Raises:
-        NoTriangles: they cannot be decoded.
+        NoTriangles: the bytes cannot be decoded.
     """
     if not uri.startswith("data:"):
         return None
@@ -124,7 +124,7 @@ def embedded(uri: str) -> bytes | None:
     try:
         return b64decode(body + "==") if head.endswith(";base64") else unquote_to_bytes(body)
     except ValueError as error:
-        raise NoTriangles("holds bytes that are not base64") from error
+        raise NoTriangles("contains invalid base64") from error
 
 
 def _type(owner: GltfObject) -> np.dtype[Any]:

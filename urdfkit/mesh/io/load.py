@@ -1,7 +1,7 @@
-"""Mesh files to triangles.
+"""Loading of mesh files.
 
-All but PLY are read here and not by trimesh: importing it takes longer than reading the meshes of
-a robot, and it loses what is there of many files that are not quite right.
+trimesh only reads PLY: importing it takes longer than reading the meshes of a robot, and it rejects
+many files with small defects.
 """
 
 import os
@@ -16,19 +16,19 @@ from urdfkit.text.source import why_unreadable
 
 
 class UnloadableMesh(UrdfkitError):
-    """A mesh file that gives no triangles."""
+    """A mesh file without readable triangles."""
 
     def __init__(self, path: str, reason: str) -> None:
         super().__init__(f"{path}: {reason}")
-        self.path = path  # of the file
+        self.path = path
         self.reason = reason  # a predicate whose subject is the file
 
 
 def load(path: str | os.PathLike[str]) -> Mesh:
-    """The triangles of a mesh file, which is read by its content and not by its suffix.
+    """The triangles of a mesh file, whose format is determined by its content.
 
     Raises:
-        UnloadableMesh: it is broken, of a format that is not read, or holds no triangles.
+        UnloadableMesh: the file is broken, of an unsupported format, or contains no triangles.
     """
     name = os.fspath(path)
     return load_bytes(read_bytes(name), name)
@@ -38,22 +38,22 @@ def load_bytes(data: bytes, path: str) -> Mesh:
     """The triangles in the bytes of a mesh file.
 
     Args:
-        path: of the file, for what it refers to.
+        path: path of the file, for references.
 
     Raises:
-        UnloadableMesh: there are none.
+        UnloadableMesh: as for `load`.
     """
-    found = sniff(data, os.path.splitext(path)[1])
-    if found.defect:
-        raise UnloadableMesh(path, found.defect.reason)
-    return _parse(data, path, found)
+    properties = sniff(data, os.path.splitext(path)[1])
+    if properties.defect:
+        raise UnloadableMesh(path, properties.defect.reason)
+    return _parse(data, path, properties)
 
 
 def salvage(path: str | os.PathLike[str]) -> Mesh:
-    """The triangles that are left in a broken mesh file; ``losses`` says what is not.
+    """The readable triangles of a broken mesh file; ``losses`` describes the rest.
 
     Raises:
-        UnloadableMesh: none are left.
+        UnloadableMesh: no triangles are readable.
     """
     name = os.fspath(path)
     data = read_bytes(name)
@@ -64,52 +64,52 @@ def read_bytes(path: str) -> bytes:
     """The bytes of a mesh file.
 
     Raises:
-        UnloadableMesh: it cannot be opened, or is too large.
+        UnloadableMesh: the file cannot be opened, or is too large.
     """
     try:
         size = disk.state(path).st_size
         if not disk.is_file(path):
-            raise UnloadableMesh(path, "is no regular file")
+            raise UnloadableMesh(path, "is not a regular file")
         if size > MAX_BYTES:
             limit = MAX_BYTES // 1024**2
-            raise UnloadableMesh(path, f"has {size // 1024**2} MiB, more than the {limit} read")
+            raise UnloadableMesh(path, f"is too large: {size // 1024**2} MiB > {limit} MiB")
         return disk.read(path, MAX_BYTES)
     except OSError as error:
         raise UnloadableMesh(path, why_unreadable(path, error)) from error
     except ValueError as error:
-        raise UnloadableMesh(path, "cannot be read: its name holds a NUL") from error
+        raise UnloadableMesh(path, "cannot be read: its name contains a NUL") from error
 
 
-def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:
-    """Read by the format that was found; ``recover``: what is there of a broken file."""
+def _parse(data: bytes, path: str, properties: MeshFacts, *, recover: bool = False) -> Mesh:
+    """Parse by format; ``recover``: read as much as possible of a broken file."""
     directory = os.path.dirname(os.path.abspath(path))
     try:
-        if found.format == facts.BINARY_STL:
+        if properties.format == facts.BINARY_STL:
             from urdfkit.mesh.io.load_stl import binary
 
             return binary(data)
-        if found.format == facts.ASCII_STL:
+        if properties.format == facts.ASCII_STL:
             from urdfkit.mesh.io.load_stl import ascii_text
 
             return ascii_text(data)
-        if found.format == facts.COLLADA:
+        if properties.format == facts.COLLADA:
             from urdfkit.mesh.io import load_collada
 
             return load_collada.read(data, directory, recover=recover)
-        if found.format == facts.OBJ:
+        if properties.format == facts.OBJ:
             from urdfkit.mesh.io import load_obj
 
             return load_obj.read(data, directory)
-        if found.format in (facts.GLB, facts.GLTF) and not found.defect:
+        if properties.format in (facts.GLB, facts.GLTF) and not properties.defect:
             from urdfkit.mesh.io import load_gltf
 
-            return load_gltf.read(data, found.format, directory)
-        if found.format == facts.PLY and not found.defect:
+            return load_gltf.read(data, properties.format, directory)
+        if properties.format == facts.PLY and not properties.defect:
             from urdfkit.mesh.io import load_ply
 
             return load_ply.read(data, directory)
     except NoTriangles as error:
         raise UnloadableMesh(path, str(error)) from error
-    if found.defect:
-        raise UnloadableMesh(path, found.defect.reason)
-    raise UnloadableMesh(path, f"is {found.format}, which is not read")
+    if properties.defect:
+        raise UnloadableMesh(path, properties.defect.reason)
+    raise UnloadableMesh(path, f"is {properties.format}, which is not supported")

@@ -1,8 +1,8 @@
-"""Reading COLLADA files: the scene, its nodes, and what they show.
+"""Reading of COLLADA files: the scene, its nodes and their geometry.
 
-Written here and not left to pycollada, which drops a whole geometry over a bad colour or a
-reference to nothing. The unit of length and the upward axis are
-recorded and not applied, for every consumer does otherwise with them.
+pycollada is not used, because it drops a whole geometry over a bad colour or an unresolved
+reference. The unit of length and the up axis are recorded but not applied, because programs handle
+them differently.
 """
 
 import re
@@ -28,10 +28,10 @@ from urdfkit.mesh.io.collada_tree import ColladaTree, Element, child, children, 
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
-#: Nodes within nodes.
+#: Levels of nested nodes.
 MAX_DEPTH = 200
 
-#: A number as programs in German or French print it.
+#: A number in the format of German or French locales.
 _DECIMAL_COMMA = re.compile(rb"<float_array[^<>]*>\s*(-?\d+,\d+)\s")
 
 _EXTRAS = {"instance_camera": "camera", "instance_light": "light", "animation": "animation"}
@@ -39,16 +39,16 @@ _INSTANCES = ("instance_geometry", "instance_controller")
 
 
 def read(data: bytes, directory: str, *, recover: bool = False) -> Mesh:
-    """What the scene of a COLLADA file shows.
+    """The scene of a COLLADA file.
 
     Args:
         data: the file.
-        directory: that it lies in.
-        recover: read what is there of XML that is not well formed; geometry that no node shows,
-            for the end of the file is missing, is shown as it is.
+        directory: the directory of the file.
+        recover: read as much as possible of XML that is not well formed; if the scene is missing,
+            all geometry is read without transforms.
 
     Raises:
-        NoTriangles: it shows nothing, or is not to be read.
+        NoTriangles: the scene is empty, or the file cannot be read.
     """
     try:
         return _ColladaReader(ColladaTree(data, recover=recover), directory).mesh(unplaced=recover)
@@ -57,7 +57,7 @@ def read(data: bytes, directory: str, *, recover: bool = False) -> Mesh:
         if comma is None:
             raise
         number = comma.group(1).decode()
-        raise NoTriangles(f"writes numbers with commas for points, such as '{number}'") from None
+        raise NoTriangles(f"has numbers with a decimal comma, such as '{number}'") from None
 
 
 class _ColladaReader:
@@ -71,7 +71,7 @@ class _ColladaReader:
         self._placed = False
 
     def mesh(self, *, unplaced: bool = False) -> Mesh:
-        parts = [part for node, matrix in self._nodes() for part in self._shown(node, matrix)]
+        parts = [part for node, matrix in self._nodes() for part in self._node_parts(node, matrix)]
         if unplaced and not self._placed:
             parts += self._unplaced()
         asset = child(self._tree.root, "asset")
@@ -82,17 +82,17 @@ class _ColladaReader:
         )
 
     def _nodes(self) -> Iterator[tuple[Element, Floats]]:
-        """The nodes of the scene and where each stands, in the order of the file."""
+        """The nodes of the scene and their transforms, in the order of the file."""
         stack: list[tuple[Element, Floats, tuple[Element, ...]]] = [
             (node, np.eye(4), (node,)) for node in reversed(self._roots())
         ]
-        shown = 0
+        count = 0
         while stack:
-            node, above, path = stack.pop()
-            shown += 1
-            if shown > MAX_NODES:
-                raise NoTriangles(f"shows more than {MAX_NODES} nodes")
-            matrix = above @ self._matrix(node)
+            node, parent_matrix, path = stack.pop()
+            count += 1
+            if count > MAX_NODES:
+                raise NoTriangles(f"has more than {MAX_NODES} nodes")
+            matrix = parent_matrix @ self._matrix(node)
             yield node, matrix
             below = list(children(node, "node"))
             for instance in children(node, "instance_node"):
@@ -101,18 +101,18 @@ class _ColladaReader:
                     self._losses.add("node* missing from the file")
                 else:
                     below.append(target)
-            for one in reversed(below):
-                if one in path or len(path) > MAX_DEPTH:
+            for child_node in reversed(below):
+                if child_node in path or len(path) > MAX_DEPTH:
                     self._losses.add("reference* of a node to itself")
                 else:
-                    stack.append((one, matrix, (*path, one)))
+                    stack.append((child_node, matrix, (*path, child_node)))
 
     def _roots(self) -> list[Element]:
         instance = child(self._tree.root, "scene", "instance_visual_scene")
         scene = self._tree.named(
             instance.get("url") if instance is not None else "", "visual_scene"
         )
-        if scene is None:  # a reference to nothing, or the end of the file is missing
+        if scene is None:  # an unresolved reference, or the end of the file is missing
             scene = child(self._tree.root, "library_visual_scenes", "visual_scene")
         return list(children(scene, "node"))
 
@@ -120,21 +120,21 @@ class _ColladaReader:
         matrix = np.eye(4)
         for step in children(node, "matrix", "translate", "rotate", "scale", "lookat", "skew"):
             numbers = floats(text(step))
-            move = _moves(tag(step), numbers) if np.isfinite(numbers).all() else None
+            move = _step_matrix(tag(step), numbers) if np.isfinite(numbers).all() else None
             if move is None:
                 self._losses.add(f"<{tag(step)}>* that cannot be read")
             else:
                 matrix = matrix @ move
         return matrix
 
-    def _shown(self, node: Element, matrix: Floats) -> Iterator[MeshPart]:
+    def _node_parts(self, node: Element, matrix: Floats) -> Iterator[MeshPart]:
         for instance in children(node, *_INSTANCES):
             geometry, bound = self._geometry(instance)
             if geometry is None:
-                self._losses.add("geometry reference* to nothing")
+                self._losses.add("unresolved geometry reference*")
                 continue
             self._placed = True
-            for part in self._parts(geometry, self._bound(instance)):
+            for part in self._parts(geometry, self._bound_materials(instance)):
                 moved = transformed(part, matrix @ bound)
                 if np.isfinite(moved.vertices).all():
                     yield moved
@@ -142,16 +142,16 @@ class _ColladaReader:
                     self._losses.add("surface* that a node moves to infinity")
 
     def _unplaced(self) -> Iterator[MeshPart]:
-        """Every geometry of a file that has lost its scene, where its vertices are."""
+        """All geometry of a file without a scene, without transforms."""
         for library in children(self._tree.root, "library_geometries"):
             for geometry in children(library, "geometry"):
-                self._losses.add("geometry* whose place in the scene is not in the file")
+                self._losses.add("geometry* without a place in the scene")
                 for part in self._parts(geometry, {}):
                     if np.isfinite(part.vertices).all():
                         yield part
 
     def _geometry(self, instance: Element) -> tuple[Element | None, Floats]:
-        """The geometry of an instance; a skin is shown as it was bound to its bones."""
+        """The geometry of an instance, and its transform: of a skin, the bind shape matrix."""
         if tag(instance) == "instance_geometry":
             return self._tree.named(instance.get("url"), "geometry"), np.eye(4)
         controller = self._tree.named(instance.get("url"), "controller")
@@ -161,21 +161,21 @@ class _ColladaReader:
         if skin is None:
             return None, np.eye(4)
         numbers = floats(text(child(skin, "bind_shape_matrix")))
-        bound = _moves("matrix", numbers) if np.isfinite(numbers).all() else None
+        bound = _step_matrix("matrix", numbers) if np.isfinite(numbers).all() else None
         geometry = self._tree.named(skin.get("source"), "geometry")
         return geometry, np.eye(4) if bound is None else bound
 
-    def _bound(self, instance: Element) -> dict[str, tuple[ColladaMaterial, Element]]:
-        """The materials of an instance by the symbols that its surfaces use."""
+    def _bound_materials(self, instance: Element) -> dict[str, tuple[ColladaMaterial, Element]]:
+        """The materials of an instance by symbol."""
         bindings = child(instance, "bind_material", "technique_common")
-        found: dict[str, tuple[ColladaMaterial, Element]] = {}
+        materials: dict[str, tuple[ColladaMaterial, Element]] = {}
         for binding in children(bindings, "instance_material"):
             material = self._materials.material(binding.get("target", ""))
             if material is None:
                 self._losses.add("material* missing from the file")
             else:
-                found.setdefault(binding.get("symbol", ""), (material, binding))
-        return found
+                materials.setdefault(binding.get("symbol", ""), (material, binding))
+        return materials
 
     def _parts(
         self, geometry: Element, materials: dict[str, tuple[ColladaMaterial, Element]]
@@ -190,20 +190,20 @@ class _ColladaReader:
     ) -> MeshPart | None:
         self._triangles += len(surface.position.rows)
         if self._triangles > MAX_TRIANGLES:
-            raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
-        textured, binding = materials.get(surface.symbol, (None, None))
-        if textured is None and surface.symbol:  # unbound: assimp takes the material of that name
-            textured = self._materials.material(f"#{surface.symbol}")
+            raise NoTriangles(f"has more than {MAX_TRIANGLES} triangles")
+        material, binding = materials.get(surface.symbol, (None, None))
+        if material is None and surface.symbol:  # unbound: assimp uses the material of that name
+            material = self._materials.material(f"#{surface.symbol}")
         uv = None
         if surface.uvs:
-            wanted = ""
-            if textured and binding is not None:
-                wanted = _set_of(binding, textured.coordinates)
-            uv = surface.uvs.get(wanted, next(iter(surface.uvs.values())))
+            name = ""
+            if material and binding is not None:
+                name = _set_of(binding, material.coordinates)
+            uv = surface.uvs.get(name, next(iter(surface.uvs.values())))
         return assemble(
             surface.position,
             self._losses,
-            textured.material if textured else None,
+            material.material if material else None,
             normals=surface.normals,
             uv=uv,
             colors=surface.colors,
@@ -218,7 +218,7 @@ class _ColladaReader:
 
 
 def _set_of(binding: Element, coordinates: str) -> str:
-    """The set of texture coordinates that an instance binds to a name."""
+    """The set of texture coordinates that an instance binds to a semantic."""
     for bound in children(binding, "bind_vertex_input"):
         if bound.get("semantic") == coordinates:
             return str(bound.get("input_set", "0"))
@@ -231,8 +231,8 @@ def _unit(element: Element | None) -> float:
     return float(numbers[0]) if usable else 1.0
 
 
-def _moves(kind: str, numbers: Floats) -> Floats | None:
-    """The (4, 4) matrix of a step of a node; None if its numbers are too few."""
+def _step_matrix(kind: str, numbers: Floats) -> Floats | None:
+    """The (4, 4) matrix of a transform element; None if it has too few numbers."""
     matrix = np.eye(4)
     if kind == "matrix" and len(numbers) >= 16:
         return numbers[:16].reshape(4, 4)

@@ -1,7 +1,7 @@
-"""Reading glTF 2.0 files and GLB, their binary form: the scene, its nodes, and what they show.
+"""Reading of glTF 2.0 files and GLB, their binary form: the scene, its nodes and meshes.
 
-Written here and not left to trimesh, which takes fans, sparse lists and normalised positions for
-something else, without a word. The numbers are taken as they are, with y upwards.
+trimesh is not used, because it silently misinterprets fans, sparse accessors and normalised
+positions. Coordinates are not changed, with y upwards.
 """
 
 import json
@@ -12,7 +12,7 @@ from struct import unpack_from
 import numpy as np
 
 from urdfkit.core.spatial import IDENTITY, length, rotation_about, unit, vector
-from urdfkit.mesh.edges import three_cornered
+from urdfkit.mesh.edges import have_distinct_corners
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart, NoTriangles
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.assemble import (
@@ -32,7 +32,7 @@ from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 _POINTS_AND_LINES = range(4)
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
-#: Extensions that hide triangles from those who do not know them.
+#: Extensions that compress triangles.
 _COMPRESSED = {
     "KHR_draco_mesh_compression": "Draco",
     "EXT_meshopt_compression": "meshopt",
@@ -41,29 +41,29 @@ _COMPRESSED = {
 
 
 def read(data: bytes, form: str, directory: str) -> Mesh:
-    """What the scene of a glTF file shows.
+    """The scene of a glTF file.
 
     Args:
-        data: the file, whose JSON is sound.
+        data: the file, with valid JSON.
         form: ``GLB`` or ``glTF``.
-        directory: that it lies in, and what it refers to.
+        directory: the directory of the file, for references.
 
     Raises:
-        NoTriangles: it shows none, or is not to be read.
+        NoTriangles: the scene has none, or the file cannot be read.
     """
     text, binary = _chunks(data) if form == facts.GLB else (data, b"")
     try:
         root = json.loads(text, parse_constant=_reject)
         for extension in root.get("extensionsRequired", ()):
             if extension in _COMPRESSED:
-                raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
+                raise NoTriangles(f"uses unsupported compression: {_COMPRESSED[extension]}")
         return _GltfReader(root, binary, directory).mesh()
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise NoTriangles(f"is not valid glTF: {type(error).__name__}: {error}") from error
 
 
 def _reject(word: str) -> None:
-    raise ValueError(f"{word} is no number of JSON")
+    raise ValueError(f"{word} is not a JSON number")
 
 
 def _chunks(data: bytes) -> tuple[bytes, bytes]:
@@ -77,21 +77,21 @@ class _GltfReader:
         self._root = root
         self._losses = LostData()
         self._files = ReferencedFiles(directory)
-        self._lists = Accessors(root, binary, self._files)
-        self._materials = GltfMaterials(root, self._lists, self._files)
+        self._accessors = Accessors(root, binary, self._files)
+        self._materials = GltfMaterials(root, self._accessors, self._files)
         self._meshes: dict[int, list[MeshPart]] = {}
-        self._others = 0
+        self._non_surfaces = 0
         self._read = self._placed = 0
 
     def mesh(self) -> Mesh:
-        mesh = mesh_of(list(self._shown()), self._losses, self._files)
-        return mesh._replace(up_axis="Y_UP", extras=self._extras())  # whatever the numbers are
+        mesh = mesh_of(list(self._placed_parts()), self._losses, self._files)
+        return mesh._replace(up_axis="Y_UP", extras=self._extras())  # defined by glTF
 
-    def _shown(self) -> Iterator[MeshPart]:
+    def _placed_parts(self) -> Iterator[MeshPart]:
         for node, matrix in self._nodes():
             for part in self._parts(node["mesh"]) if "mesh" in node else ():
                 self._placed += len(part.faces)
-                self._bound()
+                self._limit_triangles()
                 moved = transformed(part, matrix)
                 if np.isfinite(moved.vertices).all():
                     yield moved
@@ -99,19 +99,19 @@ class _GltfReader:
                     self._losses.add("surface* that a node moves to infinity")
 
     def _nodes(self) -> Iterator[tuple[GltfObject, Floats]]:
-        """The nodes of the scene and where each stands; no node has two parents."""
+        """The nodes of the scene and their transforms; further parents of a node are ignored."""
         stack = [(index, np.eye(4)) for index in reversed(self._roots())]
-        seen: set[int] = set()
+        visited: set[int] = set()
         while stack:
-            index, above = stack.pop()
-            if index in seen:
-                self._losses.add("node* that two others hold")
+            index, parent_matrix = stack.pop()
+            if index in visited:
+                self._losses.add("node* with two parents")
                 continue
-            seen.add(index)
-            if len(seen) > MAX_NODES:
-                raise NoTriangles(f"shows more than {MAX_NODES} nodes")
+            visited.add(index)
+            if len(visited) > MAX_NODES:
+                raise NoTriangles(f"has more than {MAX_NODES} nodes")
             node = self._root["nodes"][index]
-            matrix = above @ _matrix(node)
+            matrix = parent_matrix @ _matrix(node)
             yield node, matrix
             stack += [(child, matrix) for child in reversed(node.get("children", ()))]
 
@@ -124,60 +124,60 @@ class _GltfReader:
         return [index for index in range(len(nodes)) if index not in children]
 
     def _parts(self, index: int) -> list[MeshPart]:
-        """The surfaces of a mesh, where no node has moved them yet."""
+        """The surfaces of a mesh, before node transforms."""
         if index not in self._meshes:
-            found = map(self._part, self._root["meshes"][index].get("primitives", ()))
-            self._meshes[index] = [part for part in found if part is not None]
+            parts = map(self._part, self._root["meshes"][index].get("primitives", ()))
+            self._meshes[index] = [part for part in parts if part is not None]
         return self._meshes[index]
 
     def _part(self, primitive: GltfObject) -> MeshPart | None:
         mode = primitive.get("mode", _TRIANGLES)
         if mode in _POINTS_AND_LINES:
-            self._others += 1
+            self._non_surfaces += 1
             return None
-        lists = primitive["attributes"]
-        if "POSITION" not in lists:
+        attributes = primitive["attributes"]
+        if "POSITION" not in attributes:
             self._losses.add("surface* without positions")
             return None
-        positions = self._lists.floats(lists["POSITION"])
+        positions = self._accessors.floats(attributes["POSITION"])
         if positions.shape[1] != 3:
             raise NoTriangles("is not valid glTF: positions are not three numbers")
         if "indices" in primitive:
-            corners = self._lists.indices(primitive["indices"])
+            corners = self._accessors.indices(primitive["indices"])
         else:
             corners = np.arange(len(positions))
         rows = _triangles(corners, mode)
         self._read += len(rows)
-        self._bound()
-        textured = GltfMaterial()
+        self._limit_triangles()
+        material = GltfMaterial()
         if "material" in primitive:
-            textured = self._materials.material(primitive["material"])
-        uv = self._values(lists, f"TEXCOORD_{textured.coordinates}", 2)
-        normals = self._values(lists, "NORMAL", 3)
-        colors = self._values(lists, "COLOR_0", 4)
+            material = self._materials.material(primitive["material"])
+        uv = self._values(attributes, f"TEXCOORD_{material.coordinates}", 2)
+        normals = self._values(attributes, "NORMAL", 3)
+        colors = self._values(attributes, "COLOR_0", 4)
         return assemble(
             Stream(positions, rows),
             self._losses,
-            textured.material,
+            material.material,
             normals=None if normals is None else Stream(normals, rows),
-            uv=None if uv is None else Stream(textured.placed(uv), rows),
+            uv=None if uv is None else Stream(material.image_coordinates(uv), rows),
             colors=None if colors is None else Stream(colors, rows),
         )
 
-    def _bound(self) -> None:
-        """Stop a short file that repeats one list of triangles again and again."""
+    def _limit_triangles(self) -> None:
+        """Reject a short file that repeats triangles again and again."""
         if max(self._read, self._placed) > MAX_TRIANGLES:
-            raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
+            raise NoTriangles(f"has more than {MAX_TRIANGLES} triangles")
 
-    def _values(self, lists: GltfObject, name: str, most: int) -> Floats | None:
-        """(n, k), the values of the vertices by a name; None without them."""
-        return self._lists.floats(lists[name])[:, :most] if name in lists else None
+    def _values(self, attributes: GltfObject, name: str, most: int) -> Floats | None:
+        """(n, k), an attribute of the vertices; None if it is missing."""
+        return self._accessors.floats(attributes[name])[:, :most] if name in attributes else None
 
     def _extras(self) -> tuple[str, ...]:
         nodes = self._root.get("nodes", ())
         return counted_kinds(
             {
-                "line or point set": self._others,
+                "line or point set": self._non_surfaces,
                 "camera": sum("camera" in node for node in nodes),
                 "animation": len(self._root.get("animations", ())),
                 "skin": sum("skin" in node for node in nodes),
@@ -186,7 +186,7 @@ class _GltfReader:
 
 
 def _matrix(node: GltfObject) -> Floats:
-    """(4, 4), from a node to the one that holds it."""
+    """(4, 4), transform from a node to its parent."""
     if "matrix" in node:
         by_column: Floats = np.array(node["matrix"], dtype=float).reshape(4, 4, order="F")
         return by_column
@@ -198,7 +198,7 @@ def _matrix(node: GltfObject) -> Floats:
 
 
 def _rotation(quaternion: Sequence[float]) -> Floats:
-    """(3, 3), of a quaternion x, y, z, w; none for one of no length."""
+    """(3, 3), of a quaternion x, y, z, w; the identity for the zero quaternion."""
     *axis, w = quaternion
     sine = length(vector(axis))
     return np.array(rotation_about(unit(vector(axis)), 2 * atan2(sine, w)) if sine else IDENTITY)
@@ -208,11 +208,11 @@ def _triangles(corners: Integers, mode: int) -> Integers:
     """(m, 3), the corners of each triangle, as indices of vertices."""
     number = np.array([len(corners)])
     if mode == _STRIP:
-        found = corners[strips(number)]
+        triangles = corners[strips(number)]
     elif mode == _FAN:
-        found = corners[fans(number)]
+        triangles = corners[fans(number)]
     elif mode == _TRIANGLES:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     else:
-        raise NoTriangles(f"is not valid glTF: there is no mode {mode}")
-    return found[three_cornered(found)]  # strips are joined by triangles that have a corner twice
+        raise NoTriangles(f"is not valid glTF: unknown mode {mode}")
+    return triangles[have_distinct_corners(triangles)]  # strips contain collapsed triangles

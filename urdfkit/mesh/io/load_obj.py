@@ -1,4 +1,4 @@
-"""Reading Wavefront OBJ files."""
+"""Reading of Wavefront OBJ files."""
 
 from itertools import chain
 from typing import NamedTuple
@@ -16,7 +16,7 @@ _EXTRAS = {b"l": "line", b"p": "point set", b"curv": "curve", b"surf": "free-for
 
 
 class _Group(NamedTuple):
-    """The faces that follow one another with the same material, each as its corners."""
+    """Successive faces of the same material, each as the text of its corners."""
 
     material: str
     faces: list[bytes]
@@ -27,10 +27,10 @@ def read(data: bytes, directory: str) -> Mesh:
 
     Args:
         data: the file.
-        directory: that it lies in, and its materials.
+        directory: the directory of the file, for its materials.
 
     Raises:
-        NoTriangles: it holds none.
+        NoTriangles: the file has none.
     """
     lines = _Lines(data)
     losses = LostData()
@@ -44,13 +44,13 @@ def read(data: bytes, directory: str) -> Mesh:
 
 
 class _Lines:
-    """The lines of an OBJ file by what they begin with."""
+    """The lines of an OBJ file by keyword."""
 
     def __init__(self, data: bytes) -> None:
         self._rows: dict[bytes, list[bytes]] = {b"v": [], b"vt": [], b"vn": []}
-        self.groups: list[_Group] = [_Group("", [])]  # the faces
-        self.libraries: list[str] = []  # the names of files with materials
-        self.extras: dict[str, int] = {}  # how many there are of other things
+        self.groups: list[_Group] = [_Group("", [])]
+        self.libraries: list[str] = []  # names of material files
+        self.extras: dict[str, int] = {}  # numbers of other elements
         for line in data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ").splitlines():
             word, _, rest = line.strip().replace(b"\t", b" ").partition(b" ")
             if word in self._rows:
@@ -65,7 +65,7 @@ class _Lines:
                 self.extras[_EXTRAS[word]] = self.extras.get(_EXTRAS[word], 0) + 1
 
     def table(self, word: bytes) -> Floats:
-        """(n, k), the numbers of the lines with a word; k is at least 3, or 2 for ``vt``."""
+        """(n, k), the numbers of the lines with a keyword; k is at least 3, or 2 for ``vt``."""
         rows = self._rows[word]
         least = 2 if word == b"vt" else 3
         if not rows:
@@ -76,19 +76,19 @@ class _Lines:
             return numbers.reshape(-1, width)
         table = np.full((len(rows), least), np.nan)
         for row, line in zip(table, rows, strict=True):
-            found = floats(line.decode("latin-1"))[:least]
-            row[: len(found)] = found
-        return np.nan_to_num(table) if word == b"vt" else table  # v alone may be left out
+            numbers = floats(line.decode("latin-1"))[:least]
+            row[: len(numbers)] = numbers
+        return np.nan_to_num(table) if word == b"vt" else table  # v is optional
 
     def _absolute(self, rest: bytes) -> bytes:
-        """The corners of a face with indices that count from the start instead of backwards."""
+        """The corners of a face with absolute instead of relative indices."""
         counts = [len(self._rows[word]) for word in (b"v", b"vt", b"vn")]
         corners = []
         for corner in rest.split():
             words = corner.split(b"/")
-            for place, word in enumerate(words[:3]):
+            for column, word in enumerate(words[:3]):
                 if word[:1] == b"-" and word[1:].isdigit() and len(word) < 18:
-                    words[place] = b"%d" % max(counts[place] + 1 - int(word[1:]), 0)
+                    words[column] = b"%d" % max(counts[column] + 1 - int(word[1:]), 0)
             corners.append(b"/".join(words))
         return b" ".join(corners)
 
@@ -116,19 +116,19 @@ def _part(
         position,
         losses,
         library.material(group.material),
-        normals=_given(normals),
-        uv=_given(uv),
+        normals=_if_used(normals),
+        uv=_if_used(uv),
         colors=Stream(colors, position.rows) if colors is not None else None,
     )
 
 
-def _given(stream: Stream | None) -> Stream | None:
-    """None where no corner has an index."""
+def _if_used(stream: Stream | None) -> Stream | None:
+    """The stream; None if no corner has an index in it."""
     return None if stream is None or (stream.rows < 0).all() else stream
 
 
 def _indices(corners: list[bytes]) -> Integers:
-    """(n, 1 to 3), the indices of corners such as ``1/2/3``, counted from 0; -1 for none."""
+    """(n, 1 to 3), indices of corners such as ``1/2/3``, counted from 0; -1 if missing."""
     width = min(corners[0].count(b"/") + 1, 3) if corners else 1
     text = b" ".join(corners).replace(b"//", b"/0/")
     try:
@@ -141,8 +141,7 @@ def _indices(corners: list[bytes]) -> Integers:
         rows = [[_index(word) for word in corner.split(b"/")[:3]] for corner in corners]
         numbers = np.array([row + [0] * (3 - len(row)) for row in rows], dtype=np.int64)
         width = 3
-    table: Integers = numbers.reshape(-1, width) - 1
-    return table
+    return np.asarray(numbers.reshape(-1, width) - 1)
 
 
 def _index(word: bytes) -> int:

@@ -1,4 +1,4 @@
-"""Numbers in the text of mesh files."""
+"""Parsing of the numbers in text mesh files."""
 
 from collections.abc import Iterator
 
@@ -6,20 +6,20 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 
-#: Characters of a text that are split into words at once; a word needs ten times its length.
-_AT_ONCE = 1 << 20
+#: Characters that are split into words at once; a word takes ten times its length in memory.
+_BLOCK = 1 << 20
 
 
 def floats(text: str) -> Floats:
-    """The numbers of a text; what is none becomes nan."""
+    """The words of a text as numbers; nan for other words."""
     pieces = [_floats(piece) for piece in _pieces(text)]
     return np.concatenate(pieces) if pieces else np.zeros(0)
 
 
 def integers(text: str) -> Integers:
-    """The whole numbers of a text; what is none becomes -1."""
+    """The words of a text as integers; -1 for other words."""
     if text.isascii() and not text.encode().translate(None, b"0123456789 \t\r\n"):
-        # Reads nothing as -1, and is ten times as fast.
+        # Ten times as fast, but returns -1 for an empty text.
         return np.fromstring(text, dtype=np.int64, sep=" ") if text.strip() else _NO_INTEGERS
     pieces = [_integers(piece) for piece in _pieces(text)]
     return np.concatenate(pieces) if pieces else _NO_INTEGERS
@@ -29,10 +29,10 @@ _NO_INTEGERS: Integers = np.zeros(0, dtype=np.int64)
 
 
 def _pieces(text: str) -> Iterator[str]:
-    """The text in parts that end between two words."""
+    """The text in pieces that end between words."""
     start = 0
     while start < len(text):
-        end = min(start + _AT_ONCE, len(text))
+        end = min(start + _BLOCK, len(text))
         while end < len(text) and not text[end].isspace():
             end += 1
         yield text[start:end]

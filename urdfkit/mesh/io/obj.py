@@ -1,4 +1,4 @@
-"""Validating Wavefront OBJ files from their bytes."""
+"""Validation of the bytes of Wavefront OBJ files."""
 
 import re
 
@@ -14,11 +14,11 @@ _BAD_VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]+([^\r\n]*(?:nan|inf|#ind)
 
 
 def validate(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with an OBJ file, and which coordinate is not finite."""
+    """The defect of an OBJ file, and its first non-finite vertex."""
     faces = len(_FACE.findall(data))
     vertices = len(_VERTEX.findall(data))
     if not faces:
-        return empty(f"holds no faces (number of vertices: {vertices})"), ""
+        return empty(f"contains no faces (number of vertices: {vertices})"), ""
     last = data.rpartition(b"\n")[2].split()
     if last and last[0] == b"f" and len(last) < 4:
         words = b" ".join(last)[:60].decode("utf-8", "replace")
@@ -27,12 +27,12 @@ def validate(data: bytes) -> tuple[Defect | None, str]:
 
 
 def objects(data: bytes) -> int:
-    """How many objects or groups of a file have faces; some programs load the first of them."""
+    """Number of objects or groups with faces; some programs load only the first one."""
     return sum(_FACE.search(piece) is not None for piece in _OBJECT.split(data))
 
 
 def _beyond(data: bytes, vertices: int) -> Defect | None:
-    """A face among the last ones that names a vertex that is not there."""
+    """The defect of a face, among the last ones, that refers to a missing vertex."""
     tail = max(0, len(data) - 100 * _LAST_FACES)
     for match in list(_FACE.finditer(data, tail))[-_LAST_FACES:]:
         for corner in match.group(1).split():
@@ -40,7 +40,7 @@ def _beyond(data: bytes, vertices: int) -> Defect | None:
             if word.isdigit() and len(word) < 20 and int(word) > vertices:
                 line = data.count(b"\n", 0, match.start()) + 1
                 return unreadable(
-                    f"names vertex {int(word)} in line {line} and holds {vertices} vertices"
+                    f"refers to vertex {int(word)} in line {line}, but has {vertices} vertices"
                 )
     return None
 

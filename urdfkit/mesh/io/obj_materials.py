@@ -1,4 +1,4 @@
-"""The materials of OBJ files: MTL."""
+"""Materials of OBJ files: MTL."""
 
 import numpy as np
 
@@ -7,19 +7,19 @@ from urdfkit.mesh.io.assemble import LostData
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
-#: No file of materials is larger.
+#: Largest material file, in bytes.
 MAX_LIBRARY = 4 * 1024 * 1024
 
-#: How many words follow the options of a texture, at most; not all of them need be there.
+#: Greatest number of words after the options of a texture; some may be missing.
 _OPTIONS = {b"-mm": 2, b"-o": 3, b"-s": 3, b"-t": 3}
 
 
 class MaterialLibrary:
-    """The materials that one OBJ file may use.
+    """The materials of one OBJ file.
 
     Args:
-        names: of MTL files, as the OBJ file gives them.
-        files: finds them and the images that they name.
+        names: MTL file names in the OBJ file.
+        files: resolves MTL files and their images.
     """
 
     def __init__(self, names: list[str], files: ReferencedFiles, losses: LostData) -> None:
@@ -30,7 +30,7 @@ class MaterialLibrary:
             self._add(files.read(name, MAX_LIBRARY) or b"")
 
     def material(self, name: str) -> MeshMaterial | None:
-        """The material of a name; one without colour where it is not to be had."""
+        """The material with a name; the default colour if it is undefined; None without a name."""
         return self._materials.get(name, MeshMaterial(name)) if name else None
 
     def _add(self, data: bytes) -> None:
@@ -45,7 +45,7 @@ class MaterialLibrary:
                 self._materials[name] = self._with(self._materials[name], word, rest)
 
     def _with(self, material: MeshMaterial, word: bytes, rest: bytes) -> MeshMaterial:
-        """A material after one more line."""
+        """The material after another line."""
         red, green, blue, alpha = material.rgba
         if word == b"map_Kd":
             return self._textured(material, rest)

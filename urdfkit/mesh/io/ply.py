@@ -1,4 +1,4 @@
-"""Validating PLY files from their bytes: a text header, then vertices, faces and more."""
+"""Validation of the bytes of PLY files: a text header, then vertices, faces and other elements."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class _Property(Record):
 
 
 class _PlyElement(Record):
-    """One kind of thing in the file: ``vertex``, ``face`` or another."""
+    """An element type of the file: ``vertex``, ``face`` or another."""
 
     name: str
     number: int
@@ -37,24 +37,24 @@ class _PlyElement(Record):
 
     @property
     def least_words(self) -> int:
-        """The numbers of one of them at least; a face has three corners."""
+        """Least number of words of one element; a face has at least three corners."""
         return len(self.properties) + 3 * self._lists
 
     @property
     def least_bytes(self) -> int:
-        """The bytes of one of them at least."""
-        sizes = [calcsize("=" + _CODES[one.length or one.type]) for one in self.properties]
-        corners = [3 * calcsize("=" + _CODES[one.type]) for one in self.properties if one.length]
+        """Least number of bytes of one element."""
+        sizes = [calcsize("=" + _CODES[item.length or item.type]) for item in self.properties]
+        corners = [3 * calcsize("=" + _CODES[item.type]) for item in self.properties if item.length]
         return sum(sizes) + sum(corners[: self._lists])
 
     @property
     def _lists(self) -> int:
-        """1 for what has a list of corners."""
-        return int(self.name == "face" and any(one.length for one in self.properties))
+        """1 for a face with a list of corners, otherwise 0."""
+        return int(self.name == "face" and any(item.length for item in self.properties))
 
 
 def validate(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with a PLY file; coordinates that are not finite are found by loading it."""
+    """The defect of a PLY file; only loading finds non-finite coordinates."""
     end = _END_OF_HEADER.search(data[:MAX_HEADER])
     if end is None:
         if len(data) < MAX_HEADER:
@@ -62,20 +62,20 @@ def validate(data: bytes) -> tuple[Defect | None, str]:
         return unreadable("has no 'end_header'"), ""
     encoding, elements = _header(data[: end.start()].decode("utf-8", "replace"))
     if encoding not in _ENCODINGS:
-        return unreadable(f"has the format '{encoding}', which PLY does not know"), ""
+        return unreadable(f"has the format '{encoding}', which PLY does not define"), ""
     for element in elements:
         for property in element.properties:
-            if property.type not in _CODES or not _counts(property.length):
+            if property.type not in _CODES or not _is_length_type(property.length):
                 words = " ".join(property).strip()
-                return unreadable(f"has the property '{words}', which PLY does not know"), ""
+                return unreadable(f"has the property '{words}', which PLY does not define"), ""
     counts = {element.name: element.number for element in elements}
     if not counts.get("vertex") or not (counts.get("face") or counts.get("tristrips")):
-        return empty("holds no triangles"), ""
+        return empty("contains no triangles"), ""
     return _too_short(data[end.end() :], elements, encoding), ""
 
 
-def _counts(length: str) -> bool:
-    """True if a type can hold the length of a list; a single number has none."""
+def _is_length_type(length: str) -> bool:
+    """True for an integer type, or the empty type of a single number."""
     return not length or _CODES.get(length, "f") not in "fd"
 
 
@@ -96,7 +96,7 @@ def _header(text: str) -> tuple[str, list[_PlyElement]]:
 
 
 def _too_short(body: bytes, elements: list[_PlyElement], encoding: str) -> Defect | None:
-    """A body that cannot hold what the header declares."""
+    """The defect of a body that is shorter than the header declares."""
     if encoding != "ascii":
         needed = sum(element.number * element.least_bytes for element in elements)
         if len(body) < needed:
@@ -105,7 +105,7 @@ def _too_short(body: bytes, elements: list[_PlyElement], encoding: str) -> Defec
     lines = [line for line in body.split(b"\n") if line.strip()]
     needed = sum(element.number for element in elements)
     if len(lines) < needed:
-        return truncated(f"declares {needed} vertices, faces and the like and holds {len(lines)}")
+        return truncated(f"declares {needed} elements and contains {len(lines)}")
     if len(lines) == needed and len(lines[-1].split()) < elements[-1].least_words:
         return truncated("ends inside its last line")
     return None

@@ -1,72 +1,72 @@
-"""Polygons as triangles."""
+"""Triangulation of polygons, fans and strips."""
 
 import numpy as np
 
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 
-#: What a corner turns the wrong way, relative to the sharpest one, that is no rounding.
+#: Turn of a concave corner, relative to the sharpest corner, above which it is not rounding.
 _TURN = 1e-6
 
 
 def triangles(counts: Integers, places: Floats) -> Integers:
-    """Polygons as triangles that cover what the polygons do, those with dents included.
+    """The triangulation of convex and concave polygons.
 
     Args:
-        counts: (p,), how many corners each has, one polygon after the other.
-        places: (c, 3), of the corners.
+        counts: (p,), number of corners of each polygon, one polygon after the other.
+        places: (c, 3), positions of the corners.
 
     Returns:
-        (t, 3), numbers of corners; polygons of less than three have no triangles.
+        (t, 3), indices of corners; polygons of fewer than three have no triangles.
     """
-    dented = _dented(counts, places)
-    plain = fans(counts)
-    if not dented.any():
-        return plain
-    keep = ~np.repeat(dented, np.maximum(counts - 2, 0))
+    concave = _are_concave(counts, places)
+    convex = fans(counts)
+    if not concave.any():
+        return convex
+    keep = ~np.repeat(concave, np.maximum(counts - 2, 0))
     starts = np.cumsum(counts) - counts
-    cut = [
-        _cut(places[starts[i] : starts[i] + counts[i]]) + starts[i] for i in np.flatnonzero(dented)
+    ears = [
+        _clip_ears(places[starts[i] : starts[i] + counts[i]]) + starts[i]
+        for i in np.flatnonzero(concave)
     ]
-    return np.concatenate([plain[keep], *cut])
+    return np.concatenate([convex[keep], *ears])
 
 
 def fans(counts: Integers) -> Integers:
     """Polygons as fans of triangles.
 
     Args:
-        counts: (p,), how many corners each has, one polygon after the other.
+        counts: (p,), number of corners of each polygon, one polygon after the other.
 
     Returns:
-        (t, 3), numbers of corners; polygons of less than three have no triangles.
+        (t, 3), indices of corners; polygons of fewer than three have no triangles.
     """
     first, within = _spread(counts)
     return np.stack([first, first + within + 1, first + within + 2], axis=1)
 
 
-def _dented(counts: Integers, places: Floats) -> Flags:
-    """The polygons with a corner that turns the other way than the polygon as a whole."""
-    found = np.zeros(len(counts), dtype=bool)
+def _are_concave(counts: Integers, places: Floats) -> Flags:
+    """(p,), True for polygons with a corner that turns against the polygon's orientation."""
+    is_concave = np.zeros(len(counts), dtype=bool)
     starts = np.cumsum(counts) - counts
     for number in np.unique(counts[counts > 3]):
         of_number = np.flatnonzero(counts == number)
         corners = places[starts[of_number][:, None] + np.arange(number)]
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is no dent
+        with np.errstate(over="ignore", invalid="ignore"):  # non-finite is not concave
             edges = np.roll(corners, -1, axis=1) - corners
             turns = np.cross(np.roll(edges, 1, axis=1), edges)
             along = np.einsum("pkj,pj->pk", turns, _normals(corners))
-            found[of_number] = along.min(axis=1) < -_TURN * np.abs(along).max(axis=1)
-    return found
+            is_concave[of_number] = along.min(axis=1) < -_TURN * np.abs(along).max(axis=1)
+    return is_concave
 
 
 def _normals(corners: Floats) -> Floats:
-    """(p, 3), twice the area of each of some polygons of equal number, (p, k, 3), as a vector."""
+    """(p, 3), normals of polygons (p, k, 3), twice as long as their area."""
     spokes = corners - corners[:, :1]
-    found: Floats = np.cross(spokes, np.roll(spokes, -1, axis=1)).sum(axis=1)
-    return found
+    return np.asarray(np.cross(spokes, np.roll(spokes, -1, axis=1)).sum(axis=1))
 
 
-def _cut(corners: Floats) -> Integers:
-    """One polygon, (k, 3), by cutting off its ears; as a fan where that fails."""
+def _clip_ears(corners: Floats) -> Integers:
+    """The triangulation of a polygon (k, 3) by ear clipping; a fan if that fails."""
     import mapbox_earcut
 
     fan = fans(np.array([len(corners)]))
@@ -85,10 +85,10 @@ def _cut(corners: Floats) -> Integers:
 
 
 def strips(counts: Integers) -> Integers:
-    """Strips as triangles; every other one is turned, so that all look the same way.
+    """Strips as triangles; every second triangle is flipped for consistent orientation.
 
     Args:
-        counts: (p,), how many corners each has, one strip after the other.
+        counts: (p,), number of corners of each strip, one strip after the other.
     """
     first, within = _spread(counts)
     at = first + within
@@ -97,7 +97,7 @@ def strips(counts: Integers) -> Integers:
 
 
 def _spread(counts: Integers) -> tuple[Integers, Integers]:
-    """The first corner of each triangle's polygon, and the triangle's number in the polygon."""
+    """The first corner of the polygon of each triangle, and the triangle's index in the polygon."""
     triangles = np.maximum(counts - 2, 0)
     ends = np.cumsum(triangles)
     within = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - triangles, triangles)

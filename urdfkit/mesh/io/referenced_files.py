@@ -1,42 +1,42 @@
-"""The files that mesh files name: images, the materials of OBJ, the numbers of glTF."""
+"""Files that mesh files reference: images, materials of OBJ, buffers of glTF."""
 
 from __future__ import annotations
 
 import os
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
+from urdfkit.core.static_typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
 
 
 def find_image(name: str, directory: str) -> str | None:
-    """The file of an image that a mesh file in a directory names; None if it is not there.
+    """The path of an image that a mesh file references; None if it does not exist.
 
-    Names are paths or URIs. Those of other machines end in the file's own name, which often lies
-    next to the mesh; Gazebo and assimp search it there too.
+    Names are paths or URIs. Of an absolute path from another machine, only the file name is used,
+    and searched next to the mesh, as in Gazebo and assimp.
     """
-    from urllib.parse import unquote  # 4 ms, and few meshes name images
+    from urllib.parse import unquote  # 4 ms, and few meshes have images
 
     plain = name.strip().removeprefix("file://").replace("\\", "/")
     for path in dict.fromkeys((plain, unquote(plain), os.path.basename(unquote(plain)))):
-        found = os.path.normpath(os.path.join(directory, path))
+        candidate = os.path.normpath(os.path.join(directory, path))
         try:
-            if disk.is_file(found) and _may_be_read(found, directory):
-                return found
+            if disk.is_file(candidate) and _may_be_read(candidate, directory):
+                return candidate
         except ValueError:  # a NUL in the name
             return None
     return None
 
 
 class ReferencedFiles:
-    """The files that one mesh file names, each as often as it is named.
+    """Records all files that one mesh file references.
 
     Args:
-        directory: that the mesh file is in; names are relative to it.
+        directory: the directory of the mesh file, to which names are relative.
     """
 
     def __init__(self, directory: str) -> None:
@@ -46,7 +46,7 @@ class ReferencedFiles:
         self._files: list[str] = []
 
     def image(self, name: str) -> str | None:
-        """The file of an image; None if it is not there."""
+        """The path of an image; None if it does not exist."""
         self._textures.append(name)
         path = find_image(name, self._directory)
         if path is None:
@@ -59,7 +59,7 @@ class ReferencedFiles:
         return path
 
     def read(self, name: str, most: int) -> bytes | None:
-        """What another file holds; None if it is not there, or has more than some bytes."""
+        """The bytes of a file; None as for the function `read`."""
         path = place(name, self._directory)
         self._files.append(path)
         data = read(path, most, self._directory)
@@ -76,15 +76,15 @@ class ReferencedFiles:
 
 
 def place(name: str, directory: str) -> str:
-    """Where a file lies, or would, that a mesh file in a directory names."""
+    """The path of a file that a mesh file in a directory references; it need not exist."""
     return os.path.normpath(os.path.join(directory, name.replace("\\", "/")))
 
 
 def read(path: str, most: int, directory: str) -> bytes | None:
-    """What a file holds that a mesh file in a directory names.
+    """The bytes of a file that a mesh file in a directory references.
 
-    None if it is not there, lies outside the workspace or package of the mesh, or has more than
-    some bytes.
+    None if the file does not exist, is outside the workspace or package of the mesh, or has more
+    than ``most`` bytes.
     """
     try:
         if not disk.is_file(path) or disk.state(path).st_size > most:
@@ -97,7 +97,7 @@ def read(path: str, most: int, directory: str) -> bytes | None:
 
 
 def _may_be_read(path: str, directory: str) -> bool:
-    """True for a file in the directory of a mesh file, or else in its workspace."""
+    """True for a file in the directory of a mesh file or in its workspace."""
     real = disk.real(path)
     if is_within(real, disk.real(directory)):
         return True
@@ -106,9 +106,9 @@ def _may_be_read(path: str, directory: str) -> bool:
 
 @lru_cache(maxsize=256)
 def _roots(directory: str) -> tuple[str, ...]:
-    """The workspaces of a directory: of its path, and of where that leads."""
-    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other directories
+    """The workspaces of a directory: of its path, and of its path without symbolic links."""
+    from urdfkit.workspace.resolve import Resolver  # few meshes use files of other directories
 
     packages = Resolver().packages
-    near = (os.path.join(at, "x") for at in (os.path.abspath(directory), disk.real(directory)))
-    return tuple(disk.real(packages.workspace(one)) for one in near)
+    paths = (os.path.abspath(directory), disk.real(directory))
+    return tuple(disk.real(packages.workspace(os.path.join(path, "x"))) for path in paths)

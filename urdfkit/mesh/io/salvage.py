@@ -1,4 +1,4 @@
-"""What is left of a broken mesh file, and how much of it that is."""
+"""Recovery of the triangles of a broken mesh file."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ _COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^<>]*?\bcount\s*=\s*
 
 
 class SalvagedPart(Record):
-    """The readable rest of a damaged file."""
+    """The readable part of a damaged file."""
 
-    mesh: Mesh  # the triangles
-    declared: int  # how many the file says that it has; 0 where it does not say
+    mesh: Mesh
+    declared: int  # number of triangles that the file declares; 0 if unknown
 
     @property
     def found(self) -> int:
-        """How many triangles are left."""
+        """Number of readable triangles."""
         return len(self.mesh.faces)
 
     @property
     def share(self) -> float:
-        """The part that is left, from 0 to 1, as far as the file says."""
+        """The readable part of the declared triangles, from 0 to 1."""
         return min(1.0, self.found / self.declared) if self.declared else 1.0
 
     def __str__(self) -> str:
@@ -38,11 +38,7 @@ class SalvagedPart(Record):
 
 
 def salvage(path: str) -> SalvagedPart | None:
-    """The triangles that are left in a mesh file; None if there are none.
-
-    Args:
-        path: of a file that is cut off or malformed.
-    """
+    """The readable triangles of a truncated or malformed mesh file; None if there are none."""
     try:
         mesh = load.salvage(path)
         data = load.read_bytes(path)
@@ -53,7 +49,7 @@ def salvage(path: str) -> SalvagedPart | None:
 
 
 def _declared(data: bytes, form: str) -> int:
-    """The number of triangles that a file announces; a lower bound where it counts polygons."""
+    """The number of triangles that a file declares; a lower bound if it counts polygons."""
     if form == facts.COLLADA:
         return sum(int(count) for count in _COUNT.findall(data))
     if form == facts.BINARY_STL:
@@ -62,18 +58,18 @@ def _declared(data: bytes, form: str) -> int:
 
 
 def load_or_salvage(path: str) -> tuple[Mesh, str]:
-    """The triangles of a mesh file, whole or broken.
+    """The triangles of an intact or broken mesh file.
 
     Returns:
-        The mesh, and what is wrong with the file; empty if it is whole.
+        The mesh and the defect of the file; empty if it is intact.
 
     Raises:
-        UnloadableMesh: there are none.
+        UnloadableMesh: no triangles are readable.
     """
     try:
         return load.load(path), ""
     except UnloadableMesh as error:
-        left = salvage(path)
-        if left is None:
+        part = salvage(path)
+        if part is None:
             raise
-        return left.mesh, f"{error.reason}; {left} are left"
+        return part.mesh, f"{error.reason}; {part} are readable"

@@ -1,8 +1,8 @@
-"""What a mesh file is, and whether it is whole, by its bytes and without a mesh library.
+"""Format and validity of mesh files by their bytes, without a mesh library.
 
-Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not say
-either: web pages are saved as meshes, and 118 of 121 STL files that begin with ``solid``, the
-mark of an ASCII STL, are binary.
+Libraries load many broken meshes as empty, without an error. Suffixes are not reliable either: web
+pages are saved as meshes, and 118 of 121 STL files that begin with ``solid``, the keyword of ASCII
+STL, are binary.
 """
 
 import os
@@ -15,7 +15,7 @@ from urdfkit.mesh.io import binary_stl, facts
 from urdfkit.mesh.io.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
 from urdfkit.text.source import why_unreadable
 
-#: No mesh of a robot is larger.
+#: Upper bound of the size of a robot mesh.
 _LARGEST = 1024**3
 _HEAD = 4096
 _LONG_HEAD = 64 * 1024
@@ -34,16 +34,16 @@ _TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 _LFS = b"version https://git-lfs.github.com/spec/"
 _XML_ROOT = rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)"
-#: What has no end, as where the text is cut, goes on to its end.
+#: Declarations and comments; unterminated ones extend to the end of the text.
 _NOT_ROOT = rb"(?s)<\?.*?(?:\?>|\Z)|<!--.*?(?:-->|\Z)|<![^>]*(?:>|\Z)"
 _HTML_TAGS = frozenset("html head body script meta title div table".split())
-#: A line of OBJ, or a line that names its materials.
+#: A line of OBJ data, or a reference to materials.
 _OBJ = (
     rb"(?:\A|\n)[ \t]*"
     rb"(?:vn?[ \t]+[-+.\deE]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
 )
 
-#: Formats that say what they are in their first bytes, and that URDF's readers do not all know.
+#: Formats with a signature; most are not supported by URDF parsers.
 _MAGIC = (
     (b"glTF", facts.GLB),
     (b"ISO-10303-21", "STEP"),
@@ -60,7 +60,7 @@ _MAGIC = (
     (b"OFF\r", "OFF"),
 )
 _XML_FORMATS = {"COLLADA": facts.COLLADA, "X3D": "X3D", "amf": "AMF"}
-#: Files that are no meshes at all.
+#: Signatures of files that are not meshes.
 _FOREIGN = (
     (b"\x89PNG", "a PNG image"),
     (b"\xff\xd8\xff", "a JPEG image"),
@@ -77,16 +77,16 @@ _FOREIGN = (
 
 
 def sniff_file(path: str) -> MeshFacts:
-    """Validate a mesh file. Never raises: a file that cannot be read is a defect like others."""
+    """Validate a mesh file. Never raises: an unreadable file has a defect, too."""
     try:
         state = disk.state(path)
-        if not S_ISREG(state.st_mode):  # a device or a pipe might never end
-            return MeshFacts("", 0, unreadable("is no regular file"))
+        if not S_ISREG(state.st_mode):  # reading a device or a pipe might never end
+            return MeshFacts("", 0, unreadable("is not a regular file"))
         data = disk.read(path, state.st_size if state.st_size <= MAX_BYTES else _HEAD)
     except OSError as error:
         return MeshFacts("", 0, unreadable(why_unreadable(path, error)))
     except ValueError:
-        return MeshFacts("", 0, unreadable("cannot be read: its name holds a NUL"))
+        return MeshFacts("", 0, unreadable("cannot be read: its name contains a NUL"))
     if state.st_size > MAX_BYTES:
         return MeshFacts(recognise(data, state.st_size), state.st_size)
     return sniff(data, os.path.splitext(path)[1])
@@ -96,36 +96,36 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
     """Validate the bytes of a mesh file.
 
     Args:
-        suffix: of its name, such as ``.stl``; says what broken content was meant to be.
+        suffix: of the file name, such as ``.stl``; the intended format of broken content.
     """
-    form = recognise(data, len(data))
+    format = recognise(data, len(data))
     defect: Defect | None = None
     not_finite = ""
-    if not form:
+    if not format:
         defect = _foreign(data)
-        form = "" if defect else _suggested(data, suffix.lower())
-    if form in _VALIDATORS:
-        module, function = _VALIDATORS[form]
+        format = "" if defect else _suggested(data, suffix.lower())
+    if format in _VALIDATORS:
+        module, function = _VALIDATORS[format]
         defect, not_finite = getattr(import_module(f"urdfkit.mesh.io.{module}"), function)(data)
-    elif not form and defect is None:
+    elif not format and defect is None:
         defect = _unknown(data)
     unit, up_axis = 1.0, ""
-    if form == facts.COLLADA and defect is None:
+    if format == facts.COLLADA and defect is None:
         from urdfkit.mesh.io.collada import conventions
 
         unit, up_axis = conventions(data)
-    is_solid = form == facts.BINARY_STL and data[:5].lower() == b"solid"
-    return MeshFacts(form, len(data), defect, not_finite, unit, up_axis, is_solid)
+    is_solid = format == facts.BINARY_STL and data[:5].lower() == b"solid"
+    return MeshFacts(format, len(data), defect, not_finite, unit, up_axis, is_solid)
 
 
 def recognise(data: bytes, size: int) -> str:
-    """The format of a mesh file by its beginning and its size; empty if it is none known."""
+    """The format of a mesh file by its beginning and size; empty if unknown."""
     head = data[:_HEAD]
-    if binary_stl.is_stl(head, size):  # before all else: its header may hold any text
+    if binary_stl.is_stl(head, size):  # first, because its header may contain any text
         return facts.BINARY_STL
-    for magic, form in _MAGIC:
+    for magic, format in _MAGIC:
         if head.startswith(magic):
-            return form
+            return format
     if head.startswith(b"MM") and size == int.from_bytes(head[2:6], "little"):
         return "3DS"
     if head.startswith(b"PK\x03\x04"):
@@ -150,7 +150,7 @@ def _text_format(text: bytes, data: bytes) -> str:
 
 def _xml_root(data: bytes) -> str:
     """The tag of the root element of XML, without its prefix; empty if there is none."""
-    for length in (_HEAD, _LONG_HEAD):  # long is the comment of a few files only
+    for length in (_HEAD, _LONG_HEAD):  # few files begin with a long comment
         text = data[:length]
         if text.startswith(_UTF_16):
             text = text.replace(b"\0", b"")
@@ -167,10 +167,10 @@ def _is_text(data: bytes) -> bool:
 def _suggested(data: bytes, suffix: str) -> str:
     """The intended format of broken content, if the suffix and the bytes agree."""
     if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
-        # What is no STL at all has any number where STL has its count.
+        # In a file that is not STL, the triangle count is an arbitrary number.
         header = data[:80].rstrip(b"\0")
-        known = _is_text(header) or binary_stl.whole_size(data) <= _LARGEST
-        return facts.BINARY_STL if known else ""
+        is_stl = _is_text(header) or binary_stl.whole_size(data) <= _LARGEST
+        return facts.BINARY_STL if is_stl else ""
     if suffix == ".obj" and data.lstrip().startswith(b"#"):
         return facts.OBJ
     if suffix == ".dae" and data.startswith(b"<") and not _xml_root(data):
@@ -179,15 +179,15 @@ def _suggested(data: bytes, suffix: str) -> str:
 
 
 def _foreign(data: bytes) -> Defect | None:
-    """Why this is no mesh, if it is something else that is known."""
+    """The defect of a file that is recognised as something other than a mesh."""
     if not data.strip():
-        return empty("is empty" if not data else "holds nothing but white space")
+        return empty("is empty" if not data else "contains only white space")
     if data.startswith(b"<<<<<<<"):
-        return unreadable("holds the two sides of a merge conflict")
+        return unreadable("contains the markers of a merge conflict")
     if data.startswith(_LFS):
         size = re.search(rb"\nsize (\d{1,18})\b", data[:_HEAD])
-        held = f" of {size.group(1).decode()} bytes" if size else ""
-        return not_a_mesh(f"is a Git LFS pointer: the mesh{held} itself has not been fetched")
+        length = f" of {size.group(1).decode()} bytes" if size else ""
+        return not_a_mesh(f"is a Git LFS pointer: the mesh{length} itself has not been fetched")
     for magic, thing in _FOREIGN:
         if data.startswith(magic):
             return not_a_mesh(f"is {thing}")
@@ -204,10 +204,10 @@ def _foreign(data: bytes) -> Defect | None:
 def _unknown(data: bytes) -> Defect:
     if _is_text(data[:_HEAD]):
         words = data[:200].decode("utf-8", "replace").split()
-        return not_a_mesh(f"is text of no mesh format{_quoted(' '.join(words))}")
-    return unreadable(f"is of no known mesh format (it begins with {data[:8].hex(' ')})")
+        return not_a_mesh(f"is text, not in a mesh format{_quoted(' '.join(words))}")
+    return unreadable(f"is not in a known mesh format (begins with {data[:8].hex(' ')})")
 
 
 def _quoted(text: str) -> str:
-    """A beginning of a text, for a message."""
+    """The beginning of a text, for a message."""
     return f": '{text[:40]}{'...' if len(text) > 40 else ''}'" if text else ""

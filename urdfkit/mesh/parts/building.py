@@ -1,10 +1,10 @@
-"""Parts built of the solids that `parts.json` lists, in mm, and a plain block.
+"""Builds parts of the solids in `parts.json`, in mm, and a plain block.
 
-A solid has a ``material``, what is added, what is cut away, and what it lies ``within``. A shape is
-a ``box`` (edges; with ``radius`` and ``chamfer``, rounded), a ``cylinder`` (radius, from, to), a
-``lathe`` (a profile of distances from z and heights) or a ``prism`` (an outline in x and y, from
-``z`` to ``z``). It is rotated about x, y and z, put ``at`` a place, and repeated in a ``ring``
-about z. Where solids overlap, the first has the place.
+A solid has a ``material``, shapes to ``add``, shapes to ``cut``, and a shape that it is clipped to,
+``within``. A shape is a ``box`` (edges; with ``radius`` and ``chamfer``, rounded), a ``cylinder``
+(radius, from, to), a ``lathe`` (a profile of distances from z and heights) or a ``prism`` (an
+outline in x and y, from ``z`` to ``z``). It is rotated about x, y and z, moved to ``at``, and
+repeated in a ``ring`` about z. Where solids overlap, the first one remains.
 """
 
 import json
@@ -31,16 +31,16 @@ from urdfkit.mesh.solids import (
 
 
 def built(part: RealPart, size: Vector) -> Mesh:
-    """A part with its middle at the origin, stretched to outer edges in m."""
-    solids = disjoint((_material(one["material"]), _solid(one)) for one in part.solids)
+    """A part centred at the origin, scaled to outer dimensions in m."""
+    solids = disjoint((_material(entry["material"]), _solid(entry)) for entry in part.solids)
     stretch = vector(edge / true / 1000 for edge, true in zip(size, part.size, strict=True))
     return assembled(
-        [(one, on_grid(solid.rotate(part.rotate).scale(stretch))) for one, solid in solids]
+        (material, on_grid(solid.rotate(part.rotate).scale(stretch))) for material, solid in solids
     )
 
 
 def block(size: Vector) -> Mesh:
-    """A block with bevelled edges, where nothing says what it stands for; size in m."""
+    """A block with bevelled edges, the placeholder for an unknown part; size in m."""
     x, y, z = size
     bevel = 0.12 * min(size)
     slabs = [box((x, y - bevel, z - bevel)), box((x - bevel, y, z - bevel))]
@@ -60,27 +60,27 @@ def _material(name: str) -> MeshMaterial:
     return MeshMaterial(name, (red, green, blue, 1.0))
 
 
-def _solid(one: dict[str, Any]) -> Manifold:
-    found = Manifold.batch_boolean([_shape(shape) for shape in one["add"]], OpType.Add)
-    for shape in one.get("cut", ()):
-        found = found - _shape(shape)
-    return found ^ _shape(one["within"]) if "within" in one else found
+def _solid(entry: dict[str, Any]) -> Manifold:
+    solid = Manifold.batch_boolean([_shape(shape) for shape in entry["add"]], OpType.Add)
+    for shape in entry.get("cut", ()):
+        solid = solid - _shape(shape)
+    return solid ^ _shape(entry["within"]) if "within" in entry else solid
 
 
 def _shape(shape: dict[str, Any]) -> Manifold:
     sides = shape.get("sides", SIDES)
     if "box" in shape:
-        found = box(shape["box"])
+        solid = box(shape["box"])
         if "radius" in shape:
-            found = rounded_box(shape["box"], shape["radius"], shape.get("chamfer", 0.0))
+            solid = rounded_box(shape["box"], shape["radius"], shape.get("chamfer", 0.0))
     elif "cylinder" in shape:
         radius, low, high = shape["cylinder"]
-        found = cylinder(radius, low, high, sides)
+        solid = cylinder(radius, low, high, sides)
     elif "lathe" in shape:
-        found = revolved(shape["lathe"], sides)
+        solid = revolved(shape["lathe"], sides)
     else:
-        found = extruded(shape["prism"], *shape["z"])
-    found = found.rotate(shape.get("rotate", (0, 0, 0))).translate(shape.get("at", (0, 0, 0)))
+        solid = extruded(shape["prism"], *shape["z"])
+    solid = solid.rotate(shape.get("rotate", (0, 0, 0))).translate(shape.get("at", (0, 0, 0)))
     count = shape.get("ring", 1)
-    copies = [found.rotate((0, 0, 360 * number / count)) for number in range(count)]
+    copies = [solid.rotate((0, 0, 360 * number / count)) for number in range(count)]
     return Manifold.batch_boolean(copies, OpType.Add)

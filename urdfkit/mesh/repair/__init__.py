@@ -1,4 +1,4 @@
-"""Repairing meshes: what was wrong, what was done, and that nothing became worse."""
+"""Mesh repair with a list of its steps and a check that the result is better."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
-from urdfkit.mesh.distance import one_way
+from urdfkit.mesh.distance import directed_distance
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.health import Health, examine, examine_mesh
 from urdfkit.mesh.repair.cleaning import (
@@ -26,46 +26,43 @@ from urdfkit.mesh.repair.union import unite
 from urdfkit.mesh.repair.winding import agree, face_outwards
 from urdfkit.mesh.welding import finite
 
-#: Points of open edges this near, as a part of the diagonal, become one.
+#: Distance, as a part of the diagonal, below which points of open edges are merged.
 WELD = 2e-5
 
+#: Optional steps; requested by the user, they always count as an improvement.
+_OPTIONAL = ("dropped one side of sheets", "united bodies that overlap")
 
-#: Steps that are only done if asked for, and then count as a gain.
-_ASKED = ("dropped one side of sheets", "united bodies that overlap")
-
-#: What one round leaves behind, such as a fill that meets another one, the next may fix.
+#: A round may fix defects left by the previous one, such as a fill that meets another one.
 _ROUNDS = 3
-
 
 _Action = Callable[[TriangleSoup], TriangleSoup]
 
 
 class RepairStep(Record):
-    """One thing that was done."""
+    """One step of a repair."""
 
     name: str  # in the past tense, such as ``closed holes``
-    removed: int = 0  # how many faces it took away
-    added: int = 0  # how many faces it made
-    turned: int = 0  # how many faces it turned over
+    removed: int = 0  # number of removed faces
+    added: int = 0  # number of new faces
+    turned: int = 0  # number of flipped faces
 
 
 class Repair(Record):
     """The result of a repair."""
 
-    #: Repaired; the very one that was given if there was nothing to do, or nothing helped.
-    mesh: Mesh
-    steps: tuple[RepairStep, ...]  # what was done, in order
+    mesh: Mesh  # the repaired mesh; the original object if nothing was changed
+    steps: tuple[RepairStep, ...]  # in order
     #: before and after: the state of the mesh.
     before: Health
     after: Health
-    #: How far the old surface lies from the new one at most, in the unit of the mesh.
+    #: Greatest distance from the old surface to the new one, in the unit of the mesh.
     lost: float = 0.0
-    gained: float = 0.0  # how far the new surface lies from the old one at most
-    discarded: str = ""  # why the repair was discarded; empty if it was not
+    gained: float = 0.0  # greatest distance from the new surface to the old one
+    discarded: str = ""  # why the repair was discarded; otherwise empty
 
     @property
     def changed(self) -> bool:
-        """True if the mesh is another one now."""
+        """True if the mesh was changed."""
         return bool(self.steps) and not self.discarded
 
 
@@ -77,16 +74,15 @@ def repair(
     union: bool = False,
     progress: Progress | None = None,
 ) -> Repair:
-    """Make a mesh the surface of a solid, as far as that can be done without inventing much.
+    """Make a mesh the surface of a solid, as far as possible without inventing much geometry.
 
-    A mesh that is one already is given back as it is.
+    The surface of a solid is returned unchanged.
 
     Args:
-        mesh: any.
         holes: close holes, too.
-        one_sided: drop one side of sheets that have two.
-        union: make bodies that overlap one; texture coordinates and colours of vertices are lost.
-        progress: called with the number of rounds done, and of all; the measuring is the last.
+        one_sided: drop one side of two-sided sheets.
+        union: unite overlapping bodies; texture coordinates and vertex colours are lost.
+        progress: called with the number of finished rounds and of all; the last one measures.
     """
     before = examine_mesh(mesh)
     if before.is_solid and not (union and before.overlap):
@@ -96,16 +92,16 @@ def repair(
     if before.non_finite:
         steps.append(RepairStep("dropped triangles that are not finite", before.non_finite))
     if one_sided:
-        soup = _do(_ASKED[0], drop_back_sides, soup, steps)
-    asked = examine(soup.points, soup.faces)
-    soup = _rounds(soup, asked, steps, holes=holes, progress=progress)
-    if union and (whole := _do(_ASKED[1], unite, soup, steps)) is not soup:
-        soup, mesh = whole, _without_vertex_attributes(mesh)
+        soup = _do(_OPTIONAL[0], drop_back_sides, soup, steps)
+    initial = examine(soup.points, soup.faces)
+    soup = _rounds(soup, initial, steps, holes=holes, progress=progress)
+    if union and (united := _do(_OPTIONAL[1], unite, soup, steps)) is not soup:
+        soup, mesh = united, _without_vertex_attributes(mesh)
     if not steps:
         return Repair(mesh, (), before, before)
     if progress:
         progress(_ROUNDS, _ROUNDS + 1)
-    return _if_better(mesh, soup, _summed(steps), before, asked)
+    return _if_better(mesh, soup, _summed(steps), before, initial)
 
 
 def _rounds(
@@ -116,30 +112,30 @@ def _rounds(
     holes: bool,
     progress: Progress | None,
 ) -> TriangleSoup:
-    """Everything once, and again while that helps; what is done is added to the steps."""
+    """Run rounds while they reduce the defects; appends to ``steps``."""
     for number in range(_ROUNDS):
         if best.defects == 0:
             break
         if progress:
             progress(number, _ROUNDS + 1)
-        more: list[RepairStep] = []
-        tried = _round(soup, more, holes=holes)
-        state = examine(tried.points, tried.faces)
-        if not more or state.defects >= best.defects:
+        new_steps: list[RepairStep] = []
+        candidate = _round(soup, new_steps, holes=holes)
+        state = examine(candidate.points, candidate.faces)
+        if not new_steps or state.defects >= best.defects:
             break
-        soup, best = tried, state
-        steps += more
+        soup, best = candidate, state
+        steps += new_steps
     return soup
 
 
 def _without_vertex_attributes(mesh: Mesh) -> Mesh:
-    """Without what belongs to single vertices, such as the places of a texture."""
+    """The mesh without texture coordinates and vertex colours."""
     parts = [part._replace(uv=None, colors=None) for part in mesh.parts]
     return mesh._replace(parts=tuple(parts))
 
 
 def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> TriangleSoup:
-    """Everything once; what is done is added to the steps."""
+    """Run all actions once; appends to ``steps``."""
     tolerance = WELD * soup.size
     actions: list[tuple[str, _Action]] = [
         ("dropped collapsed triangles", drop_collapsed),
@@ -159,7 +155,7 @@ def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> Trian
 
 
 def _summed(steps: list[RepairStep]) -> list[RepairStep]:
-    """What was done in several rounds, each thing once."""
+    """The steps of all rounds, with equal names added up."""
     sums: dict[str, RepairStep] = {}
     for name, *counts in steps:
         before = sums.get(name, RepairStep(name))
@@ -168,38 +164,38 @@ def _summed(steps: list[RepairStep]) -> list[RepairStep]:
 
 
 def _do(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
-    done = act(soup)
-    if done is soup:
+    result = act(soup)
+    if result is soup:
         return soup
-    change = len(done.faces) - len(soup.faces)
+    change = len(result.faces) - len(soup.faces)
     if change == 0:
-        moved = (done.faces != soup.faces).any(axis=1)
+        moved = (result.faces != soup.faces).any(axis=1)
         if not moved.any():
             return soup
-        same = (np.sort(done.faces, axis=1) == np.sort(soup.faces, axis=1)).all(axis=1)
+        same = (np.sort(result.faces, axis=1) == np.sort(soup.faces, axis=1)).all(axis=1)
         steps.append(RepairStep(name, turned=int((moved & same).sum())))
     else:
         steps.append(RepairStep(name, max(0, -change), max(0, change)))
-    return done
+    return result
 
 
 def _if_better(
-    mesh: Mesh, soup: TriangleSoup, steps: list[RepairStep], before: Health, asked: Health
+    mesh: Mesh, soup: TriangleSoup, steps: list[RepairStep], before: Health, initial: Health
 ) -> Repair:
-    """The repair, or the mesh as it was if the repair is no gain.
+    """The repair, or the original mesh if the repair is not an improvement.
 
     Args:
-        asked: its state when what was asked for had been dropped, which may have opened it.
+        initial: the state after the optional step, which may have opened the mesh.
     """
     if not len(soup.faces):
         return Repair(mesh, tuple(steps), before, before, discarded="nothing would be left")
     after = examine_mesh(mesh_of(soup, mesh))
-    was_asked = any(step.name in _ASKED for step in steps)
-    if after.defects > asked.defects or (after.defects >= before.defects and not was_asked):
+    is_requested = any(step.name in _OPTIONAL for step in steps)
+    if after.defects > initial.defects or (after.defects >= before.defects and not is_requested):
         return Repair(mesh, tuple(steps), before, before, discarded="it would be no better")
     is_finite = finite(mesh.vertices)
     sound = mesh.faces[is_finite[mesh.faces].all(axis=1)]
     old = (np.where(is_finite[:, None], mesh.vertices, 0.0), sound)
     new = (soup.points, soup.faces)
-    lost, gained = one_way(*old, *new), one_way(*new, *old)
+    lost, gained = directed_distance(*old, *new), directed_distance(*new, *old)
     return Repair(mesh_of(soup, mesh), tuple(steps), before, after, lost, gained)

@@ -1,30 +1,30 @@
-"""Triangles that are no part of a surface: collapsed, repeated, fins, walls and scraps."""
+"""Removal of collapsed and repeated triangles, fins, inner walls and scraps."""
 
 import numpy as np
 
-from urdfkit.mesh.components import take_apart
-from urdfkit.mesh.edges import Edges, three_cornered
+from urdfkit.mesh.components import split_pieces
+from urdfkit.mesh.edges import Edges, have_distinct_corners
 from urdfkit.mesh.geometry import Integers, areas
 from urdfkit.mesh.grouping import components, distinct
 from urdfkit.mesh.repair.soup import TriangleSoup
 
-#: A scrap has fewer triangles than the smallest solid.
+#: A scrap is open and has fewer triangles than the smallest solid ...
 _SCRAP = 4
-#: Or less than this part of all area, and is open.
+#: ... or less than this part of the total area.
 _SMALL = 1e-4
-#: Fins are taken off in rounds, for one may carry another.
+#: Rounds of removing fins, as a fin may carry another one.
 _ROUNDS = 50
 
 
 def drop_collapsed(soup: TriangleSoup) -> TriangleSoup:
-    """Without triangles that have two corners in one point."""
-    return soup.kept(three_cornered(soup.faces))
+    """Remove triangles with two corners at the same point."""
+    return soup.select(have_distinct_corners(soup.faces))
 
 
 def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
-    """Each triangle once, whichever way round; two sides of a sheet are left as they are.
+    """Remove repeated triangles of any orientation, except from two-sided sheets.
 
-    Where the same triangle is there both ways, the one is kept that agrees with its neighbours.
+    Of triangles with opposite orientation, the one that agrees with its neighbours is kept.
     """
     if not len(soup.faces):
         return soup
@@ -33,7 +33,7 @@ def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
         return soup
     if (count == 1).all():
         return soup
-    single = soup.kept(count[same] == 1)
+    single = soup.select(count[same] == 1)
     agreeing = _directed_sides(single)
     order = np.array(
         [
@@ -45,22 +45,22 @@ def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
     first = np.concatenate([[True], same[ranked][1:] != same[ranked][:-1]])
     keep = np.zeros(len(soup.faces), dtype=bool)
     keep[ranked[first]] = True
-    return soup.kept(keep)
+    return soup.select(keep)
 
 
 def drop_back_sides(soup: TriangleSoup) -> TriangleSoup:
-    """One side of each sheet that has two, and encloses nothing."""
+    """Remove one side of each two-sided sheet."""
     if not len(soup.faces):
         return soup
-    pieces = take_apart(soup.points, Edges(soup.faces))
+    pieces = split_pieces(soup.points, Edges(soup.faces))
     first, _, _ = distinct(np.sort(soup.faces, axis=1))
     keep = ~pieces.is_hollow[pieces.of_face]
     keep[first] = True
-    return soup.kept(keep) if not keep.all() else soup
+    return soup.select(keep) if not keep.all() else soup
 
 
 def _sides_cancel(soup: TriangleSoup, same: Integers) -> bool:
-    """True if every triangle is there both ways round, as in a sheet with two sides."""
+    """True if every triangle exists in both orientations, as in a two-sided sheet."""
     a, b, c = soup.faces.T
     even = (a < b).astype(int) + (b < c) + (c < a) == 2
     turns = np.bincount(same, weights=np.where(even, 1.0, -1.0))
@@ -77,7 +77,7 @@ def _sides(face: list[int]) -> tuple[tuple[int, int], ...]:
 
 
 def drop_fins(soup: TriangleSoup) -> TriangleSoup:
-    """Without triangles that stick out of a non-manifold edge into the open."""
+    """Remove triangles between a non-manifold edge and an open edge."""
     for _ in range(_ROUNDS):
         if not len(soup.faces):
             break
@@ -86,12 +86,12 @@ def drop_fins(soup: TriangleSoup) -> TriangleSoup:
         fins = (count > 2).any(axis=1) & (count == 1).any(axis=1)
         if not fins.any():
             break
-        soup = soup.kept(~fins)
+        soup = soup.select(~fins)
     return soup
 
 
 def drop_walls(soup: TriangleSoup) -> TriangleSoup:
-    """Without sheets inside a body: pieces that end in non-manifold edges all around."""
+    """Remove sheets inside a body: pieces bounded by non-manifold edges only."""
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
@@ -102,17 +102,21 @@ def drop_walls(soup: TriangleSoup) -> TriangleSoup:
     keep = np.ones(len(soup.faces), dtype=bool)
     for sheet in np.argsort(np.bincount(sheets)):
         inside = sheets == sheet
-        # Every rim of the sheet is an edge that stays closed without it.
+        # Every boundary edge of the sheet stays closed without it.
         uses = np.bincount(edges.of_face[inside].reshape(-1), minlength=len(edges.count))
         rest = np.bincount(edges.of_face[keep & ~inside].reshape(-1), minlength=len(edges.count))
-        rims = uses == 1
-        if rims.any() and (rest[rims] == 2).all() and not (uses + rest == 1)[uses > 0].any():
+        boundary = uses == 1
+        if (
+            boundary.any()
+            and (rest[boundary] == 2).all()
+            and not (uses + rest == 1)[uses > 0].any()
+        ):
             keep &= ~inside
-    return soup.kept(keep)
+    return soup.select(keep)
 
 
 def drop_scraps(soup: TriangleSoup) -> TriangleSoup:
-    """Without loose pieces of a few triangles that enclose nothing; one is always kept."""
+    """Remove small open pieces, unless these are most of the mesh."""
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
@@ -121,7 +125,7 @@ def drop_scraps(soup: TriangleSoup) -> TriangleSoup:
     is_open = np.zeros(len(sizes), dtype=bool)
     is_open[edges.bodies[(edges.count[edges.of_face] == 1).any(axis=1)]] = True
     scraps = is_open & ((sizes < _SCRAP) | (area < _SMALL * area.sum()))
-    # Of a mesh that is nothing but loose triangles, none is a scrap of the rest.
+    # A mesh of loose triangles only has no main surface.
     if area[scraps].sum() > 0.5 * area.sum():
         return soup
-    return soup.kept(~scraps[edges.bodies])
+    return soup.select(~scraps[edges.bodies])

@@ -1,4 +1,4 @@
-"""Holes closed with triangles, so that as little area as possible is added."""
+"""Closing of holes with triangles of least area."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -10,21 +10,21 @@ from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.mesh.repair.soup import TriangleSoup
 
-#: Rims of more edges are closed in their plane; the best triangulation costs the third power.
+#: Longer boundaries are closed in their plane: the optimal triangulation takes cubic time.
 _LONGEST = 120
 
 
 def fill(soup: TriangleSoup) -> TriangleSoup:
-    """Every rim that goes around closed."""
+    """Close all holes."""
     if not len(soup.faces):
         return soup
     faces: list[Integers] = []
     parts: list[int] = []
-    there = set(map(tuple, np.sort(soup.faces, axis=1).tolist()))
-    taken = set(map(tuple, Edges(soup.faces).ends.tolist()))
+    existing = set(map(tuple, np.sort(soup.faces, axis=1).tolist()))
+    used_edges = set(map(tuple, Edges(soup.faces).ends.tolist()))
     for loop, part in _loops(soup):
-        triangles = triangulated(soup.points[loop], _barred(loop, taken))
-        new = [row for row in loop[triangles].tolist() if tuple(sorted(row)) not in there]
+        triangles = triangulated(soup.points[loop], _barred(loop, used_edges))
+        new = [row for row in loop[triangles].tolist() if tuple(sorted(row)) not in existing]
         faces.append(np.array(new, dtype=np.int64).reshape(-1, 3))
         parts += [part] * len(new)
     if not parts:
@@ -32,48 +32,48 @@ def fill(soup: TriangleSoup) -> TriangleSoup:
     return soup.with_faces(np.concatenate(faces), np.array(parts, dtype=np.int64))
 
 
-#: By point, the points that a rim goes on to, each with the part of the face next to it.
-_Rims = dict[int, list[tuple[int, int]]]
+#: For each point, the next points of boundaries, each with the part of the adjacent face.
+_Boundaries = dict[int, list[tuple[int, int]]]
 
 
 def _loops(soup: TriangleSoup) -> Iterator[tuple[Integers, int]]:
-    """The rims, each as points in the order in which filling faces see them, and a part."""
+    """Boundary loops, each as points in the direction of the filling faces, and a part."""
     edges = Edges(soup.faces)
     rows, sides = np.nonzero(edges.is_open[edges.of_face])
-    ways: _Rims = {}
+    following: _Boundaries = {}
     for face, side in zip(rows.tolist(), sides.tolist(), strict=True):
         start, end = int(soup.faces[face, side]), int(soup.faces[face, (side + 1) % 3])
-        ways.setdefault(end, []).append((start, int(soup.parts[face])))
-    while ways:
-        loop, part = _walk(ways)
+        following.setdefault(end, []).append((start, int(soup.parts[face])))
+    while following:
+        loop, part = _walk(following)
         if len(loop) >= 3:
             yield np.array(loop, dtype=np.int64), part
 
 
-def _walk(ways: _Rims) -> tuple[list[int], int]:
-    """Take one rim out; empty if it leads nowhere.
+def _walk(following: _Boundaries) -> tuple[list[int], int]:
+    """Remove one loop from the boundaries; empty if the boundary is not closed.
 
-    Where rims touch in a point, the walk comes back to it and cuts off what it has gone around.
+    Where loops touch in a point, the walk returns to the point and cuts off one loop.
     """
-    here = next(iter(ways))
-    path, places, part = [here], {here: 0}, 0
-    while here in ways:
-        here, part = ways[here].pop()
-        if not ways[path[-1]]:
-            del ways[path[-1]]
-        if here in places:
-            first = places[here]
-            # What the walk passed before it came to this loop goes back.
+    current = next(iter(following))
+    path, places, part = [current], {current: 0}, 0
+    while current in following:
+        current, part = following[current].pop()
+        if not following[path[-1]]:
+            del following[path[-1]]
+        if current in places:
+            first = places[current]
+            # The path before this loop is put back.
             for start, end in pairwise(path[: first + 1]):
-                ways.setdefault(start, []).append((end, part))
+                following.setdefault(start, []).append((end, part))
             return path[first:], part
-        places[here] = len(path)
-        path.append(here)
+        places[current] = len(path)
+        path.append(current)
     return [], 0
 
 
-def _barred(loop: Integers, taken: set[tuple[int, int]]) -> Flags:
-    """(n, n), True for diagonals of a rim that are edges of the mesh already."""
+def _barred(loop: Integers, used_edges: set[tuple[int, int]]) -> Flags:
+    """(n, n), True for diagonals of a loop that are edges of the mesh already."""
     number = len(loop)
     barred = np.zeros((number, number), dtype=bool)
     if number > _LONGEST:
@@ -81,16 +81,16 @@ def _barred(loop: Integers, taken: set[tuple[int, int]]) -> Flags:
     for start in range(number):
         for end in range(start + 2, number - (start == 0)):
             a, b = int(loop[start]), int(loop[end])
-            barred[start, end] = ((a, b) if a < b else (b, a)) in taken
+            barred[start, end] = ((a, b) if a < b else (b, a)) in used_edges
     return barred
 
 
 def triangulated(points: Floats, barred: Flags) -> Integers:
-    """Triangles between the points of a closed line, as (k, 3) indices, in its direction.
+    """Triangulation of a closed polyline in its direction, as (k, 3) indices of points.
 
     Args:
         points: (n, 3).
-        barred: (n, n), diagonals that may not be used, by start and end.
+        barred: (n, n), forbidden diagonals, by start and end.
     """
     if len(points) > _LONGEST:
         return _in_plane(points)
@@ -100,11 +100,11 @@ def triangulated(points: Floats, barred: Flags) -> Integers:
 def _smallest(points: Floats, barred: Flags) -> Integers:
     """The triangulation of least area, which for a flat hole has no folds.
 
-    A diagonal that is an edge already would fold the fill back onto the surface: the costs of
-    such a one are those of a thousand times the area of all.
+    A diagonal that is an existing edge would fold the fill back onto the surface, so it costs a
+    thousand times the extent squared.
 
     Source: G. Barequet, M. Sharir, "Filling gaps in the boundary of a polyhedron", Computer Aided
-    Geometric Design 12 (1995): dynamic programming over the stretches of the line.
+    Geometric Design 12 (1995): dynamic programming over sections of the polyline.
     """
     number = len(points)
     extent = points.max(axis=0) - points.min(axis=0)
@@ -132,7 +132,7 @@ def _smallest(points: Floats, barred: Flags) -> Integers:
 
 
 def _in_plane(points: Floats) -> Integers:
-    """The triangulation of a long line, seen along its normal."""
+    """The triangulation of a long polyline, projected along its normal."""
     from manifold3d import triangulate
 
     centred = points - points.mean(axis=0)

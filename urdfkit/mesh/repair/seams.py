@@ -1,4 +1,4 @@
-"""Open edges that belong together: points that nearly meet."""
+"""Merging of open edges whose points nearly coincide."""
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -9,10 +9,7 @@ from urdfkit.mesh.repair.soup import TriangleSoup
 
 
 def weld_rims(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
-    """Points of open edges that are nearer to each other than a tolerance made one.
-
-    Points that are not on an open edge stay as they are: what is closed is not to be changed.
-    """
+    """Merge points of open edges within a tolerance; closed parts of the surface do not change."""
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
@@ -20,4 +17,4 @@ def weld_rims(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
     pairs = cKDTree(soup.points[rim]).query_pairs(tolerance, output_type="ndarray")
     if not len(pairs):
         return soup
-    return soup.merged(components(len(soup.points), rim[pairs]))
+    return soup.merge(components(len(soup.points), rim[pairs]))

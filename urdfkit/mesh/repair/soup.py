@@ -1,4 +1,4 @@
-"""Triangles under repair: welded points, and for each corner the vertex that it came from."""
+"""Triangles under repair: welded points, and the original vertex of each corner."""
 
 from __future__ import annotations
 
@@ -13,42 +13,42 @@ from urdfkit.mesh.welding import weld_finite
 class TriangleSoup(Record):
     """Triangles of all parts of a mesh."""
 
-    points: Floats  # (n, 3), no two at the same place
+    points: Floats  # (n, 3), distinct
     faces: Integers  # (m, 3), indices of points
-    corners: Integers  # (m, 3), indices of the vertices of the mesh that it was made from
-    parts: Integers  # (m,), the number of the part that each face belongs to
+    corners: Integers  # (m, 3), indices of the vertices of the original mesh
+    parts: Integers  # (m,), number of the part that each face belongs to
 
-    def kept(self, which: Flags) -> TriangleSoup:
-        return TriangleSoup(self.points, self.faces[which], self.corners[which], self.parts[which])
+    def select(self, mask: Flags) -> TriangleSoup:
+        return TriangleSoup(self.points, self.faces[mask], self.corners[mask], self.parts[mask])
 
-    def turned(self, which: Flags) -> TriangleSoup:
+    def flip(self, mask: Flags) -> TriangleSoup:
         faces, corners = self.faces.copy(), self.corners.copy()
-        faces[which] = faces[which][:, ::-1]
-        corners[which] = corners[which][:, ::-1]
+        faces[mask] = faces[mask][:, ::-1]
+        corners[mask] = corners[mask][:, ::-1]
         return self._replace(faces=faces, corners=corners)
 
-    def merged(self, target: Integers) -> TriangleSoup:
-        """Replace points by others.
+    def merge(self, target: Integers) -> TriangleSoup:
+        """Replace points.
 
         Args:
-            target: (n,), the point that takes the place of each.
+            target: (n,), the replacement of each point.
         """
         return self._replace(faces=target[self.faces])
 
     def with_faces(self, faces: Integers, parts: Integers) -> TriangleSoup:
-        """More faces of known points; their corners take the attributes of others there."""
-        known = np.zeros(len(self.points), dtype=np.int64)
-        known[self.faces.reshape(-1)] = self.corners.reshape(-1)
+        """Add faces between existing points, whose corners take existing vertex attributes."""
+        vertex_at = np.zeros(len(self.points), dtype=np.int64)
+        vertex_at[self.faces.reshape(-1)] = self.corners.reshape(-1)
         return TriangleSoup(
             self.points,
             np.concatenate([self.faces, faces]),
-            np.concatenate([self.corners, known[faces]]),
+            np.concatenate([self.corners, vertex_at[faces]]),
             np.concatenate([self.parts, parts]),
         )
 
     @property
     def size(self) -> float:
-        """The diagonal of the bounding box of what is used; 0 for nothing."""
+        """Diagonal of the bounding box of all faces; 0 without faces."""
         if not len(self.faces):
             return 0.0
         used = self.points[self.faces.reshape(-1)]
@@ -56,7 +56,7 @@ class TriangleSoup(Record):
 
 
 def soup_of(mesh: Mesh) -> TriangleSoup:
-    """The triangles of a mesh; those with a corner that is not finite are left out."""
+    """The triangles of a mesh, except those with a non-finite corner."""
     vertices, faces = mesh.vertices, mesh.faces
     parts = np.repeat(np.arange(len(mesh.parts)), [len(part.faces) for part in mesh.parts])
     points, welded_faces, good = weld_finite(vertices, faces)
@@ -64,22 +64,22 @@ def soup_of(mesh: Mesh) -> TriangleSoup:
 
 
 def mesh_of(soup: TriangleSoup, mesh: Mesh) -> Mesh:
-    """The repaired triangles with the materials of their mesh; normals are left out."""
+    """The repaired triangles with the materials of their mesh, without normals."""
     starts = np.cumsum([0, *(len(part.vertices) for part in mesh.parts)])
     parts = []
     for number, part in enumerate(mesh.parts):
-        mine = soup.parts == number
-        if mine.any():
-            parts.append(_part(part, soup.kept(mine), int(starts[number])))
+        in_part = soup.parts == number
+        if in_part.any():
+            parts.append(_part(part, soup.select(in_part), int(starts[number])))
     return mesh._replace(parts=tuple(parts))
 
 
 def _part(part: MeshPart, soup: TriangleSoup, start: int) -> MeshPart:
     plain = part.uv is None and part.colors is None
-    looks = np.zeros_like(soup.corners) if plain else soup.corners - start
-    # A face that fills a hole between two parts may have a corner of the other one.
-    looks = np.where((looks >= 0) & (looks < len(part.vertices)), looks, 0)
-    pairs = np.column_stack([soup.faces.reshape(-1), looks.reshape(-1)])
+    vertices = np.zeros_like(soup.corners) if plain else soup.corners - start
+    # A face that fills a hole between two parts may have a corner of the other part.
+    vertices = np.where((vertices >= 0) & (vertices < len(part.vertices)), vertices, 0)
+    pairs = np.column_stack([soup.faces.reshape(-1), vertices.reshape(-1)])
     first, faces, _ = distinct(pairs)
     unique = pairs[first]
     old = unique[:, 1]

@@ -1,40 +1,40 @@
-"""Bodies that overlap made one."""
+"""Union of overlapping bodies."""
 
 from math import isclose
 
 import numpy as np
 
-from urdfkit.mesh.components import take_apart
+from urdfkit.mesh.components import split_pieces
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.overlap import nested, overlap, united
 from urdfkit.mesh.repair.soup import TriangleSoup
 
-#: Less of the volume that counts twice is rounding.
+#: Rounding error of the overlapping part of the volume.
 _ROUNDING = 1e-6
-#: A piece of which manifold3d keeps less crosses itself, and stays as it is.
+#: A piece whose volume changes by more in manifold3d intersects itself, and is not united.
 _LOST = 1e-3
 
 
 def unite(soup: TriangleSoup) -> TriangleSoup:
-    """The closed bodies as one solid, where they overlap; cavities stay, and what is open, too.
+    """Unite overlapping closed bodies; cavities and open pieces stay.
 
-    Faces keep their part; which vertex of the mesh they came from is not known any more.
+    Faces keep their part, but lose the reference to their original vertices.
     """
     if not len(soup.faces):
         return soup
     points, faces = soup.points, soup.faces
-    pieces = take_apart(points, Edges(faces))
+    pieces = split_pieces(points, Edges(faces))
     if overlap(points, faces, pieces) <= _ROUNDING:
         return soup
     low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
     shells = [
-        one
-        for one in nested((points - low) / size, faces, pieces, soup.parts)
-        if isclose(one.solid.volume() * size**3, abs(pieces.volumes[one.piece]), rel_tol=_LOST)
+        shell
+        for shell in nested((points - low) / size, faces, pieces, soup.parts)
+        if isclose(shell.solid.volume() * size**3, abs(pieces.volumes[shell.piece]), rel_tol=_LOST)
     ]
     mesh = united(shells).to_mesh64()
     new = np.asarray(mesh.tri_verts, dtype=np.int64)
-    rest = soup.kept(~np.isin(pieces.of_face, [one.piece for one in shells]))
+    rest = soup.select(~np.isin(pieces.of_face, [shell.piece for shell in shells]))
     return TriangleSoup(
         np.concatenate([points, low + size * np.asarray(mesh.vert_properties)[:, :3]]),
         np.concatenate([rest.faces, new + len(points)]),

@@ -1,10 +1,10 @@
-"""Triangles made to agree on what is outside."""
+"""Consistent and outward orientation of triangles."""
 
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order
 
-from urdfkit.mesh.components import contains, inside_out, take_apart
+from urdfkit.mesh.components import contains, inside_out, split_pieces
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Integers, areas
 from urdfkit.mesh.grouping import components
@@ -12,7 +12,7 @@ from urdfkit.mesh.repair.soup import TriangleSoup
 
 
 def agree(soup: TriangleSoup) -> TriangleSoup:
-    """Neighbours turned the same way; of each piece the smaller part of the area is turned."""
+    """Orient adjacent faces consistently; flips the smaller part of the area of each piece."""
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
@@ -21,22 +21,22 @@ def agree(soup: TriangleSoup) -> TriangleSoup:
     pairs = edges.pairs
     pieces, is_turned = _senses(len(soup.faces), pairs, edges.is_inconsistent[edges.count == 2])
     area = areas(soup.points, soup.faces)
-    turned, whole = np.bincount(pieces, area * is_turned), np.bincount(pieces, area)
-    return soup.turned(is_turned ^ (turned > whole / 2)[pieces])
+    flipped, total = np.bincount(pieces, area * is_turned), np.bincount(pieces, area)
+    return soup.flip(is_turned ^ (flipped > total / 2)[pieces])
 
 
 def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Flags]:
-    """The pieces of a surface, and which faces do not agree with the first one of their piece.
+    """The pieces of a surface, and the faces oriented opposite to the first face of their piece.
 
     Args:
         pairs: (k, 2), faces that share an edge.
-        twisted: (k,), True for those that see it in the same direction.
+        twisted: (k,), True for pairs that traverse the edge in the same direction.
 
     Returns:
-        (m,), the number of the piece of each face; (m,), True for those to be turned.
+        (m,), number of the piece of each face; (m,), True for faces to flip.
     """
     _, first, pieces = np.unique(components(number, pairs), return_index=True, return_inverse=True)
-    # From a node beyond all faces one of each piece is reached, and from there its neighbours.
+    # An additional node leads to one face of each piece, and from there to its neighbours.
     starts = np.column_stack([np.full(len(first), number), first])
     links = np.concatenate([pairs, starts])
     graph = coo_array((np.ones(len(links)), links.T), shape=(number + 1, number + 1))
@@ -50,23 +50,23 @@ def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Fla
 
 
 def face_outwards(soup: TriangleSoup) -> TriangleSoup:
-    """Closed bodies that are inside out turned over, with all that lies in them.
+    """Flip closed bodies that are inside out, together with the bodies inside them.
 
-    A body inside another one may be a hole in it, and keeps its sense relative to the outer one.
+    A body inside another may be a cavity, and keeps its orientation relative to the outer body.
     """
     if not len(soup.faces):
         return soup
-    pieces = take_apart(soup.points, Edges(soup.faces))
-    wrong = inside_out(soup.points, soup.faces, pieces)
-    if not wrong.any():
+    pieces = split_pieces(soup.points, Edges(soup.faces))
+    inverted = inside_out(soup.points, soup.faces, pieces)
+    if not inverted.any():
         return soup
     corners = pieces.corners(soup.points, soup.faces)
-    turn = wrong.copy()
-    for outer in np.flatnonzero(wrong):
-        within = ~wrong & (pieces.low[outer] <= corners).all(axis=1)
+    flipped = inverted.copy()
+    for outer in np.flatnonzero(inverted):
+        within = ~inverted & (pieces.low[outer] <= corners).all(axis=1)
         within &= (corners <= pieces.high[outer]).all(axis=1)
         if within.any():
             shell = soup.faces[pieces.of_face == outer]
             for inner in np.flatnonzero(within):
-                turn[inner] |= contains(soup.points, shell, corners[inner])
-    return soup.turned(turn[pieces.of_face])
+                flipped[inner] |= contains(soup.points, shell, corners[inner])
+    return soup.flip(flipped[pieces.of_face])

@@ -1,4 +1,4 @@
-"""Writing meshes: the same mesh gives the same bytes, on every day and every machine."""
+"""Writing of meshes; the bytes only depend on the mesh."""
 
 import os
 from importlib import import_module
@@ -7,7 +7,7 @@ from urdfkit.core import atomic, disk
 from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.mesh.geometry import Mesh
 
-#: The module that writes each format, by suffix.
+#: Module that writes each format, by suffix.
 _WRITERS = {
     ".dae": "collada",
     ".stl": "by_trimesh",
@@ -16,51 +16,49 @@ _WRITERS = {
     ".ply": "by_trimesh",
 }
 
-#: glTF says that y is upwards. Gazebo, RViz before 15.1.4, assimp and trimesh take the numbers as
-#: they are, and for them z stays upwards here, as in every other format; newer RViz, Drake and
-#: Blender turn what they read by 90 degrees. No file suits both.
+#: glTF defines y as up. Gazebo, RViz before 15.1.4, assimp and trimesh use the coordinates as they
+#: are, and for them z is written as up, as in every other format; newer RViz, Drake and Blender
+#: rotate the mesh by 90 degrees. No file suits both.
 GLB_NOTE = (
-    "glTF means y upwards: Gazebo takes the numbers as they are, RViz from 15.1.4 on turns them; "
-    "COLLADA and OBJ mean the same to both"
+    "glTF defines y as up: Gazebo uses the coordinates as they are, RViz 15.1.4 and later rotates "
+    "them; COLLADA and OBJ look the same in both"
 )
 
-#: The suffixes that can be written.
+#: Suffixes of writable formats.
 SUFFIXES = tuple(_WRITERS)
 
 
 class UnwritableMesh(UrdfkitError):
-    """A mesh that cannot be written; the text says why and what to do."""
+    """A mesh cannot be written; the text states the reason and a solution."""
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
-    """The bytes of a mesh file, and of the files next to it that it needs.
+    """The bytes of a mesh file and of the files that it references.
 
-    Lengths are metres in every format: a unit that the mesh has is applied, as RViz and Gazebo
-    would. Its axes stay as they are, for neither of them turns a mesh by its up axis.
+    Lengths are metres in every format: the unit of the mesh is applied, as in RViz and Gazebo. Its
+    axes do not change, because neither of them rotates a mesh by its up axis.
 
     Args:
         mesh: with at least one triangle.
-        name: of the file, without directories; its suffix says the format.
+        name: file name without directories; its suffix selects the format.
 
     Returns:
-        Contents by file name. The mesh is the first; materials and textures of OBJ and COLLADA
-        follow.
+        Contents by file name: the mesh first, then materials and textures of OBJ and COLLADA.
 
     Raises:
-        UnwritableMesh: the suffix is none of `SUFFIXES`, the mesh has no triangles or vertices
-            that are not finite or absurdly far away, or a texture is missing.
+        UnwritableMesh: the suffix is not in `SUFFIXES`, the mesh has no triangles, a vertex is not
+            finite or absurdly far away, or a texture is missing.
     """
     from urdfkit.mesh.welding import finite
 
     suffix = os.path.splitext(name)[1].lower()
     if suffix not in _WRITERS:
-        known = ", ".join(SUFFIXES)
-        raise UnwritableMesh(f"{name}: this suffix cannot be written; take one of {known}")
+        raise UnwritableMesh(f"{name}: unsupported suffix; use one of {', '.join(SUFFIXES)}")
     if not len(mesh.faces):
-        raise UnwritableMesh(f"{name}: there are no triangles to write")
+        raise UnwritableMesh(f"{name}: the mesh has no triangles")
     if not finite(mesh.vertices).all():
         raise UnwritableMesh(
-            f"{name}: a vertex is not finite, or absurdly far away; repair it first"
+            f"{name}: a vertex is not finite, or absurdly far away; repair the mesh first"
         )
     from urdfkit.mesh.transforms import in_metres
 
@@ -70,7 +68,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
 
 def losses(mesh: Mesh, name: str) -> list[str]:
-    """What a format cannot hold of a mesh, as words for a person."""
+    """Properties of a mesh that a format does not support, as text."""
     suffix = os.path.splitext(name)[1].lower()
     lost = []
     materials = any(part.material for part in mesh.parts)
@@ -83,35 +81,35 @@ def losses(mesh: Mesh, name: str) -> list[str]:
     if suffix in (".stl", ".ply") and textures:
         lost.append("textures")
     if suffix == ".stl" and colors:
-        lost.append("colours of vertices")
+        lost.append("vertex colours")
     return lost
 
 
 class SoundMesh(UrdfkitError):
-    """A file is a sound mesh, which is replaced on request only."""
+    """A file is a valid mesh, which is replaced on request only."""
 
 
 def require_replaceable(path: str | os.PathLike[str]) -> None:
-    """Check that a file may be overwritten: it is not a sound mesh.
+    """Check that a file may be overwritten.
 
     Raises:
-        SoundMesh: the file is one.
+        SoundMesh: the file is a valid mesh.
     """
     from urdfkit.mesh.io.sniff import sniff_file
 
     name = os.fspath(path)
     if disk.exists(name) and sniff_file(name).defect is None:
-        raise SoundMesh(f"{name} is a good mesh already; --force replaces it")
+        raise SoundMesh(f"{name} is a valid mesh; use --force to replace it")
 
 
 def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
-    """Write a mesh file and the files that it needs, each whole or not at all.
+    """Write a mesh file and the files that it references, each atomically.
 
-    The mesh comes last, so that it never names a file that is not there yet. Directories that are
-    missing are made.
+    The mesh is written last, so that all files that it references exist. Missing directories are
+    created.
 
     Returns:
-        The paths that were written, the mesh first.
+        The paths of the written files, the mesh first.
 
     Raises:
         UnwritableMesh: as for `encode`.
@@ -122,7 +120,7 @@ def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
 
 
 def write_files(files: dict[str, bytes], directory: str) -> list[str]:
-    """Write what `encode` gave into a directory, which is made where it is missing.
+    """Write the result of `encode` to a directory, which is created if it is missing.
 
     Raises:
         UnwritableFile: a directory or file cannot be written, or a link leads out of its workspace.

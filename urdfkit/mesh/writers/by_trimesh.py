@@ -1,4 +1,4 @@
-"""The formats that trimesh writes: GLB with all that a mesh has, binary PLY and STL."""
+"""Writing of GLB with all attributes, binary PLY and binary STL, by trimesh."""
 
 import os
 from typing import Any
@@ -18,11 +18,11 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
     if suffix == ".glb":
         scene = trimesh.Scene()
         for number, part in enumerate(mesh.parts, 1):
-            named = f"part_{number}"
-            scene.add_geometry(_converted(shaded(part)), node_name=named, geom_name=named)
+            part_name = f"part_{number}"
+            scene.add_geometry(_converted(shaded(part)), node_name=part_name, geom_name=part_name)
         return {name: bytes(scene.export(file_type="glb", include_normals=True))}
     whole = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False, validate=False)
-    if suffix == ".stl":  # with an empty header, so that no reader takes it for ASCII
+    if suffix == ".stl":  # with an empty header, so that no reader interprets it as ASCII
         return {name: bytes(trimesh.exchange.stl.export_stl(whole))}
     if all(part.colors is not None for part in mesh.parts):
         colors = np.concatenate([np.asarray(part.colors) for part in mesh.parts])
@@ -43,7 +43,7 @@ def _converted(part: MeshPart) -> Any:
 
 
 def _to_bytes(colors: Any) -> Any:
-    """Colours from 0 to 1 as bytes."""
+    """Colours from 0 to 1 as bytes from 0 to 255."""
     return np.round(np.clip(colors, 0.0, 1.0) * 255).astype(np.uint8)
 
 

@@ -1,8 +1,8 @@
-"""Writing COLLADA 1.4.1 that every URDF parser takes in the same way.
+"""Writing of COLLADA 1.4.1 that all URDF parsers interpret in the same way.
 
-Metres and z upwards, with the vertices in place and no node transform: the only form on which
-RViz, Gazebo, MoveIt, Pinocchio and Bullet agree. The schema wants dates; they are those of the
-epoch, so that equal meshes give equal files.
+Metres and z up, without node transforms: the only form on which RViz, Gazebo, MoveIt, Pinocchio and
+Bullet agree. The dates that the schema requires are the epoch, so that equal meshes give equal
+files.
 """
 
 import re
@@ -17,13 +17,13 @@ from urdfkit.mesh.writers.textures import texture_files
 
 _NAMESPACE = "http://www.collada.org/2005/11/COLLADASchema"
 _DATE = "1970-01-01T00:00:00Z"
-#: Of what has no material in the mesh.
+#: Material of parts without one.
 _PLAIN = MeshMaterial("plain")
 _INDENT = "  "
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
-    """The bytes of a COLLADA file, and of the textures next to it."""
+    """The bytes of a COLLADA file and its textures."""
     texture_names, textures = texture_files(mesh, name)
     parts = [(number, shaded(part)) for number, part in enumerate(mesh.parts) if len(part.faces)]
     root = etree.Element("COLLADA", xmlns=_NAMESPACE, version="1.4.1")
@@ -42,7 +42,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
 
 class _Material(NamedTuple):
-    """A material of the file; parts of one appearance share it."""
+    """A material of the file; parts of equal appearance share it."""
 
     id: str
     material: MeshMaterial
@@ -73,29 +73,29 @@ def _asset(root: etree._Element) -> None:
 
 
 def _images(root: etree._Element, materials: dict[int, _Material]) -> None:
-    names = {one.texture: one for one in materials.values() if one.texture}
-    if not names:
+    by_texture = {entry.texture: entry for entry in materials.values() if entry.texture}
+    if not by_texture:
         return
     library = etree.SubElement(root, "library_images")
-    for name, one in names.items():
-        image = etree.SubElement(library, "image", id=f"{one.id}_image")
-        _text(image, "init_from", name)
+    for texture, entry in by_texture.items():
+        image = etree.SubElement(library, "image", id=f"{entry.id}_image")
+        _text(image, "init_from", texture)
 
 
 def _effects(root: etree._Element, materials: dict[int, _Material]) -> None:
-    images = {one.texture: f"{one.id}_image" for one in materials.values() if one.texture}
+    images = {entry.texture: f"{entry.id}_image" for entry in materials.values() if entry.texture}
     library = etree.SubElement(root, "library_effects")
-    for one in dict.fromkeys(materials.values()):
-        effect = etree.SubElement(library, "effect", id=f"{one.id}_effect")
+    for entry in dict.fromkeys(materials.values()):
+        effect = etree.SubElement(library, "effect", id=f"{entry.id}_effect")
         profile = etree.SubElement(effect, "profile_COMMON")
-        if one.texture:
-            _sampler(profile, one.id, images[one.texture])
+        if entry.texture:
+            _sampler(profile, entry.id, images[entry.texture])
         technique = etree.SubElement(profile, "technique", sid="common")
         shader = etree.SubElement(technique, "lambert")
         diffuse = etree.SubElement(shader, "diffuse")
-        *rgb, alpha = one.material.rgba
-        if one.texture:
-            etree.SubElement(diffuse, "texture", texture=f"{one.id}_sampler", texcoord="UV")
+        *rgb, alpha = entry.material.rgba
+        if entry.texture:
+            etree.SubElement(diffuse, "texture", texture=f"{entry.id}_sampler", texcoord="UV")
         else:
             _text(diffuse, "color", numbers([*rgb, alpha]), sid="diffuse")
         if alpha < 1:
@@ -117,10 +117,10 @@ def _sampler(profile: etree._Element, name: str, image: str) -> None:
 
 def _materials(root: etree._Element, materials: dict[int, _Material]) -> None:
     library = etree.SubElement(root, "library_materials")
-    for one in dict.fromkeys(materials.values()):
-        name = one.material.name or one.id
-        material = etree.SubElement(library, "material", id=one.id, name=_as_name(name))
-        etree.SubElement(material, "instance_effect", url=f"#{one.id}_effect")
+    for entry in dict.fromkeys(materials.values()):
+        name = entry.material.name or entry.id
+        material = etree.SubElement(library, "material", id=entry.id, name=_as_name(name))
+        etree.SubElement(material, "instance_effect", url=f"#{entry.id}_effect")
 
 
 def _geometry(library: etree._Element, name: str, part: MeshPart) -> None:
@@ -195,6 +195,6 @@ def _text(parent: etree._Element, tag: str, text: str, **attributes: str) -> Non
 
 
 def _as_name(text: str) -> str:
-    """A name as the schema wants it: letters, digits and ``_.-``, a letter first."""
+    """A valid name for the schema: letters, digits and ``_.-``, a letter first."""
     name = re.sub(r"[^\w.-]", "_", text)
     return name if re.match(r"[^\W\d]", name) else f"_{name}"

@@ -1,7 +1,7 @@
-"""Writing OBJ and the MTL file with its materials.
+"""Writing of OBJ and its MTL file with materials.
 
-trimesh has an exporter, but it rounds to 8 decimals, which 10-micrometre parts do not survive, and
-drops what it fails to convert.
+trimesh's exporter rounds to 8 decimals, too coarse for 10-micrometre parts, and silently drops what
+it cannot convert.
 """
 
 import os
@@ -14,7 +14,7 @@ from urdfkit.mesh.writers.textures import texture_files
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
-    """The bytes of an OBJ, of its MTL if it has materials, and of the textures."""
+    """The bytes of an OBJ file, its MTL file if there are materials, and its textures."""
     texture_names, textures = texture_files(mesh, name)
     library = os.path.splitext(name)[0] + ".mtl"
     material_names = _material_names(mesh)
@@ -33,7 +33,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
 
 def _part(part: MeshPart, starts: dict[str, int]) -> Iterator[str]:
-    """The lines of one part; ``starts`` are the numbers that its rows begin with."""
+    """The lines of one part; ``starts`` are the first indices of its rows, and are updated."""
     tables: dict[str, Table] = {"v": table(_positions(part), part.faces)}
     if part.uv is not None:
         tables["vt"] = table(part.uv, part.faces)
@@ -53,7 +53,7 @@ def _part(part: MeshPart, starts: dict[str, int]) -> Iterator[str]:
 
 
 def _positions(part: MeshPart) -> Floats:
-    """Positions; with the colours behind them that most readers know."""
+    """Positions, followed by vertex colours, an extension that most readers support."""
     import numpy as np
 
     if part.colors is None:
@@ -62,18 +62,18 @@ def _positions(part: MeshPart) -> Floats:
 
 
 def _material_names(mesh: Mesh) -> dict[int, str]:
-    """A name for the material of each part; parts of equal material share it."""
+    """Names for the materials of parts; parts with equal materials share a name."""
     names: dict[int, str] = {}
-    taken: dict[str, MeshMaterial] = {}
+    materials: dict[str, MeshMaterial] = {}
     for number, part in enumerate(mesh.parts):
         if part.material is None:
             continue
-        wanted = "_".join(part.material.name.split()) or "material"
-        name, count = wanted, 1
-        while taken.get(name, part.material) != part.material:
+        stem = "_".join(part.material.name.split()) or "material"
+        name, count = stem, 1
+        while materials.get(name, part.material) != part.material:
             count += 1
-            name = f"{wanted}_{count}"
-        taken[name] = part.material
+            name = f"{stem}_{count}"
+        materials[name] = part.material
         names[number] = name
     return names
 

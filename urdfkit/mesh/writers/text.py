@@ -1,4 +1,4 @@
-"""Numbers as text, for the formats that are text."""
+"""Numbers in text formats."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -7,32 +7,32 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 
-#: More would need a power of ten beyond all numbers.
+#: More decimals would need a power of ten that overflows.
 _MOST_DECIMALS = 300
 
 
 class Table(NamedTuple):
-    """Rows without repetition, and which of them each corner of each face has."""
+    """Distinct rows, and the row of each corner of each face."""
 
     rows: Floats  # (k, width), sorted
     corners: Integers  # (m, 3), indices of rows
 
 
 def table(rows: Floats, faces: Integers) -> Table:
-    """Each different row once.
+    """The distinct rows.
 
     Args:
-        rows: (n, width), of the vertices.
-        faces: (m, 3), indices of them.
+        rows: (n, width), one for each vertex.
+        faces: (m, 3), indices of vertices.
     """
     unique, places = np.unique(rounded_rows(rows), axis=0, return_inverse=True)
     return Table(unique, places.reshape(-1)[faces].astype(np.int64))
 
 
 def rounded_rows(rows: Floats) -> Floats:
-    """The rows to nine digits of their largest number; minus zero is zero.
+    """The rows rounded to nine digits of their largest number; minus zero becomes zero.
 
-    A 32-bit number, which is what readers keep, has seven; what lies below is noise of sines.
+    Readers store 32-bit numbers, which have seven digits; the digits below are rounding noise.
     """
     largest = float(np.abs(rows).max(initial=0.0))
     if largest == 0.0:
@@ -42,5 +42,5 @@ def rounded_rows(rows: Floats) -> Floats:
 
 
 def numbers(values: Iterable[float] | Floats) -> str:
-    """Numbers with spaces between them, nine digits each, the same on every machine."""
+    """Numbers separated by spaces, nine digits each, the same on every machine."""
     return " ".join(f"{value:.9g}" for value in np.asarray(values, dtype=float).reshape(-1))

@@ -1,4 +1,4 @@
-"""Textures on their way into another file: bytes, or a file next to the mesh."""
+"""Textures of a written mesh: their bytes and file names."""
 
 import os
 
@@ -28,11 +28,11 @@ def texture_bytes(material: MeshMaterial | None) -> bytes | None:
 
 
 def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, bytes]]:
-    """Names for the textures of a mesh, next to its file.
+    """File names for the textures of a mesh, in the directory of its file.
 
     Returns:
-        The name of the texture of each part that has one, and the contents by name. Equal
-        contents are written once; a file keeps its name unless another one has it.
+        The texture name of each part that has one, and the contents by name. Equal contents are
+        written once; a file keeps its name unless another texture has it.
     """
     stem = os.path.splitext(name)[0]
     names: dict[int, str] = {}
@@ -42,21 +42,21 @@ def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, byte
         if data is None or part.material is None:
             continue
         texture = part.material.texture
-        wanted = os.path.basename(texture) if isinstance(texture, str) else ""
-        if not wanted.lower().endswith(_SUFFIXES):  # a mesh must not name any file to be written
-            wanted = f"{stem}{_kind(data)}"
-        names[number] = _free(wanted, data, contents)
+        preferred = os.path.basename(texture) if isinstance(texture, str) else ""
+        if not preferred.lower().endswith(_SUFFIXES):  # a mesh must not choose an arbitrary suffix
+            preferred = f"{stem}{_suffix(data)}"
+        names[number] = _unused_name(preferred, data, contents)
         contents[names[number]] = data
     return names, contents
 
 
-def _kind(data: bytes) -> str:
+def _suffix(data: bytes) -> str:
     return next((suffix for magic, suffix in _KINDS if data.startswith(magic)), ".png")
 
 
-def _free(wanted: str, data: bytes, contents: dict[str, bytes]) -> str:
-    stem, suffix = os.path.splitext(wanted)
-    name, number = wanted, 1
+def _unused_name(preferred: str, data: bytes, contents: dict[str, bytes]) -> str:
+    stem, suffix = os.path.splitext(preferred)
+    name, number = preferred, 1
     while contents.get(name, data) != data:
         number += 1
         name = f"{stem}_{number}{suffix}"

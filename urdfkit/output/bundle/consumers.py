@@ -16,7 +16,8 @@ class Consumer(Record):
     visual: str  # the suffix of a visual mesh of another format; collision meshes become STL
     #: It finds meshes by ``package://``, and not by paths relative to the robot.
     is_package: bool = False
-    target: str = ""  # its name among the targets of a check; empty where it is none
+    #: The target that a bundle is checked for: the program itself, or one that reads as much.
+    target: str = ""
     loads_first_object: bool = False  # it loads only the first object or group of an OBJ
 
 
@@ -24,13 +25,25 @@ _ALL = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
 
 _MUJOCO = facts_of("mujoco")
 
+#: Of the programs that urdfkit is compared with, the one that takes most robots: what it rejects,
+#: no program takes.
+_LENIENT = "yourdfpy"
+#: A program that reads robots by urdfdom, as ROS does, and does not simulate them.
+_URDFDOM = "pinocchio"
+
 #: Sources: MuJoCo, its target; PyBullet, examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp;
 #: web: urdf-loader's defaultMeshLoader knows STL and COLLADA; RViz and Gazebo read by assimp;
 #: Isaac, https://docs.isaacsim.omniverse.nvidia.com/latest/importer_exporter/ext_isaacsim_asset_importer_urdf.html
 CONSUMERS = {
     one.name: one
     for one in (
-        Consumer("any", "any program that finds files relative to the robot", _ALL, ".obj"),
+        Consumer(
+            "any",
+            "any program that finds files relative to the robot",
+            _ALL,
+            ".obj",
+            target=_LENIENT,
+        ),
         Consumer(
             _MUJOCO.name,
             _MUJOCO.title,
@@ -39,9 +52,28 @@ CONSUMERS = {
             target=_MUJOCO.name,
             loads_first_object=_MUJOCO.loads_first_object,
         ),
-        Consumer("pybullet", "PyBullet", (BINARY_STL, ASCII_STL, COLLADA, OBJ), ".obj"),
-        Consumer("web", "urdf-loader for three.js", (BINARY_STL, ASCII_STL, COLLADA), ".dae"),
-        Consumer("ros", "a ROS 2 package", (*_ALL[:4], GLB, GLTF), ".dae", is_package=True),
+        Consumer(
+            "pybullet",
+            "PyBullet",
+            (BINARY_STL, ASCII_STL, COLLADA, OBJ),
+            ".obj",
+            target="pybullet",
+        ),
+        Consumer(
+            "web",
+            "urdf-loader for three.js",
+            (BINARY_STL, ASCII_STL, COLLADA),
+            ".dae",
+            target=_LENIENT,
+        ),
+        Consumer(
+            "ros",
+            "a ROS 2 package",
+            (*_ALL[:4], GLB, GLTF),
+            ".dae",
+            is_package=True,
+            target=_URDFDOM,
+        ),
         Consumer(
             "isaac", "Isaac Sim and Isaac Lab", (BINARY_STL, COLLADA, OBJ), ".obj", target="isaac"
         ),

@@ -15,11 +15,16 @@ from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
+from urdfkit.lint.options import Options
+from urdfkit.lint.rules import Need
 from urdfkit.output.bundle import MANIFEST, Bundle, located_files, mesh_files
 from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
 from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Span
+from urdfkit.text.source import Span, shown
+
+#: What rules need that report no reason why a program rejects a robot, and take most of the time.
+_SLOW = frozenset((Need.COLLISIONS,))
 
 #: The date of every file in a zip, so that equal bundles have equal bytes.
 _DATE = (1980, 1, 1, 0, 0, 0)
@@ -52,7 +57,8 @@ def bundle(
         What was written, and why the program will reject it all the same.
 
     Raises:
-        UrdfkitError: no consumer has that name; a file is missing, broken, or cannot be written.
+        UrdfkitError: no consumer has that name; the file is a part of a robot; a file is missing,
+            broken, or cannot be written.
     """
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
@@ -64,10 +70,16 @@ def bundle(
 
 
 def _errors(made: Bundle, directory: str, context: Context, target: str) -> Iterator[TargetError]:
-    if not target:
-        return
     places = {element.path: element.span for element in context.document.root.walk()}
-    report = check(os.path.join(directory, made.urdf), targets=[target])
+    path = os.path.join(directory, made.urdf)
+    if read(path).is_part:
+        raise UrdfkitError(
+            f"{shown(context.source.path)}: is a part that other files include, which no program "
+            "loads; bundle the robot that includes it"
+        )
+    # DYN001 repeats what other rules report, if Pinocchio is installed.
+    options = Options(targets=(target,), only_errors=_SLOW, ignore=("DYN001",))
+    report = check(path, options=options)
     for one in report.diagnostics:
         if one.severity is Severity.ERROR:
             span = places.get(one.element.partition("@")[0], one.span)

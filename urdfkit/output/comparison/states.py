@@ -12,7 +12,7 @@ from urdfkit.lint.report import Report
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import locate
-from urdfkit.workspace.snapshots import as_it_was
+from urdfkit.workspace.snapshots import check_out_snapshot
 
 #: Larger files of a revision are not looked at.
 LARGEST = 64 * 1024 * 1024
@@ -40,7 +40,7 @@ class RobotState:
         if ":" in word and not os.path.exists(word):
             revision, _, path = word.partition(":")
             path = locate(path, revision)
-            old = as_it_was(path, revision, directory, options.packages, LARGEST)
+            old = check_out_snapshot(path, revision, directory, options.packages, LARGEST)
             found, options = old.path, options._replace(packages=old.packages)
         values = options.config.entry(path, options.arguments, options.variant).arguments
         source, resolver = Source.read(found), Resolver(options.packages)

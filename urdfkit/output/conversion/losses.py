@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum
 
 from urdfkit.core.record import Record
+from urdfkit.robot.model import reads_quaternions
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Span
 
@@ -33,7 +34,7 @@ _OWN = {
     "robot": ("name",),
     "link": ("name",),
     "joint": ("name", "type"),
-    "origin": ("xyz", "rpy"),
+    "origin": ("xyz", "rpy", "quat_xyzw"),
     "parent": ("link",),
     "child": ("link",),
     "axis": ("xyz",),
@@ -54,8 +55,12 @@ _OWN = {
     "pose": ("relative_to", "rotation_format", "degrees"),
     "mu1": ("value",),
     "mu2": ("value",),
-    "transmission": ("name",),
 }
+#: Elements of which only the first in a link, joint, visual, collision or inertial counts.
+_SINGLE = frozenset(
+    "axis calibration child dynamics geometry inertia inertial limit mass mimic origin parent "
+    "safety_controller".split()
+)
 
 
 class LossTable:
@@ -82,7 +87,7 @@ class LossTable:
         self._marks[id(part)] = result, note
         if isinstance(part, Element) and result is not Result.LOST:
             for name in _OWN.get(part.tag, ()):
-                if name in part.attributes:
+                if name in part.attributes and (name != "quat_xyzw" or reads_quaternions(part)):
                     self._marks.setdefault(id(part.attributes[name]), (result, note))
 
     def entries(self, root: Element, otherwise: str, reasons: Mapping[str, str]) -> Iterator[Entry]:
@@ -90,16 +95,29 @@ class LossTable:
 
         Args:
             otherwise: why a part is lost that was not marked.
-            reasons: the same for elements with certain tags.
+            reasons: the same for elements with certain tags, and attributes as ``@name``.
         """
         lost = Result.LOST, otherwise
         for element in root.walk():
             above = self._marks.get(id(element.parent), lost)
-            own_reason = Result.LOST, reasons.get(element.tag, otherwise)
+            own_reason = Result.LOST, _repeated(element) or reasons.get(element.tag, otherwise)
             inherited = above if above[0] is Result.LOST and above != lost else own_reason
             mark = self._marks.setdefault(id(element), inherited)
             yield Entry(element.path, f"<{element.tag}>", element.span, *mark)
             inherited = mark if mark[0] is Result.LOST else lost
             for name, attribute in element.attributes.items():
-                own = self._marks.get(id(attribute), inherited)
+                reason = Result.LOST, reasons.get(f"@{name}", inherited[1])
+                own = self._marks.get(id(attribute), inherited if inherited != lost else reason)
                 yield Entry(f"{element.path}@{name}", name, attribute.span, *own)
+
+
+def _repeated(element: Element) -> str:
+    """Why an element is lost that stands after the one that counts; empty for others."""
+    parent = element.parent
+    if parent is None:
+        return ""
+    if parent.tag == "geometry" and parent.children[0] is not element:
+        return "only the first shape of a <geometry> counts"
+    if element.tag in _SINGLE and parent.child(element.tag) is not element:
+        return f"only the first <{element.tag}> counts"
+    return ""

@@ -15,7 +15,9 @@ from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
+from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, rejections
+from urdfkit.output.conversion.mjcf_inputs import add_options
 from urdfkit.output.conversion.mjcf_proof import prove
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.mjcf_srdf import (
@@ -26,12 +28,14 @@ from urdfkit.output.conversion.mjcf_srdf import (
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 
-_LOST = "MJCF has nothing like it"
+_LOST = "urdfkit writes nothing for it"
 _REASONS = {
     "plugin": "a plugin is a program of Gazebo",
     "material": "no geom has it",
     "update_rate": "MuJoCo measures in every step",
     "always_on": "MuJoCo measures in every step",
+    "@acceleration": "MuJoCo does not limit accelerations",
+    "@jerk": "MuJoCo does not limit jerk",
 }
 
 
@@ -41,6 +45,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     bundle = Bundle(robot, CONSUMERS["mujoco"])
     with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
         made = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
+        add_options(made, robot)
         exclude_neighbours(made, robot)
         if options.exclude == "computed":
             exclude_computed(made, robot)
@@ -49,6 +54,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
         _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
         proof = proven(prove(model, robot, made.shapes), robot)
+        record_hulls(made.losses, robot, made.hulls)
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)

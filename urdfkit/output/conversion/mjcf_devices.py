@@ -18,20 +18,30 @@ from urdfkit.text.document import Element
 POSITION_GAIN, VELOCITY_GAIN = 10.0, 1.0
 #: Interfaces that an actuator has.
 _KINDS = ("position", "velocity", "effort")
+#: Elements around an interface that are kept with it.
+_AROUND = ("joint", "transmission", "actuator")
 #: The effort of a joint without a limit, for the gains.
 _EFFORT = 100.0
 
 
 def add_frictions(made: MjcfRobot, robot: Context) -> None:
     """Gazebo's coefficients of friction; MuJoCo has one for both directions."""
+    set_before: dict[str, list[Element]] = {}
     for block in robot.model.gazebo:
         link = block.get("reference") or ""
         written = [one for one in block.children if one.tag in ("mu1", "mu2")]
         values = [number(text_of(one)) for one in written]
         if link not in made.geoms or not values or values[0] is None or values[0] < 0:
             continue
+        if not made.geoms[link]:
+            for one in written:
+                made.losses.lose(one, "the link has no collision")
+            continue
         for geom in made.geoms[link]:
             geom.friction[0] = values[0]
+        for earlier in set_before.get(link, ()):
+            made.losses.lose(earlier, "a later <gazebo> sets the friction")
+        set_before[link] = written
         made.losses.keep(block, "body")
         made.losses.keep(written[0], "friction")
         for other, value in zip(written[1:], values[1:], strict=True):
@@ -58,9 +68,11 @@ def _record(made: MjcfRobot, at: Element, kind: str) -> None:
     what = f"actuator for {kind}"
     made.losses.keep(at, what)
     for above in (at.parent, at.parent.parent if at.parent else None):
-        if above is not None and above.tag in ("joint", "transmission", "actuator"):
+        if above is not None and above.tag in _AROUND:
             made.losses.keep(above, what)
             made.losses.keep(above.child("joint") if above.tag == "transmission" else None, what)
+        elif above is not None and above.tag == "ros2_control":
+            made.losses.approximate(above, "actuators for the interfaces that command joints")
 
 
 def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:

@@ -72,6 +72,7 @@ class Geoms:
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
         self.shapes: dict[int, list[Any]] = {}  # the geoms, by the ``id`` of their element
+        self.hulls: list[Body] = []  # the collisions whose convex hulls collide
         self.simpler: set[int] = set()  # the elements with simpler shapes than theirs
         self.places: dict[str, Span] = {}  # where meshes of the specification are written, by name
         self._names, self._mesh_names, self._stems = FreeNames(), FreeNames(), FreeNames()
@@ -264,7 +265,7 @@ class Geoms:
             self.simpler.add(id(geometry.at))
             self._losses.approximate(shape.at, note)
             return (plate,)
-        self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")
+        self.hulls.append(geometry)
         mesh = self._mesh(file, shape, shape.scale, is_visual=False)
         return (Piece("mesh", size, mesh=mesh),)
 

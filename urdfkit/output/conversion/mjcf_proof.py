@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import copy
 from typing import Any
 
 import mujoco
@@ -21,6 +22,7 @@ from urdfkit.output.conversion.mjcf_comparison import (
     residual,
     shapes,
 )
+from urdfkit.output.conversion.mjcf_inputs import expected_options
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.own_dynamics import OwnDynamics
 from urdfkit.output.conversion.random_poses import random_poses
@@ -36,6 +38,8 @@ LENGTH, PART = 1e-9, 1e-6
 SHAPE = 1e-5
 #: A torque below the weight of the robot on a lever of so many metres is rounding.
 LEVER = 1e-6
+#: Options of MuJoCo that the comparison depends on.
+_OPTIONS = ("gravity", "disableflags", "enableflags")
 #: Moving joints of the largest robot that is compared; beyond `MAX_JOINTS` with our own dynamics.
 MAX_OWN = 1000
 
@@ -95,7 +99,7 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
             "split the robot, or fix some of them"
         )
     is_large = moving > MAX_JOINTS
-    poses = _Poses(model, robot, is_large=is_large)
+    poses = _Poses(_without_options(model, robot), robot, is_large=is_large)
     data, placed = poses.at({})
     shaped = max(shapes(data, robot, placed, written), default=(0.0, ""))
     heavy = max(inertias(model, robot, poses.reading), default=(0.0, ""))
@@ -113,6 +117,15 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
         "urdfkit" if is_large else "Pinocchio",
         "Pinocchio" if poses.reading else "urdfkit",
     )
+
+
+def _without_options(model: Any, robot: Context) -> Any:
+    """A copy of a model without the options that the URDF sets, such as another gravity."""
+    result, expected, plain = copy(model), expected_options(robot), mujoco.MjOption()
+    for name in _OPTIONS:
+        if np.array_equal(getattr(model.opt, name), getattr(expected, name)):
+            setattr(result.opt, name, getattr(plain, name))
+    return result
 
 
 class _Poses:

@@ -17,7 +17,7 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
-from urdfkit.robot.model import Joint, Link, Tensor
+from urdfkit.robot.model import Body, Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
@@ -77,6 +77,11 @@ class MjcfRobot:
     def mesh_places(self) -> dict[str, Span]:
         """Where the meshes of the specification are written, by name."""
         return self._geoms.places
+
+    @property
+    def hulls(self) -> list[Body]:
+        """The collisions whose convex hulls collide."""
+        return self._geoms.hulls
 
     @property
     def shapes(self) -> dict[int, WrittenShape]:
@@ -141,14 +146,20 @@ class MjcfRobot:
         elif joint.kind == "floating":
             motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
             self._several(body, joint, motions)
+            self._lose(joint, ("axis", "limit", "dynamics"), "a floating joint has none")
         elif joint.kind == "planar":
             first, second, normal = _plane(direction(joint))
             motions = ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
             self._several(body, joint, motions)
             keep(at.child("axis"), "axes")
+            why = "a planar joint has three motions, and URDF does not say which is meant"
+            self._lose(joint, ("limit", "dynamics"), why)
         else:
-            for tag in ("axis", "limit", "dynamics"):
-                self.losses.lose(at.child(tag), "a fixed joint does not move")
+            self._lose(joint, ("axis", "limit", "dynamics", "mimic"), "a fixed joint does not move")
+
+    def _lose(self, joint: Joint, tags: Iterable[str], reason: str) -> None:
+        for tag in tags:
+            self.losses.lose(joint.at.child(tag), reason)
 
     def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
         """The joints of MuJoCo that make one of several coordinates."""
@@ -236,6 +247,7 @@ class MjcfRobot:
                 continue
             leader, factor, shift = known[joint.name]
             if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
+                self._lose_mimic(joint, leader)
                 continue
             made = self.spec.add_equality(
                 name=f"{joint.name}_mimic",
@@ -246,6 +258,20 @@ class MjcfRobot:
             )
             made.data[:5] = (shift, factor, 0.0, 0.0, 0.0)
             self.losses.keep(mimic.at, "equality")
+
+    def _lose_mimic(self, joint: Joint, leader: str) -> None:
+        """Record why a joint follows none; ``leader`` is empty for one that does not exist."""
+        if joint.kind == "fixed":
+            return
+        if joint.kind not in ONE_WAY:
+            why = f"a {joint.kind} joint follows no other joint"
+        elif leader:
+            kind = self._tree.model.joints_by_name[leader].kind
+            why = f"'{leader}' is a {kind} joint, which none can follow"
+        else:
+            why = "it leads to no joint that moves by itself"
+        free = " and has no actuator" if joint.kind in ONE_WAY else ""
+        self.losses.lose(joint.at.child("mimic"), f"{why}: the joint moves freely{free}")
 
 
 def merged(robot: Context) -> frozenset[str]:

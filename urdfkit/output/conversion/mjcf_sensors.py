@@ -50,7 +50,7 @@ def _add(made: MjcfRobot, robot: Context, sensor: Sensor) -> None:
     link = joint.child_name if is_wrench and joint else sensor.reference
     body = made.bodies.get(link)
     if body is None or not is_known:
-        made.losses.lose(sensor.at, f"MuJoCo has no sensor like '{sensor.type}'")
+        made.losses.lose(sensor.at, f"urdfkit writes no sensor of MuJoCo for '{sensor.type}'")
         return
     frame, pose = made.frames[link], _pose(made, robot, sensor.at, link)
     if is_wrench and joint is not None:
@@ -144,6 +144,9 @@ def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     made.losses.keep(sensor.at, "camera")
     made.losses.keep(sensor.at.parent, "body")
     made.losses.keep(sensor.at.child("camera"), "camera")
+    if not width or not height:
+        why = "MuJoCo has the vertical angle, which needs <width> and <height> of <image>"
+        made.losses.lose(wide.at if wide else None, why)
     if wide and width and height and width.value > 0 and height.value > 0:
         camera.fovy = degrees(2 * atan(tan(wide.value / 2) * height.value / width.value))
         camera.resolution = (round(width.value), round(height.value))

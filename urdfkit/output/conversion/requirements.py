@@ -42,6 +42,10 @@ def require_meaning(robot: Context) -> None:
 def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:
     for element in part.walk():
         yield from _unreadable_quaternion(element)
+        if element.tag == "inertia":
+            missing = [name for name in _NUMBERS["inertia"] if name not in element.attributes]
+            for name in missing[:1]:
+                yield element.span, f"<inertia> has no {name}; write all six moments"
         for names, read, count in (
             (_VECTORS, vector, "3 finite numbers"),
             (_NUMBERS, number, "a finite number"),

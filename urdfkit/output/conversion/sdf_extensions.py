@@ -13,6 +13,7 @@ from xml.etree.ElementTree import SubElement
 
 from urdfkit.core.spatial import Transform, from_rpy
 from urdfkit.errors import UrdfkitError
+from urdfkit.output.conversion.element_copy import copied
 from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.values import numbers, vector
@@ -64,11 +65,11 @@ class GazeboBlock:
         for child in block.children:
             if child.tag in ("visual", "collision"):
                 parts = self.visual if child.tag == "visual" else self.collision
-                parts += map(_copied, child.children)
+                parts += map(copied, child.children)
             elif child.tag in TAKERS:
                 self.settings[child.tag] = _setting(child)
             elif child.tag not in (*KEEPING_TAGS, "canonicalBody"):
-                self.others.append((_copied(child), child))
+                self.others.append((copied(child), child))
 
     def concerns(self, tag: Tag, link: str) -> bool:
         """True if it is for a visual or collision of the link that it is in now."""
@@ -182,17 +183,6 @@ def set_value(tag: Tag, name: str, text: str) -> Tag:
 def child_of(tag: Tag, name: str) -> Tag | None:
     """The first child of a name; names may have colons that are no prefixes."""
     return next((child for child in tag if child.tag == name), None)
-
-
-def _copied(element: Element) -> Tag:
-    root = Tag("")
-    stack = [(element, root)]
-    while stack:
-        one, parent = stack.pop()
-        tag = SubElement(parent, one.tag, {name: at.value for name, at in one.attributes.items()})
-        tag.text = one.text.strip() or None
-        stack += [(child, tag) for child in reversed(one.children)]
-    return root[0]
 
 
 def _setting(child: Element) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 
 import urdf_usd_converter
@@ -15,6 +15,7 @@ from pxr import Tf, Usd, UsdUtils
 
 from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
+from urdfkit.core.spatial import from_quaternion, to_rpy
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.io.facts import BINARY_STL, OBJ
@@ -28,10 +29,12 @@ from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.output.conversion.usd_rotations import write_rotations
+from urdfkit.robot.model import reads_quaternions
+from urdfkit.robot.values import numbers
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.edits import remove_attribute
+from urdfkit.text.editing.edits import remove_attribute, rename_attribute, replace_value
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import read_xml
 
@@ -99,6 +102,16 @@ def _converted(robot: Context, places: _ConvertedElements, directory: str) -> li
     ]
 
 
+def _with_rpy(origin: Element) -> Iterator[Edit]:
+    """Edits that turn a quaternion of URDF 1.1, which the converter ignores, into angles."""
+    written = origin.attributes.get("quat_xyzw") if origin.tag == "origin" else None
+    values = numbers(written.value) if written else None
+    if written is not None and values and reads_quaternions(origin):
+        angles = " ".join(map(repr, to_rpy(from_quaternion(*values))))
+        yield from rename_attribute(written, "rpy") or ()
+        yield from replace_value(written, angles) or ()
+
+
 class _ConvertedElements:
     """The elements of a robot, by what the converter calls them.
 
@@ -122,6 +135,8 @@ class _ConvertedElements:
         for one in document.root.attributes.values():
             if one.name == "xmlns" or (":" in one.name and not one.name.startswith("xmlns:")):
                 edits += remove_attribute(one) or ()  # which other readers ignore
+        for element in document.root.walk():
+            edits += _with_rpy(element)
         with open(path, "wb") as file:
             file.write(apply_edits(source.data, edits))
         self._by_line: dict[tuple[str, int], Element] = {}

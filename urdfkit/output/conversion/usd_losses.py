@@ -5,6 +5,7 @@ from typing import Any
 from pxr import UsdPhysics
 
 from urdfkit.lint.context import Context
+from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.usd_proof import RESISTANCE, Stage
 from urdfkit.output.conversion.usd_shapes import gprims
@@ -26,6 +27,7 @@ def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
         _link(losses, link, stage)
         for geometry in (*link.visuals, *link.collisions):
             _geometry(losses, geometry, colours, is_visual=geometry in link.visuals)
+    record_hulls(losses, robot, (one for link in robot.model.links for one in link.collisions))
     for prim, geometry in stage.shapes:
         if geometry.shape and not gprims(prim):
             losses.lose(geometry.shape.at, _NO_MESH)
@@ -61,8 +63,6 @@ def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual:
     for tag in ("origin", "geometry"):
         losses.keep(geometry.at.child(tag), what)
     losses.keep(shape.at, what)
-    if shape.kind == "mesh" and not is_visual:
-        losses.approximate(shape.at, "its convex hull collides")
     material = colours.of(geometry) if is_visual else None
     if material is None or geometry.material is None:
         return

@@ -14,7 +14,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from importlib import import_module
-from typing import TYPE_CHECKING, Protocol
+
+from urdfkit.core.static_typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report

@@ -36,10 +36,7 @@ def hints(report: Report, page: TextPage) -> str:
     """Where to read more, what can be fixed, and what the severities depend on."""
     lines = [f"Explain a code: urdfkit explain {code}" for code in _worst(report)]
     lines += (page.wrap(hint, indent=2) for hint in _fixable(report))
-    unknown = [("No robot here has an", *one) for one in report.unknown_arguments]
-    for which, name, suggested in (*unknown, *report.unknown_in_config):
-        hint = f"; did you mean '{suggested}'?" if suggested else ""
-        lines.append(printable(f"{which} argument '{name}'{hint}"))
+    lines += map(printable, report.argument_typos)
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
         targets = ", ".join("{} ({})".format(*why.split(": ", 1)) for why in evidence)
@@ -59,7 +56,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     page = TextPage(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
     found = [counted(count, severity.value) for severity, count in counts.items() if count]
-    text = f"{', '.join(found) or 'no findings'} in {counted(len(report.files), 'file')}"
+    none = "no new findings" if report.tolerated else "no findings"
+    text = f"{', '.join(found) or none} in {counted(len(report.files), 'file')}"
     reasons = [*_launched(report)]
     if unchecked := sum(found.code == NOT_CHECKED for found in report.diagnostics):
         reasons.append(f"{counted(unchecked, 'robot')} not checked")

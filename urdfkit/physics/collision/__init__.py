@@ -1,5 +1,5 @@
-"""Self-collisions of a robot, measured with coal.
+"""Self-collisions of a robot, computed with coal.
 
-`collisions` samples configurations and gives the `Matrix` of pairs of links; `srdf_matrix` writes
-it as MoveIt's SRDF has it. What the rules need stands in `contacts`.
+`collisions` samples configurations and returns the `Matrix` of pairs of links; `srdf_matrix` writes
+it as MoveIt's SRDF. The checks use `contacts`.
 """

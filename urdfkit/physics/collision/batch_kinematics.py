@@ -1,4 +1,4 @@
-"""Where the links are in many configurations at once.
+"""Forward kinematics for many configurations at once.
 
 The same mathematics as `urdfkit.robot.kinematics`, over arrays: frames are homogeneous matrices
 (n, 4, 4) in the frame of the root link, for n configurations.
@@ -19,14 +19,14 @@ from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, directi
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
-#: In m: larger distances stand for nothing, and their squares may overflow.
+#: Largest meaningful distance in m; squares of larger ones may overflow.
 _FARTHEST = 1e9
 
 _NEXT, _LAST = [1, 2, 0], [2, 0, 1]
 
 
 class Axis(NamedTuple):
-    """A joint that moves freely: the range that is sampled, and where it begins, in rad or m."""
+    """An independent joint: the sampled range and the default position, in rad or m."""
 
     joint: str
     lower: float
@@ -37,20 +37,20 @@ class Axis(NamedTuple):
 class TreeStep(NamedTuple):
     """The step from a link to one of its children.
 
-    The frame of the child in that of the parent is ``at_zero + f sine + g versine``, with f and g
-    the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
+    The frame of the child in the parent is ``at_zero + f sine + g versine``, where f and g are the
+    sine and 1 - cosine of an angle (Rodrigues' formula), or f is a distance.
     """
 
     parent: int  # number of the link
     child: int  # number of the link
-    at_zero: Floats  # (4, 4), where the joint is at zero
+    at_zero: Floats  # (4, 4), frame at position zero
     sine: Floats  # (4, 4)
     versine: Floats  # (4, 4)
     axis: Floats  # (3,), a unit vector, in the frame of the child as well as of the joint
     turns: bool  # True for an angle, False for a distance
-    column: int  # of the axis whose position it follows; -1 for a joint that stays where it is
-    factor: float  # its position is ``factor * position of the axis + shift``
-    shift: float  # of the same transforms
+    column: int  # of the axis that defines the position; -1 for an immobile joint
+    factor: float  # position = ``factor * position of the axis + shift``
+    shift: float
 
     def frames(self, configurations: Floats) -> Floats:
         """Frames of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) if nothing moves."""
@@ -61,67 +61,66 @@ class TreeStep(NamedTuple):
     def _at(self, position: Floats | np.float64) -> Floats:
         if not self.turns:
             return np.asarray(self.at_zero + position * self.sine)
-        turned = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
-        return np.asarray(self.at_zero + turned)
+        rotation = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
+        return np.asarray(self.at_zero + rotation)
 
 
 @dataclass(frozen=True)
 class TreeArrays:
     """A kinematic tree as arrays."""
 
-    links: tuple[str, ...]  # names; a step names them by number
-    axes: tuple[Axis, ...]  # the joints that move freely, one column of a configuration each
+    links: tuple[str, ...]  # names; steps refer to them by number
+    axes: tuple[Axis, ...]  # independent joints, one column of a configuration each
     steps: tuple[TreeStep, ...]  # parents before children
-    #: For each link, the number of the topmost one that joints with limits bind it to. A root, and
-    #: the child of a planar or floating joint, begins a part; links in a closed loop that no root
-    #: leads to are one each.
+    #: For each link, the number of the topmost link of its part. A root, or the child of a planar
+    #: or floating joint, begins a part; each link of a closed loop without a root is a part.
     parts: tuple[int, ...]
 
     @cached_property
-    def above(self) -> dict[int, TreeStep]:
-        """The step that leads to each link but the roots."""
+    def step_to(self) -> dict[int, TreeStep]:
+        """The step to each link except the roots."""
         return {step.child: step for step in self.steps}
 
     @property
     def default(self) -> Floats:
-        """(dof,), the configuration that MoveIt begins in."""
+        """(dof,), the initial configuration in MoveIt."""
         return self.row({})
 
     @property
     def limits(self) -> tuple[Floats, Floats]:
-        """(dof,) each: the least and the greatest positions."""
+        """(dof,) each: lower and upper limits."""
         lower = np.array([axis.lower for axis in self.axes])
         return lower, np.array([axis.upper for axis in self.axes])
 
     def samples(self, count: int, seed: int, block: int) -> Floats:
-        """Configurations (count, dof), equally likely everywhere within the limits."""
+        """Configurations (count, dof), uniformly distributed within the limits."""
         lower, upper = self.limits
         random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
         return np.asarray(lower + (upper - lower) * random)
 
-    def row(self, given: Mapping[str, float]) -> Floats:
-        """(dof,), the default with some positions by joint in place of its own."""
-        return np.array([given.get(axis.joint, axis.default) for axis in self.axes])
+    def row(self, positions: Mapping[str, float]) -> Floats:
+        """(dof,), positions by joint as a configuration, with defaults for the other joints."""
+        return np.array([positions.get(axis.joint, axis.default) for axis in self.axes])
 
     def pose(self, row: Floats, first: int, second: int) -> dict[str, float]:
-        """The positions by joint, in rad or m, that say how two links stand to one another."""
-        return {self.axes[at].joint: float(row[at]) for at in self.between(first, second)}
+        """Positions, in rad or m, of the joints that determine the relative pose of two links."""
+        return {self.axes[n].joint: float(row[n]) for n in self.between(first, second)}
 
     def frames(self, configurations: Floats, links: Iterable[int]) -> dict[int, Floats]:
-        """The frames of some links, (n, 4, 4) each, in n configurations (n, dof)."""
+        """The frames of links, (n, 4, 4) each, in n configurations (n, dof)."""
         count = len(configurations)
-        wanted = set(links)
+        required = set(links)
         for step in reversed(self.steps):
-            if step.child in wanted:
-                wanted.add(step.parent)
-        found: dict[int, Floats] = dict.fromkeys(wanted, np.eye(4))
+            if step.child in required:
+                required.add(step.parent)
+        frames: dict[int, Floats] = dict.fromkeys(required, np.eye(4))
         for step in self.steps:
-            if step.child in wanted:
-                found[step.child] = found[step.parent] @ step.frames(configurations)
-        return {link: np.broadcast_to(found[link], (count, 4, 4)) for link in links}
+            if step.child in required:
+                frames[step.child] = frames[step.parent] @ step.frames(configurations)
+        return {link: np.broadcast_to(frames[link], (count, 4, 4)) for link in links}
 
     def pairs(self, links: Iterable[int]) -> Iterator[tuple[int, int]]:
-        """The pairs of some links, those of one part: of others nothing says how they stand."""
+        """The pairs of links of the same part; the relative pose of other pairs is unbounded."""
         of_part: dict[int, list[int]] = {}
         for link in sorted(links):
             of_part.setdefault(self.parts[link], []).append(link)
@@ -129,26 +128,26 @@ class TreeArrays:
             yield from combinations(group, 2)
 
     def default_with(self, columns: Sequence[int], positions: Floats) -> Floats:
-        """Configurations (n, dof): the default, but for some columns with positions (n, k)."""
+        """Configurations (n, dof): the default, except columns with positions (n, k)."""
         rows = np.tile(self.default, (len(positions), 1))
         rows[:, columns] = positions
         return rows
 
     def between(self, first: int, second: int) -> list[int]:
-        """The columns of the axes that move one link against another one."""
+        """The columns of the axes that move two links against each other."""
         branches = self.branches(first, second)
         return sorted({step.column for branch in branches for step in branch} - {-1})
 
     def branches(self, first: int, second: int) -> tuple[list[TreeStep], list[TreeStep]]:
-        """The steps to two links from the last link above both, or from the root of each."""
-        ways: list[list[TreeStep]] = []
+        """The steps to two links from their last common ancestor, or from their roots."""
+        paths: list[list[TreeStep]] = []
         for end in (first, second):
-            way: list[TreeStep] = []
-            while step := self.above.get(way[-1].parent if way else end):
-                way.append(step)
-            ways.append(way[::-1])
-        shared = sum(one is other for one, other in zip(*ways, strict=False))
-        return ways[0][shared:], ways[1][shared:]
+            path: list[TreeStep] = []
+            while step := self.step_to.get(path[-1].parent if path else end):
+                path.append(step)
+            paths.append(path[::-1])
+        shared = sum(a is b for a, b in zip(*paths, strict=False))
+        return paths[0][shared:], paths[1][shared:]
 
 
 def slopes(
@@ -158,15 +157,15 @@ def slopes(
     points: Floats,
     along: Floats,
 ) -> Floats:
-    """(n, k): how fast the second of two links leaves the first, as each of k joints moves.
+    """(n, k): derivatives of the distance of two links with respect to k joints.
 
     Args:
-        branches: to the two links, from `TreeArrays.branches`.
-        frames: (n, 4, 4) of all links on the branches.
-        points: (n, 3), fixed to both, in m.
-        along: (n, 3), unit vectors.
+        branches: the steps to the two links, from `TreeArrays.branches`.
+        frames: (n, 4, 4), frames of all links on the branches.
+        points: (n, 3), contact points in m.
+        along: (n, 3), unit vectors from the first link to the second.
     """
-    found = np.zeros((len(points), len(columns)))
+    derivatives = np.zeros((len(points), len(columns)))
     for sign, branch in zip((-1, 1), branches, strict=True):
         for step in branch:
             if step.column >= 0:
@@ -175,17 +174,17 @@ def slopes(
                 if step.turns:
                     motion = _cross(motion, points - frame[:, :3, 3])
                 speed = np.einsum("ni,ni->n", motion, along)
-                found[:, columns.index(step.column)] += sign * step.factor * speed
-    return found
+                derivatives[:, columns.index(step.column)] += sign * step.factor * speed
+    return derivatives
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    """(n, 3), like np.cross, which takes three times as long."""
+    """(n, 3), three times as fast as np.cross."""
     return np.asarray(a[:, _NEXT] * b[:, _LAST] - a[:, _LAST] * b[:, _NEXT])
 
 
 def tree_arrays(tree: KinematicTree) -> TreeArrays:
-    """The arrays of a tree; links in a closed loop that no root leads to stay at the origin."""
+    """The arrays of a tree; links of a closed loop without a root stay at the origin."""
     names = tuple(tree.model.links_by_name)
     number = {name: index for index, name in enumerate(names)}
     axes = tuple(
@@ -233,8 +232,8 @@ def _step(
 
 
 def matrix(frame: Transform) -> Floats:
-    """The homogeneous matrix of a transform, (4, 4)."""
-    found = np.eye(4)
-    found[:3, :3] = frame.rotation
-    found[:3, 3] = frame.position
-    return found
+    """(4, 4), homogeneous matrix of a transform."""
+    result = np.eye(4)
+    result[:3, :3] = frame.rotation
+    result[:3, 3] = frame.position
+    return result

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 from math import dist, hypot
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform, Vector
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.model import Body, Shape
 
 if TYPE_CHECKING:
     from urdfkit.mesh.measures import Measures
     from urdfkit.robot import Robot
 
-#: In m: bodies that are larger, or farther from their link, are left out.
+#: Limit in m of the size of bodies and their distance from the link; others are omitted.
 LARGEST = 1e6
-#: In m: thinner primitives are made so thick, and smaller meshes left out.
+#: Least thickness in m: thinner primitives are thickened, smaller meshes omitted.
 THINNEST = 1e-6
-#: Bodies that overlap by no more than this, in m, touch.
+#: Overlap in m up to which bodies only touch.
 TOUCH = 1e-5
-#: A mesh is not convex if its volume differs more from that of its hull, relatively.
+#: Relative difference of a mesh's volume from its hull's up to which it is convex.
 _CONVEX = 1e-4
 
 
@@ -29,20 +29,20 @@ class CollisionBody(Record):
     """One ``<collision>`` with its bounding box."""
 
     link: str  # name of its link
-    number: int  # of the element among the collisions of the link, from 0
-    origin: Transform  # its frame in that of the link
+    number: int  # index among the collisions of the link
+    origin: Transform  # frame of the body in the link
     kind: str  # ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``
-    size: tuple[float, ...]  # three sides; radius; radius and length; nothing for a mesh
-    center: Vector  # of the bounding box along its own axes, in its frame
-    half: Vector  # half the sides of that box
-    #: The corners of that box, or extreme vertices of a mesh: what lies in the inside of a convex
-    #: body has them there. Empty for a mesh that is not measured.
+    size: tuple[float, ...]  # three sides; radius; radius and length; empty for a mesh
+    center: Vector  # of the bounding box along the axes of the body, in its frame
+    half: Vector  # half sides of the bounding box
+    #: Corners of the bounding box, or extreme vertices of a mesh, which are inside a convex body if
+    #: this body is. Empty for a mesh without measures.
     points: tuple[Vector, ...]
-    may_be_convex: bool  # False for a mesh that is known not to be
+    may_be_convex: bool  # False for a mesh that is not convex
 
     @property
     def radius(self) -> float:
-        """Radius of a sphere about the centre that holds the body, or the points of a mesh."""
+        """Radius of the bounding sphere about the centre; of a mesh, around its points."""
         if self.kind == "mesh" and self.points:
             return max(dist(self.center, point) for point in self.points)
         return bounding_radius(self.kind, self.half)
@@ -53,16 +53,16 @@ class CollisionBody(Record):
         return 2 * min(self.half)
 
     def box(self, link: Transform) -> Transform:
-        """The frame of the bounding box about its centre, given the frame of the link."""
+        """The frame of the centre of the bounding box, from the frame of the link."""
         frame = link @ self.origin
         return Transform(frame.rotation, frame.apply(self.center))
 
 
 def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
-    """The collision bodies of a robot that can be used.
+    """The usable collision bodies of a robot.
 
     Args:
-        unit: apply the unit that a COLLADA file states.
+        unit: apply the unit of COLLADA files.
     """
     for link in robot.model.links_by_name.values():
         for number, body in enumerate(link.collisions):
@@ -75,7 +75,7 @@ def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
 
 
 def why_omitted(body: Body) -> str:
-    """Why a collision takes no part, as far as its mesh does not say; empty if it takes part."""
+    """The reason why a collision is omitted, regardless of its mesh file; otherwise empty."""
     shape = body.shape
     if shape is None:
         return "it has no geometry"
@@ -85,7 +85,7 @@ def why_omitted(body: Body) -> str:
         return ""
     sizes = _sizes(shape)
     if sizes is None:
-        return f"<{shape.kind}> is no shape of URDF"
+        return f"<{shape.kind}> is not a URDF shape"
     if not sizes or None in sizes:
         return "a size is missing or cannot be read"
     size = primitive_size(shape)
@@ -97,12 +97,12 @@ def why_omitted(body: Body) -> str:
 
 
 def primitive_size(shape: Shape) -> tuple[float, ...]:
-    """Three sides; radius; or radius and length: what is thinner is made `THINNEST`."""
+    """Three sides; radius; or radius and length: at least `THINNEST`."""
     return tuple(max(value, THINNEST) for value in _sizes(shape) or () if value is not None)
 
 
 def half_edges(kind: str, size: tuple[float, ...]) -> Vector:
-    """Half the sides of the box around a primitive."""
+    """Half sides of the bounding box of a primitive."""
     if kind == "box":
         return (size[0] / 2, size[1] / 2, size[2] / 2)
     above = size[0] if kind == "sphere" else size[1] / 2
@@ -110,14 +110,14 @@ def half_edges(kind: str, size: tuple[float, ...]) -> Vector:
 
 
 def bounding_radius(kind: str, half: Vector) -> float:
-    """Radius of the sphere around a body, given half the sides of its bounding box."""
+    """Radius of the bounding sphere of a body, from the half sides of its bounding box."""
     if kind in ("sphere", "capsule"):
         return half[2]
     return hypot(half[0], half[2]) if kind == "cylinder" else hypot(*half)
 
 
 def _sizes(shape: Shape) -> tuple[float | None, ...] | None:
-    """The sizes as they are written; None for a shape that is not a primitive."""
+    """The sizes as written; None for a shape that is not a primitive."""
     if shape.kind == "box":
         return shape.size or ()
     if shape.kind == "sphere":
@@ -141,7 +141,7 @@ def _primitive(link: str, number: int, body: Body) -> CollisionBody:
 def _mesh(
     link: str, number: int, body: Body, measures: Measures | str, *, unit: bool
 ) -> CollisionBody:
-    """A mesh with the bounding box that was measured, else with the largest one possible."""
+    """A mesh with its measured bounding box; without measures, with the largest possible box."""
     assert body.shape is not None
     if isinstance(measures, str):
         half = (LARGEST, LARGEST, LARGEST)
@@ -160,7 +160,7 @@ def _mesh(
 
 
 def _may_be_convex(measures: Measures) -> bool:
-    """False for a closed surface whose hull encloses more."""
+    """False for a closed surface with less volume than its hull."""
     solid, hull = measures.solid, measures.hull
     if solid is None or hull is None:
         return True

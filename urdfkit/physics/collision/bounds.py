@@ -1,4 +1,4 @@
-"""Lower bounds of the distance of two bodies, for many poses at once, without measuring any."""
+"""Lower bounds of the distance of two bodies in many poses at once."""
 
 from math import inf
 
@@ -9,18 +9,18 @@ from urdfkit.mesh.geometry import Floats
 _NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
-def apart(
+def distance_bounds(
     a: Floats, b: Floats, reach: float, rotation: Floats, offset: Floats, limit: float
 ) -> Floats:
-    """(n,): two bodies are no nearer than that, in m; 0 or less where they may overlap.
+    """(n,), lower bounds of the distance in m; 0 or less if the bodies may overlap.
 
     Args:
-        a: (3,), half the sides of the box around the first.
-        b: (3,), half the sides of the box around the second.
-        reach: the radii of the spheres around the two together, in m.
+        a: (3,), half sides of the bounding box of the first body.
+        b: (3,), half sides of the bounding box of the second body.
+        reach: sum of the radii of the bounding spheres, in m.
         rotation: (n, 3, 3), of the second box in the frame of the first.
         offset: (n, 3), from center to center, in the same frame, in m.
-        limit: bounds from here on, in m, are good enough.
+        limit: bounds above this limit, in m, are sufficient.
     """
     bound = np.sqrt(np.einsum("ni,ni->n", offset, offset)) - reach
     near = np.flatnonzero(bound < limit)
@@ -30,7 +30,7 @@ def apart(
 
 
 def _separation(a: Floats, b: Floats, rotation: Floats, offset: Floats) -> Floats:
-    """(n,): how far two boxes are apart along the best of 15 axes, in m.
+    """(n,), separation of two boxes along the best of 15 axes, in m.
 
     Source: S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, SIGGRAPH 1996.
     """

@@ -1,4 +1,4 @@
-"""Which bodies may overlap, by the spheres and boxes around them. Lengths in m."""
+"""Broad phase: bodies that may overlap, by bounding spheres and boxes. Lengths in m."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from math import dist, hypot
@@ -11,16 +11,16 @@ from urdfkit.physics.collision.closed_forms import box_distance
 def relative(
     first: CollisionBody, second: CollisionBody, frames: Mapping[str, Transform]
 ) -> Transform:
-    """The frame of one body in that of another, given the frames of their links."""
+    """The frame of the second body in the first, from the frames of their links."""
     placed = frames[first.link] @ first.origin
     return placed.inverse @ frames[second.link] @ second.origin
 
 
 def lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> float:
-    """The signed distance of the boxes around two bodies, which that of the bodies is not below.
+    """A lower bound of the signed distance of two bodies: the distance of their bounding boxes.
 
     Args:
-        at: the frame of the second in that of the first.
+        at: frame of the second body in the first.
     """
     between = Transform(at.rotation, minus(at.apply(second.center), first.center))
     return box_distance(first.half, second.half, between)
@@ -31,7 +31,7 @@ def nearby(
 ) -> Iterator[tuple[CollisionBody, CollisionBody]]:
     """The bodies of different links whose bounding spheres overlap.
 
-    Only those are compared that overlap along the axis on which the spheres are spread most.
+    Sweep and prune along the axis of the largest spread.
     """
     spheres = [
         ((frames[body.link] @ body.origin).apply(body.center), hypot(*body.half), body)

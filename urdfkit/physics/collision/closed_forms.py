@@ -1,17 +1,17 @@
 """Signed distances of boxes, spheres, cylinders and capsules in closed form, without any library.
 
-A signed distance is positive between bodies that are apart, and negative by the penetration depth
-where they overlap: the shortest way that one must move until they only touch. Lengths in m.
+A signed distance is positive between separate bodies. For overlapping bodies it is the negative
+penetration depth: the shortest translation until they only touch. Lengths in m.
 """
 
 from math import hypot, sqrt
 
 from urdfkit.core.spatial import Transform, Vector, dot
 
-#: Axes are parallel if the cosine between them is so near to 1: within a millionth of a radian.
+#: Cosine above which axes are parallel: within a millionth of a radian.
 _PARALLEL = 1 - 5e-13
 
-#: Edges whose directions have a shorter cross product are parallel, and give no axis of their own.
+#: Length of the cross product of two edge directions below which they are parallel.
 _CROSSING = 1e-6
 
 
@@ -24,13 +24,13 @@ def signed_distance(
 ) -> float | None:
     """The signed distance of two bodies; None for a pair without a closed form, such as a mesh.
 
-    Exact where they overlap; of two boxes apart a lower bound, more than 0.
+    Exact if they overlap; for two separate boxes a lower bound above 0.
 
     Args:
-        kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, about its origin, its axis along z,
-            or ``mesh``.
-        size: the sides of a box; the radius, and the length of what has one.
-        at: the frame of the other one in that of the first.
+        kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, centred at its origin, with its axis
+            along z, or ``mesh``.
+        size: sides of a box; otherwise the radius, and the length if there is one.
+        at: frame of the second body in the first.
     """
     if "mesh" in (kind, other_kind):
         return None
@@ -50,7 +50,7 @@ def signed_distance(
 
 
 def point_distance(kind: str, size: tuple[float, ...], point: Vector) -> float:
-    """The signed distance of a point from the surface of a primitive, in its frame."""
+    """The signed distance of a point from the surface of a primitive, in the primitive's frame."""
     x, y, z = map(abs, point)
     if kind == "box":
         return _of_product(x - size[0] / 2, y - size[1] / 2, z - size[2] / 2)
@@ -61,15 +61,15 @@ def point_distance(kind: str, size: tuple[float, ...], point: Vector) -> float:
 
 
 def box_distance(a: Vector, b: Vector, at: Transform) -> float:
-    """How far two boxes are apart along the best of 15 axes: their normals, and across edges.
+    """The separation of two boxes along the best of 15 axes: normals and cross products of edges.
 
-    Exact where they overlap, since the Minkowski difference of two boxes has no other faces; else a
-    lower bound, more than 0.
+    Exact if they overlap, because the Minkowski difference of two boxes has no other faces;
+    otherwise a lower bound above 0.
 
     Args:
-        a: half the sides of the first.
-        b: half the sides of the second.
-        at: the frame of the second about its centre, in that of the first about its own.
+        a: half sides of the first box.
+        b: half sides of the second box.
+        at: frame of the centre of the second box in the frame of the centre of the first.
 
     Source: S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, SIGGRAPH 1996.
     """
@@ -100,7 +100,7 @@ _OTHERS = ((0, (1, 2)), (1, (2, 0)), (2, (0, 1)))
 
 
 def _box_and_cylinder(half: Vector, size: tuple[float, ...], at: Transform) -> float | None:
-    """Where the axis of the cylinder is parallel to an edge: a product of a plane and a line."""
+    """The signed distance if the axis is parallel to an edge: a product of a plane and a line."""
     for axis, (j, k) in _OTHERS:
         if abs(at.rotation[axis][2]) > _PARALLEL:
             x, y, z = (abs(at.position[i]) - half[i] for i in (j, k, axis))
@@ -109,7 +109,7 @@ def _box_and_cylinder(half: Vector, size: tuple[float, ...], at: Transform) -> f
 
 
 def _of_product(*gaps: float) -> float:
-    """The signed distance from a product of sets, by the signed distances in its factors."""
+    """The signed distance from a product of sets, from the signed distances in its factors."""
     deepest = max(gaps)
     return deepest if deepest <= 0 else hypot(*(max(gap, 0.0) for gap in gaps))
 

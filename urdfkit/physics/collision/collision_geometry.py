@@ -1,4 +1,4 @@
-"""Collision bodies as coal wants them, each with bounds that numpy can test for many poses."""
+"""Collision bodies for coal, with bounds that numpy tests for many poses."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,22 +11,22 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.bodies import TOUCH, bounding_radius, half_edges
-from urdfkit.physics.collision.bounds import apart
+from urdfkit.physics.collision.bounds import distance_bounds
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
-#: coal's requests: without it coal misses hits of meshes (measured on a UR5).
+#: Security margin in m, without which coal misses collisions of meshes (measured on a UR5).
 MARGIN = 1e-6
-#: Contacts of two meshes that are looked at for the deepest.
+#: Contacts of two meshes from which the deepest is selected.
 _CONTACTS = 200
-#: A mesh is flat, and has no hull, below this ratio of its thickness and its length.
+#: Ratio of thickness to length below which a mesh is flat and has no hull.
 _FLAT = 1e-6
-#: A mesh is its own hull if their volumes differ by no more than this, relatively.
+#: Relative difference of volumes up to which a mesh is its own hull.
 _CONVEX = 1e-6
 
-#: Faces at a vertex count as parallel below this ratio of the spread of their normals.
+#: Ratio of the spread of normals at a vertex below which its faces are parallel.
 _PARALLEL = 0.01
 
-#: Of a cube, with a triangle, as coal makes hulls of surfaces only.
+#: Corners of a cube, and one triangle, because coal only builds hulls of surfaces.
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
 _BOX = np.array([[0, 1, 2]])
 
@@ -44,24 +44,24 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 class CollisionGeometry:
     """One collision body in coal."""
 
-    arrays: CollisionArrays  # that it was built from
-    hull: Any  # coal's convex body around it; the triangles of a flat mesh
-    is_convex: bool  # its hull is no larger than itself
-    center: Floats  # (3,), of its bounding box, in its own frame, in m
-    half: Floats  # (3,), half the sides of that box
-    radius: float  # of a sphere about the center that holds it, in m
+    arrays: CollisionArrays  # the source of the body
+    hull: Any  # coal's convex hull; the triangles of a flat mesh
+    is_convex: bool  # True if the body fills its hull
+    center: Floats  # (3,), of the bounding box, in the body's frame, in m
+    half: Floats  # (3,), half sides of the bounding box
+    radius: float  # of the bounding sphere about the center, in m
 
     @cached_property
     def exact(self) -> Any:
         """The hull, or the triangles of a mesh that is not convex.
 
-        coal's tree of these takes longer than all else, and most links never need it in a check.
+        Building coal's tree of triangles is slow, and a check needs it for few links.
         """
         return self.hull if self.is_convex else _surface(self.arrays.vertices, self.arrays.faces)
 
 
 def build_geometry(arrays: CollisionArrays) -> CollisionGeometry:
-    """Build coal's bodies; coal crashes on those that `geometry_arrays` leaves out."""
+    """Build coal's bodies; `geometry_arrays` has omitted those that crash coal."""
     if arrays.kind == "mesh":
         return _mesh(arrays)
     exact = _PRIMITIVES[arrays.kind](*arrays.size)
@@ -85,12 +85,12 @@ def _mesh(arrays: CollisionArrays) -> CollisionGeometry:
 
 def _surface(vertices: Floats, faces: Integers) -> Any:
     model = _triangles(vertices, faces)
-    model.endModel()  # makes the tree of bounding volumes
+    model.endModel()  # builds the tree of bounding volumes
     return model
 
 
 def _hull(vertices: Floats, faces: Integers) -> Any:
-    """The convex hull of a surface; None where 256 edges meet, which coal cannot count."""
+    """The convex hull of a surface; None if 256 edges meet at a vertex, which coal rejects."""
     model = _triangles(vertices, faces)
     try:
         model.buildConvexHull(True, "Qt")
@@ -100,7 +100,7 @@ def _hull(vertices: Floats, faces: Integers) -> Any:
 
 
 def _triangles(vertices: Floats, faces: Integers) -> Any:
-    """A mesh without its tree of bounding volumes, of which a hull needs none."""
+    """A mesh without a tree of bounding volumes, which a hull does not need."""
     model = coal.BVHModelOBBRSS()
     model.beginModel(len(faces), len(vertices))
     model.addVertices(vertices)
@@ -109,16 +109,16 @@ def _triangles(vertices: Floats, faces: Integers) -> Any:
 
 
 def _is_flat(vertices: Floats) -> bool:
-    """True for points in a plane, of which coal's hull would end the process."""
+    """True for points in a plane, whose hull crashes coal."""
     spread = np.linalg.svd(vertices - vertices.mean(axis=0), compute_uv=False)
     return len(vertices) < 4 or bool(spread[2] <= _FLAT * spread[0])
 
 
-def _drawn_in(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, Integers]:
-    """A closed surface whose faces are moved inwards.
+def _shrunk(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, Integers]:
+    """A closed surface with all faces moved inwards.
 
-    A vertex goes where all its faces want it, by least squares: where faces meet that are almost
-    parallel, nothing but their common direction counts.
+    A vertex moves to the least-squares intersection of its moved faces; for almost parallel faces,
+    along their common normal only.
 
     Args:
         vertices: (n, 3).
@@ -149,22 +149,22 @@ def volume(vertices: Floats, faces: Integers) -> float:
 
 
 class DistanceQuery:
-    """Measures the distance of two bodies, thousands of times.
+    """Measures the distance of two bodies in many relative poses.
 
     Args:
-        first: stays where it is.
-        second: is moved.
+        first: the fixed body.
+        second: the moving body.
 
     Attributes:
-        first, second: see there.
-        is_exact: both are convex, so that the distance is that of their hulls.
+        first, second: the bodies.
+        is_exact: True if both are convex, so that the distance of their hulls is exact.
     """
 
     def __init__(self, first: CollisionGeometry, second: CollisionGeometry) -> None:
         self.first, self.second = first, second
         self.is_exact = first.is_convex and second.is_convex
         self._place = coal.Transform3s()
-        self._ask = coal.DistanceRequest()
+        self._request = coal.DistanceRequest()
         self._distance = coal.DistanceResult()
         self._one, self._many = coal.CollisionRequest(), coal.CollisionRequest()
         for request, contacts in ((self._one, 1), (self._many, _CONTACTS)):
@@ -174,21 +174,21 @@ class DistanceQuery:
         self._hits = coal.CollisionResult()
 
     def distance(self, rotation: Floats, translation: Floats, limit: float) -> float:
-        """The signed distance of the two, in m: negative by how deep they overlap.
+        """The signed distance in m; the negative penetration depth if the bodies overlap.
 
-        Meshes that are no convex bodies are surfaces: one within the other does not overlap.
+        Meshes that are not convex are surfaces: a body inside such a mesh does not overlap it.
 
         Args:
-            rotation: (3, 3), of the second in the frame of the first.
+            rotation: (3, 3), of the second body in the frame of the first.
             translation: (3,), in the same frame.
-            limit: of a distance from here on only a lower bound is needed.
+            limit: for larger distances, a lower bound is sufficient.
         """
-        apart = self.hulls(rotation, translation)
-        if self.is_exact or apart >= max(limit, TOUCH):
-            return apart
-        if apart <= TOUCH:
+        bound = self.hulls(rotation, translation)
+        if self.is_exact or bound >= max(limit, TOUCH):
+            return bound
+        if bound <= TOUCH:
             depth = self._depth(self._one)
-            if 0 < depth <= TOUCH:  # another pair of triangles may lie deeper
+            if 0 < depth <= TOUCH:  # another pair of triangles may be deeper
                 depth = self._depth(self._many)
             if depth > TOUCH:
                 return -depth
@@ -197,14 +197,14 @@ class DistanceQuery:
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
 
     def is_deeper(self, rotation: Floats, translation: Floats, depth: float) -> bool:
-        """True if the two overlap by more than a depth.
+        """True if the bodies overlap by more than a depth.
 
-        coal's depth of triangles is no measure: where two meshes only touch, an edge in the plane
-        of another triangle is as "deep" as it is far from that triangle's border. So the faces of
-        one mesh are drawn in, and what only touched no longer does.
+        coal's depth of triangles is not usable: if two meshes only touch, the depth of an edge in
+        the plane of a triangle is its distance from that triangle's border. Therefore one mesh is
+        shrunk by the depth and tested for a collision.
 
         Args:
-            rotation: (3, 3), of the second in the frame of the first.
+            rotation: (3, 3), of the second body in the frame of the first.
             translation: (3,), in the same frame.
             depth: in m.
         """
@@ -213,53 +213,53 @@ class DistanceQuery:
         if self.is_exact:
             return self.hulls(rotation, translation) < -depth
         bodies = [self.first.exact, self.second.exact]
-        moved = 0 if self.first.arrays.kind == "mesh" else 1
-        mesh = (self.first, self.second)[moved].arrays
-        bodies[moved] = _surface(*_drawn_in(mesh.vertices, mesh.faces, depth))
+        shrunk = 0 if self.first.arrays.kind == "mesh" else 1
+        mesh = (self.first, self.second)[shrunk].arrays
+        bodies[shrunk] = _surface(*_shrunk(mesh.vertices, mesh.faces, depth))
         self._hits.clear()
         first, second = bodies
         return bool(coal.collide(first, _IDENTITY, second, self._place, self._one, self._hits))
 
     def hulls(self, rotation: Floats, translation: Floats) -> float:
-        """The signed distance of the hulls of the two, in m; a lower bound of theirs."""
+        """The signed distance of the hulls, in m; a lower bound of the distance of the bodies."""
         self._place.setRotation(rotation)
         self._place.setTranslation(translation)
         return self._measure(self.first.hull, self.second.hull, inf)
 
     def bounds(self, rotation: Floats, translation: Floats, limit: float) -> Floats:
-        """(n,): they are no nearer than that, in m, by the boxes and spheres around them.
+        """(n,), lower bounds of the distance in m, by bounding boxes and spheres.
 
         Args:
             rotation: (n, 3, 3), as for `distance`.
             translation: (n, 3).
-            limit: bounds from here on, in m, are good enough.
+            limit: bounds above this limit, in m, are sufficient.
         """
         a, b = self.first, self.second
         offset = translation + rotation @ b.center - a.center
-        return apart(a.half, b.half, a.radius + b.radius, rotation, offset, limit)
+        return distance_bounds(a.half, b.half, a.radius + b.radius, rotation, offset, limit)
 
     @property
     def line(self) -> tuple[Floats, Floats, Floats]:
-        """Where the two were nearest when their distance was measured last, in the first's frame.
+        """The nearest points of the last measured distance, in the frame of the first body.
 
         Returns:
-            A point of the first, one of the second, and coal's unit vector from the first to the
-            second, (3,) each. The last is no number to rely on if both are triangles.
+            A point of the first body, a point of the second, and coal's unit vector from the first
+            to the second, (3,) each. The vector is unreliable if both bodies are triangles.
         """
-        found = self._distance
-        return found.getNearestPoint1(), found.getNearestPoint2(), found.normal
+        result = self._distance
+        return result.getNearestPoint1(), result.getNearestPoint2(), result.normal
 
     def _measure(self, first: Any, second: Any, limit: float) -> float:
-        """The distance of two of coal's bodies; the limit, if it is no less than that."""
-        found = self._distance
-        found.clear()
+        """The distance of two coal bodies, or the limit if it is smaller."""
+        result = self._distance
+        result.clear()
         if limit < inf:
-            found.min_distance = limit  # coal looks no farther
-        coal.distance(first, _IDENTITY, second, self._place, self._ask, found)
-        return float(found.min_distance)
+            result.min_distance = limit  # coal ignores larger distances
+        coal.distance(first, _IDENTITY, second, self._place, self._request, result)
+        return float(result.min_distance)
 
     def _depth(self, request: Any) -> float:
-        """How deep the exact bodies overlap, at the deepest of some contacts; 0 without any."""
+        """The depth of the deepest contact of the exact bodies; 0 without contacts."""
         hits = self._hits
         hits.clear()
         if not coal.collide(

@@ -1,17 +1,17 @@
-"""The links that overlap where a robot begins: what a check can afford.
+"""The links that overlap in the initial pose of a robot, fast enough for a check.
 
-Boxes around the bodies show which pairs may overlap and how deep at most; closed forms measure most
-primitives. coal is loaded for what these leave open: meshes, and inclined cylinders. Lengths in m.
+Bounding boxes show which pairs may overlap and how deep at most; closed forms measure most
+primitives. coal is only loaded for the rest: meshes and inclined cylinders. Lengths in m.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, minus
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.physics.collision.bodies import THINNEST, TOUCH, CollisionBody, collision_bodies
 from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
@@ -25,26 +25,27 @@ if TYPE_CHECKING:
     from urdfkit.robot import Robot
     from urdfkit.robot.model import Joint
 
-#: Drawn poses that a pair which always overlaps must overlap in, too.
+#: Random poses in which a pair must overlap to overlap always.
 _SAMPLES = 50
 
 #: Most pairs of bodies whose spheres overlap; 111 real robots have at most 103.
 MAX_NEAR = 20_000
 
-#: Of the range of a joint: zero is 2 % from two limits of the Panda that MoveIt ships.
+#: Distance of zero from a limit that is near, as a part of the range; in MoveIt's Panda, zero is
+#: 2 % from two limits.
 _NEAR_END = 0.05
 
-#: Two bodies whose boxes overlap, and a lower bound of their signed distance.
+#: Two bodies whose bounding boxes overlap, and a lower bound of their signed distance.
 BoundedPair = tuple[CollisionBody, CollisionBody, float]
 
 
 class Contact(Record):
-    """The two bodies of a pair of links that overlap most where the robot begins."""
+    """The two bodies of a pair of links that overlap most in the initial pose."""
 
-    small: CollisionBody  # the smaller one of the two
-    large: CollisionBody  # the other one
-    depth: float  # how deep the two overlap
-    is_solid: bool  # both are convex, so that the depth is true
+    small: CollisionBody  # the smaller body
+    large: CollisionBody  # the larger body
+    depth: float  # depth of the overlap
+    is_solid: bool  # True if both are convex, so that the depth is exact
 
     @property
     def part(self) -> float:
@@ -53,19 +54,19 @@ class Contact(Record):
 
 
 class LinkPair:
-    """Two links with bodies whose boxes overlap where the robot begins."""
+    """Two links with bodies whose bounding boxes overlap in the initial pose."""
 
     def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
         self.names = names  # of the links
-        #: A joint holds the links together, or nothing with bodies lies between.
+        #: True if a joint connects the links, or no link between them has bodies.
         self.is_adjacent = robot.adjacency.is_adjacent(*names)
-        self.is_rigid = robot.adjacency.is_rigid(*names)  # only fixed joints lie between
+        self.is_rigid = robot.adjacency.is_rigid(*names)  # True if only fixed joints are between
         self._robot = robot
         self.bounds = bounds  # of their bodies
 
     @property
     def largest_part(self) -> float:
-        """An upper bound of the `part` of a contact of convex bodies, without measuring it."""
+        """An upper bound of the `part` of a contact of convex bodies, by bounding boxes."""
         return max(
             (
                 -bound / max(_by_size(first, second)[0].thickness, TOUCH)
@@ -77,7 +78,7 @@ class LinkPair:
 
     @cached_property
     def contact(self) -> Contact | None:
-        """The bodies that overlap most; None if none overlap."""
+        """The bodies that overlap most; None without an overlap."""
         robot, best = self._robot, -TOUCH
         nearest: tuple[CollisionBody, CollisionBody] | None = None
         for first, second, bound in self.bounds:
@@ -98,14 +99,14 @@ class LinkPair:
 
     @cached_property
     def is_contained(self) -> bool:
-        """True if all bodies of the smaller one's link are in the inside of the large one."""
+        """True if all bodies of the small body's link are inside the large body."""
         if not self._may_be_contained or self.contact is None:
             return False
         return self._robot.contains(self.contact.large, self.contact.small.link)
 
     @property
-    def is_out_of_reach(self) -> bool:
-        """True if so are those of all links that fixed joints bind to it."""
+    def is_enclosed(self) -> bool:
+        """True if also the bodies of all links that are fixed to this link are inside."""
         if not self.is_contained or self.contact is None:
             return False
         robot, own = self._robot, self.contact.small.link
@@ -117,15 +118,15 @@ class LinkPair:
 
     @cached_property
     def is_permanent(self) -> bool:
-        """True if the two overlap with each joint at its limits, and in some drawn poses."""
+        """True if the links overlap with each joint at its limits, and in random poses."""
         return all(self._robot.overlap(self.names, pose) for pose in self._poses())
 
     @property
     def is_at_zero(self) -> bool:
-        """True if no joint above the two begins elsewhere than at zero, nor between them nearly.
+        """True if all joints above the links begin at zero, and none between ends near zero.
 
-        A robot that cannot be at zero is never there: its users begin in a pose of their own. So
-        they do where zero is next to the end of a range, but not the end itself.
+        A robot that cannot be at zero is never there: its users begin in another pose. The same
+        applies if zero is near the end of a range, but not the end itself.
         """
         between = self._robot.between(self.names)
         if any(map(_ends_near_zero, self._robot.leaders(between))):
@@ -135,7 +136,7 @@ class LinkPair:
 
     @property
     def _may_be_contained(self) -> bool:
-        """False if no body of one link can hold the other link, by the boxes around them."""
+        """False if bounding boxes show that no body of one link can contain the other link."""
         first, second = self.names
         return any(
             self._robot.may_contain(large, own)
@@ -144,13 +145,13 @@ class LinkPair:
         )
 
     def _poses(self) -> Iterator[dict[str, float]]:
-        """Where the robot begins, each joint between the two at its limits, and drawn poses."""
+        """The initial pose, each joint between the links at its limits, and random poses."""
         yield {}
         joints = self._robot.between(self.names)
         spans = {joint.name: span(joint) for joint in self._robot.leaders(joints)}
         for name, ends in spans.items():
             yield from ({name: end} for end in ends)
-        from random import Random  # which takes 2 ms to import
+        from random import Random  # takes 2 ms to import
 
         random = Random(0)
         for _ in range(_SAMPLES):
@@ -158,17 +159,17 @@ class LinkPair:
 
 
 class Contacts:
-    """The links of a robot that may overlap where it begins.
+    """The links of a robot that may overlap in the initial pose.
 
     Attributes:
-        tree: of the robot.
-        bodies: of each link that has any, by its name.
-        frames: of the links where the robot begins, in that of their root.
+        tree: kinematic tree of the robot.
+        bodies: bodies by link name.
+        frames: frames of the links in the initial pose, in the frame of their root.
         adjacency: of the links.
 
     Args:
-        load: makes what measures bodies by coal; called when it is needed.
-        unit: apply the unit that a COLLADA file states.
+        load: creates the distance queries by coal; called on first use.
+        unit: apply the unit of COLLADA files.
     """
 
     def __init__(self, robot: Robot, load: Callable[[], ExactDistances], *, unit: bool) -> None:
@@ -186,27 +187,27 @@ class Contacts:
 
     @cached_property
     def pairs(self) -> tuple[LinkPair, ...]:
-        """The pairs of links with bodies whose boxes overlap, in the order of the document.
+        """The pairs of links whose bounding boxes overlap, in the order of the document.
 
         Raises:
             Unavailable: more than MAX_NEAR pairs of bodies are near each other.
         """
         order = {name: number for number, name in enumerate(self.bodies)}
         found: dict[tuple[str, str], list[BoundedPair]] = {}
-        for number, near in enumerate(nearby(self._every, self.frames)):
+        for number, near in enumerate(nearby(self._all_bodies, self.frames)):
             if number == MAX_NEAR:
                 raise Unavailable(f"more than {MAX_NEAR} pairs of collision bodies may overlap")
             first, second = sorted(near, key=lambda body: order[body.link])
             names = (first.link, second.link)
             bound = lower_bound(first, second, relative(first, second, self.frames))
-            if bound < -TOUCH and self._placed_by[names[0]] == self._placed_by[names[1]]:
+            if bound < -TOUCH and self._tops[names[0]] == self._tops[names[1]]:
                 found.setdefault(names, []).append((first, second, bound))
         pairs = sorted(found.items(), key=lambda pair: [order[name] for name in pair[0]])
         return tuple(LinkPair(self, names, bounds) for names, bounds in pairs)
 
     @property
     def beginning(self) -> str:
-        """Where the joints begin, in words."""
+        """The initial pose in words."""
         elsewhere = ", ".join(
             f"{joint.name} {start:.3g}"
             for joint in self.leaders(self._joints.values())
@@ -217,37 +218,37 @@ class Contacts:
         )
 
     def distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
-        """The signed distance of two bodies: exact where they overlap, else only more than 0.
+        """The signed distance of two bodies: exact if they overlap, otherwise any value above 0.
 
         Args:
-            at: the frame of the second in that of the first.
+            at: frame of the second body in the first.
         """
-        found = signed_distance(first.kind, first.size, second.kind, second.size, at)
-        return self._exact.distance(first, second, at) if found is None else found
+        distance = signed_distance(first.kind, first.size, second.kind, second.size, at)
+        return self._exact.distance(first, second, at) if distance is None else distance
 
     def hull_distance(self, first: CollisionBody, second: CollisionBody) -> float:
-        """The signed distance of the convex hulls of two bodies where the robot begins, in m."""
+        """The signed distance of the convex hulls of two bodies in the initial pose, in m."""
         at = relative(first, second, self.frames)
-        found = signed_distance(first.kind, first.size, second.kind, second.size, at)
-        return self._exact.hull_distance(first, second, at) if found is None else found
+        distance = signed_distance(first.kind, first.size, second.kind, second.size, at)
+        return self._exact.hull_distance(first, second, at) if distance is None else distance
 
     def is_deeper(self, first: CollisionBody, second: CollisionBody, depth: float) -> bool:
-        """True if two bodies, of which one is not convex, overlap by more than a depth, in m."""
+        """True if two bodies, one of them not convex, overlap by more than a depth, in m."""
         return self._exact.is_deeper(first, second, relative(first, second, self.frames), depth)
 
     def is_convex(self, body: CollisionBody) -> bool:
         """True for primitives, and meshes that fill their hull."""
         return body.may_be_convex and (body.kind != "mesh" or self._exact.is_convex(body))
 
-    def overlap(self, names: tuple[str, str], given: Mapping[str, float]) -> bool:
+    def overlap(self, names: tuple[str, str], pose: Mapping[str, float]) -> bool:
         """True if two links overlap.
 
         Args:
-            given: positions of joints between the two; the others are where they begin.
+            pose: positions of joints between the links; the default is the initial pose.
         """
         placed = {
-            name: self._placed(way, given)
-            for name, way in zip(names, self.tree.branches(*names), strict=True)
+            name: self._end_frame(path, pose)
+            for name, path in zip(names, self.tree.branches(*names), strict=True)
         }
         for first in self.bodies[names[0]]:
             for second in self.bodies[names[1]]:
@@ -260,7 +261,7 @@ class Contacts:
         return False
 
     def contains(self, large: CollisionBody, link: str) -> bool:
-        """True if all bodies of a link are in the inside of a convex body."""
+        """True if all bodies of a link are inside a convex body."""
         return (
             self.may_contain(large, link)
             and self.is_convex(large)
@@ -268,7 +269,7 @@ class Contacts:
         )
 
     def may_contain(self, large: CollisionBody, link: str) -> bool:
-        """False if boxes show that a body is not convex, or that the link reaches out of it."""
+        """False if a body is not convex, or bounding boxes show that the link protrudes from it."""
         box = (2 * large.half[0], 2 * large.half[1], 2 * large.half[2])
         return large.may_be_convex and all(
             point_distance("box", box, minus(at.apply(point), large.center)) < 0
@@ -278,7 +279,7 @@ class Contacts:
         )
 
     def _is_inside(self, body: CollisionBody, large: CollisionBody) -> bool:
-        """True if a body, or the box around a primitive, is in the inside of a convex body."""
+        """True if a mesh, or the bounding box of a primitive, is inside a convex body."""
         at = relative(large, body, self.frames)
         if large.kind == "mesh":
             return self._exact.is_inside(body, large, at)
@@ -292,7 +293,7 @@ class Contacts:
         return [*first, *second]
 
     def leaders(self, joints: Iterable[Joint]) -> list[Joint]:
-        """The joints that some move with, each once: themselves, or those that they mimic."""
+        """The independent joints that move the given joints: themselves, or the mimicked ones."""
         names = dict.fromkeys(
             self._laws[joint.name].leader
             for joint in joints
@@ -305,27 +306,27 @@ class Contacts:
         return self._load()
 
     @property
-    def _every(self) -> list[CollisionBody]:
+    def _all_bodies(self) -> list[CollisionBody]:
         return [body for bodies in self.bodies.values() for body in bodies]
 
     @cached_property
-    def _placed_by(self) -> dict[str, str]:
-        """The link from which joints of one number lead to each link, and none of more."""
-        found = {root.name: root.name for root in self.tree.roots}
+    def _tops(self) -> dict[str, str]:
+        """For each link, the topmost link that no planar or floating joint separates from it."""
+        tops = {root.name: root.name for root in self.tree.roots}
         for joint in self.tree.spanning:
             child = joint.child_name
             is_free = joint.kind in ("planar", "floating")
-            found[child] = child if is_free else found[joint.parent_name]
-        return found
+            tops[child] = child if is_free else tops[joint.parent_name]
+        return tops
 
-    def _placed(self, way: Iterable[Joint], given: Mapping[str, float]) -> Transform:
-        """Where a way of joints leads, in the frame where it begins."""
-        found = Transform()
-        for joint in way:
+    def _end_frame(self, path: Iterable[Joint], pose: Mapping[str, float]) -> Transform:
+        """The frame at the end of a path of joints, in the frame of its start."""
+        frame = Transform()
+        for joint in path:
             leader, factor, shift = self._laws.get(joint.name, LOCKED)
-            position = factor * given.get(leader, self._start.get(leader, 0.0)) + shift
-            found = found @ joint.origin @ motion(joint, position)
-        return found
+            position = factor * pose.get(leader, self._start.get(leader, 0.0)) + shift
+            frame = frame @ joint.origin @ motion(joint, position)
+        return frame
 
 
 def _by_size(first: CollisionBody, second: CollisionBody) -> tuple[CollisionBody, CollisionBody]:
@@ -334,6 +335,6 @@ def _by_size(first: CollisionBody, second: CollisionBody) -> tuple[CollisionBody
 
 
 def _ends_near_zero(joint: Joint) -> bool:
-    """True if zero is next to an end of a joint's range, but not the end itself."""
+    """True if zero is near an end of a joint's range, but not the end itself."""
     lower, upper = span(joint)
     return 0 < min(abs(lower), abs(upper)) < _NEAR_END * (upper - lower)

@@ -1,4 +1,4 @@
-"""Distances of single bodies by coal, for those that have no closed form."""
+"""Distances of bodies by coal, for pairs without a closed form."""
 
 from math import inf
 
@@ -31,22 +31,22 @@ def _arrays(at: Transform) -> tuple[Floats, Floats]:
 
 
 class ExactDistances:
-    """Measures bodies of one robot; each is loaded once.
+    """Measures distances of the bodies of a robot; each body is loaded once.
 
     Args:
-        unit: apply the unit that a COLLADA file states.
+        unit: apply the unit of COLLADA files.
     """
 
     def __init__(self, robot: Robot, *, unit: bool) -> None:
         self._robot = robot
         self._unit = unit
-        self._known: dict[tuple[str, int], CollisionGeometry | None] = {}
+        self._geometries: dict[tuple[str, int], CollisionGeometry | None] = {}
 
     def distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
-        """The signed distance of two bodies, in m; infinite for one that cannot be used.
+        """The signed distance of two bodies, in m; infinite if a body cannot be used.
 
         Args:
-            at: the frame of the second in that of the first.
+            at: frame of the second body in the first.
         """
         query = self._query(first, second)
         return query.distance(*_arrays(at), 0.0) if query else inf
@@ -62,7 +62,7 @@ class ExactDistances:
         """True if two bodies overlap by more than a depth.
 
         Args:
-            at: the frame of the second in that of the first.
+            at: frame of the second body in the first.
             depth: in m.
         """
         query = self._query(first, second)
@@ -70,39 +70,41 @@ class ExactDistances:
 
     def is_convex(self, body: CollisionBody) -> bool:
         """True for a body that fills its hull."""
-        found = self._geometry(body)
-        return found is not None and found.is_convex
+        geometry = self._geometry(body)
+        return geometry is not None and geometry.is_convex
 
     def is_inside(self, body: CollisionBody, large: CollisionBody, at: Transform) -> bool:
-        """True if a body, or the box around a primitive, is in the inside of a convex body.
+        """True if a mesh, or the bounding box of a primitive, is inside a convex body.
 
         Args:
-            body: perhaps inside.
+            body: the inner body.
             large: the convex body.
-            at: the frame of the body in that of the large one.
+            at: frame of the inner body in the convex body.
         """
-        around = self._geometry(large)
-        if around is None:
+        geometry = self._geometry(large)
+        if geometry is None:
             return False
-        query = DistanceQuery(around, _POINT)
+        query = DistanceQuery(geometry, _POINT)
         points = np.array(self.vertices(body)) @ np.array(at.rotation).T + at.position
         return all(query.distance(np.eye(3), point, inf) < -2 * THINNEST for point in points)
 
     def vertices(self, body: CollisionBody) -> tuple[Vector, ...]:
-        """Vertices of a mesh, or corners of the box around a primitive, in the body's frame."""
-        found = self._geometry(body)
-        if body.kind != "mesh" or found is None:
+        """Vertices of a mesh, or corners of the bounding box of a primitive, in its frame."""
+        geometry = self._geometry(body)
+        if body.kind != "mesh" or geometry is None:
             return body.points
-        return tuple((x, y, z) for x, y, z in found.arrays.vertices.tolist())
+        return tuple((x, y, z) for x, y, z in geometry.arrays.vertices.tolist())
 
     def _query(self, first: CollisionBody, second: CollisionBody) -> DistanceQuery | None:
-        one, other = self._geometry(first), self._geometry(second)
-        return DistanceQuery(one, other) if one and other else None
+        a, b = self._geometry(first), self._geometry(second)
+        return DistanceQuery(a, b) if a and b else None
 
     def _geometry(self, body: CollisionBody) -> CollisionGeometry | None:
         key = (body.link, body.number)
-        if key not in self._known:
+        if key not in self._geometries:
             link = self._robot.model.links_by_name[body.link]
             made = arrays(link, body.number, self._robot.meshes, unit=self._unit)
-            self._known[key] = None if isinstance(made, OmittedCollision) else build_geometry(made)
-        return self._known[key]
+            self._geometries[key] = (
+                None if isinstance(made, OmittedCollision) else build_geometry(made)
+            )
+        return self._geometries[key]

@@ -1,8 +1,8 @@
-"""The collision geometry of a model as plain arrays, without what makes coal crash.
+"""The collision geometry of a model as plain arrays, without geometry that crashes coal.
 
 coal crashes the process on the hull of coplanar points, or of points within 1e-80 m, on NaN and
 infinity, and on faces whose vertices do not exist; its results for bodies without thickness are
-wrong. All of these are left out here.
+wrong. Such geometry is omitted.
 """
 
 from typing import NamedTuple
@@ -21,16 +21,16 @@ class CollisionArrays(NamedTuple):
     """One ``<collision>`` as arrays."""
 
     link: str  # name of its link
-    number: int  # of the element among the collisions of the link, from 0
+    number: int  # index among the collisions of the link
     frame: Floats  # (4, 4), in the frame of the link
     kind: str  # ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``
-    size: tuple[float, ...]  # three sides; radius; radius and length; nothing for a mesh. In m
+    size: tuple[float, ...]  # three sides; radius; radius and length; empty for a mesh. In m
     vertices: Floats  # (n, 3) of a mesh, in m, in its own frame
     faces: Integers  # (m, 3) of a mesh
 
 
 class OmittedCollision(NamedTuple):
-    """A ``<collision>`` that takes no part, and why."""
+    """A ``<collision>`` that is omitted, and the reason."""
 
     link: str
     number: int
@@ -44,28 +44,28 @@ NO_FACES = np.zeros((0, 3), dtype=np.int64)
 def collision_arrays(
     model: RobotModel, meshes: Meshes, *, unit: bool = True
 ) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
-    """The collision bodies of a model, and those that cannot be used.
+    """The collision bodies of a model, and the omitted ones.
 
     Args:
-        unit: apply the unit that a COLLADA file states, as RViz and Gazebo do; MoveIt and
-            Pinocchio take the numbers as metres.
+        unit: apply the unit of COLLADA files, as RViz and Gazebo do; MoveIt and Pinocchio read
+            metres.
     """
-    found: list[CollisionArrays] = []
+    bodies: list[CollisionArrays] = []
     omitted: list[OmittedCollision] = []
     for link in model.links_by_name.values():
         for number in range(len(link.collisions)):
-            made = arrays(link, number, meshes, unit=unit)
-            if isinstance(made, OmittedCollision):
-                omitted.append(made)
+            body = arrays(link, number, meshes, unit=unit)
+            if isinstance(body, OmittedCollision):
+                omitted.append(body)
             else:
-                found.append(made)
-    return tuple(found), tuple(omitted)
+                bodies.append(body)
+    return tuple(bodies), tuple(omitted)
 
 
 def arrays(
     link: Link, number: int, meshes: Meshes, *, unit: bool
 ) -> CollisionArrays | OmittedCollision:
-    """One collision of a link, by its number from 0; the rest as for `collision_arrays`."""
+    """One collision of a link, by its index; other arguments as for `collision_arrays`."""
     body = link.collisions[number]
     shape = body.shape
     reason = why_omitted(body)
@@ -75,14 +75,14 @@ def arrays(
     if shape.kind != "mesh":
         size = primitive_size(shape)
         return CollisionArrays(link.name, number, frame, shape.kind, size, NO_VERTICES, NO_FACES)
-    made = _mesh(shape, meshes, unit=unit)
-    if isinstance(made, str):
-        return OmittedCollision(link.name, number, made)
-    return CollisionArrays(link.name, number, frame, "mesh", (), *made)
+    mesh = _mesh(shape, meshes, unit=unit)
+    if isinstance(mesh, str):
+        return OmittedCollision(link.name, number, mesh)
+    return CollisionArrays(link.name, number, frame, "mesh", (), *mesh)
 
 
 def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> tuple[Floats, Integers] | str:
-    """Vertices and faces, or why they cannot be used."""
+    """Vertices and faces, or the reason why they cannot be used."""
     mesh = meshes.mesh(shape)
     vertices = meshes.vertices(shape, unit=unit)
     if mesh is None or vertices is None:
@@ -98,7 +98,7 @@ def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> tuple[Floats, Integers
 
 
 def _sound(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
-    """The triangles with an area and finite corners, and the vertices that they use, each once."""
+    """The triangles with an area and finite corners, and their vertices, each once."""
     faces = faces[((faces >= 0) & (faces < len(vertices))).all(axis=1)]
     faces = faces[np.isfinite(vertices[faces]).all(axis=(1, 2))]
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))

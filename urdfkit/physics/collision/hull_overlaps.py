@@ -1,4 +1,4 @@
-"""Overlaps of convex hulls, which some simulators collide in place of the triangles of meshes."""
+"""Overlaps of convex hulls, which some simulators use instead of the triangles of meshes."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from urdfkit.physics.collision.contacts import Contacts, LinkPair
 
 
 class HullOverlap(Record):
-    """Two links whose hulls overlap where the robot begins."""
+    """Two links whose hulls overlap in the initial pose."""
 
     #: first and second: the bodies of the deepest overlap.
     first: CollisionBody
     second: CollisionBody
     depth: float  # in m
-    joint: str  # the moving joint between the two, if it is the only one; empty otherwise
-    is_welded: bool  # the joint moves its link against what is welded to the world
+    joint: str  # the only movable joint between the links; empty if there are none or several
+    is_welded: bool  # True if only fixed joints connect the parent of the joint to the root
 
 
 def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
     """The pairs of links with hulls that overlap by more than a depth, in m.
 
-    Links with only fixed joints between them are one body everywhere.
+    Links that only fixed joints connect are one body in all simulators.
     """
     for pair in contacts.pairs:
         if pair.is_rigid:
@@ -32,15 +32,15 @@ def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
             depth, first, second = deepest
             moving = [joint for joint in contacts.between(pair.names) if joint.kind != "fixed"]
             joint = moving[0] if len(moving) == 1 else None
-            above = contacts.tree.path(joint.parent_name) if joint else ()
-            is_welded = joint is not None and all(one.kind == "fixed" for one in above)
+            path = contacts.tree.path(joint.parent_name) if joint else ()
+            is_welded = joint is not None and all(above.kind == "fixed" for above in path)
             yield HullOverlap(first, second, depth, joint.name if joint else "", is_welded)
 
 
 def _deepest(
     contacts: Contacts, pair: LinkPair, least: float
 ) -> tuple[float, CollisionBody, CollisionBody] | None:
-    """The depth and the two bodies of the deepest overlap of more than ``least``, in m."""
+    """The depth in m and the bodies of the deepest overlap of more than ``least``."""
     deepest = None
     for first, second, bound in pair.bounds:
         if -bound > least:

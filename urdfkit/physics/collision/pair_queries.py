@@ -1,7 +1,7 @@
-"""Pairs of links in many configurations: who collides, who comes near.
+"""Collisions and distances of pairs of links in many configurations.
 
-Boxes around the bodies decide most configurations at once; coal measures the rest: first convex
-hulls, then triangles.
+Bounding boxes decide most configurations at once; coal measures the rest: first convex hulls, then
+triangles.
 """
 
 from __future__ import annotations
@@ -18,45 +18,45 @@ from urdfkit.physics.collision.batch_kinematics import TreeArrays
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery
 
-#: Two links, by their numbers in the `TreeArrays`, the first one before the second.
+#: Two links, by their numbers in the `TreeArrays`, in ascending order.
 Pair = tuple[int, int]
 
-#: Configurations among which descents begin.
+#: Random configurations from which the starts of descents are selected.
 _DRAWN = 1536
 
-#: The least distance that is reported is at most so much larger than the true one.
+#: Relative error of the reported least distance, which is never too small.
 SLACK = 0.1
 
 
 class PairSample(NamedTuple):
-    """What some configurations show of one pair."""
+    """The result of some configurations for one pair."""
 
-    hits: list[int]  # the configurations in which the two collide, by their numbers
-    #: The least signed distance so far, in m; the limit that was given if none is less.
+    hits: list[int]  # indices of the configurations in which the links collide
+    #: Least signed distance so far, in m; the limit if none is less.
     distance: float
-    row: int  # the configuration of that distance; -1 if it is none of these
+    row: int  # index of the configuration of this distance; -1 if it is an earlier one
 
 
 class CollisionModel:
-    """The collision geometries of a robot on its links, whose distances are measured."""
+    """The collision geometries of a robot and the links that carry them."""
 
     def __init__(self, kinematics: TreeArrays, geometries: Iterable[CollisionGeometry]) -> None:
         self.kinematics = kinematics
         number = {name: index for index, name in enumerate(kinematics.links)}
         self._geometries = list(geometries)
         self._of_link: dict[int, list[int]] = {}
-        for index, one in enumerate(self._geometries):
-            self._of_link.setdefault(number[one.arrays.link], []).append(index)
+        for index, geometry in enumerate(self._geometries):
+            self._of_link.setdefault(number[geometry.arrays.link], []).append(index)
 
     @cached_property
-    def drawn(self) -> Floats:
-        """(m, dof), configurations all over the limits, the same for all pairs."""
+    def random_rows(self) -> Floats:
+        """(m, dof), random configurations within the limits, the same for all pairs."""
         return self.kinematics.samples(_DRAWN, 0, 0)
 
     @cached_property
-    def drawn_frames(self) -> dict[int, Floats]:
-        """Where the links with bodies are in these, (m, 4, 4) each: 60 MB for 300 links."""
-        return self.kinematics.frames(self.drawn, self.links)
+    def random_frames(self) -> dict[int, Floats]:
+        """The frames of the links with bodies in these, (m, 4, 4) each: 60 MB for 300 links."""
+        return self.kinematics.frames(self.random_rows, self.links)
 
     @property
     def links(self) -> list[int]:
@@ -71,11 +71,11 @@ class CollisionModel:
         return self._geometries[body]
 
     def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
-        """Begin to measure pairs; those farther apart than the limit, in m, are left out."""
+        """A query for pairs; distances above the limit, in m, are not measured."""
         return PairQuery(self, pairs, limit)
 
     def queries(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
-        """What measures the bodies of two links, each with the numbers of the bodies."""
+        """The distance queries for the bodies of two links, each with the numbers of the bodies."""
         return [
             (first, second, DistanceQuery(self._geometries[first], self._geometries[second]))
             for first in self._of_link[pair[0]]
@@ -83,7 +83,7 @@ class CollisionModel:
         ]
 
     def frames(self, configurations: Floats, links: Collection[int]) -> dict[int, Floats]:
-        """Where the bodies of some links are, (n, 4, 4) each, by their numbers."""
+        """The frames of the bodies of links, (n, 4, 4) each, by body number."""
         of_links = self.kinematics.frames(configurations, links)
         return {
             body: of_links[link] @ self._geometries[body].arrays.frame
@@ -93,7 +93,7 @@ class CollisionModel:
 
 
 class PairQuery:
-    """Distances of some pairs, which go from configurations to more of them."""
+    """Distances of pairs in successive sets of configurations."""
 
     def __init__(
         self, collision_model: CollisionModel, pairs: Iterable[Pair], limit: float
@@ -104,20 +104,20 @@ class PairQuery:
     def at(
         self, configurations: Floats, pairs: Sequence[Pair] | None = None, *, count: bool
     ) -> list[PairSample]:
-        """What some configurations (n, dof) show, for each pair.
+        """The results for configurations (n, dof), for each pair.
 
         Args:
-            pairs: some of them; all if None.
+            pairs: a subset of the pairs; all if None.
             count: find all collisions, not only one.
         """
-        wanted = self._searches if pairs is None else pairs
-        links = sorted({link for pair in wanted for link in pair})
+        selected = self._searches if pairs is None else pairs
+        links = sorted({link for pair in selected for link in pair})
         frames = self._collision_model.frames(configurations, links)
-        return [self._searches[pair].at(frames, count=count) for pair in wanted]
+        return [self._searches[pair].at(frames, count=count) for pair in selected]
 
 
 class _Search:
-    """One pair of links, and the least distance so far."""
+    """The query for one pair of links, with the least distance so far."""
 
     def __init__(self, queries: list[tuple[int, int, DistanceQuery]], limit: float) -> None:
         self._queries = queries
@@ -125,11 +125,11 @@ class _Search:
 
     @property
     def _sure(self) -> float:
-        """Distances from here on, in m, need not be measured."""
+        """The distance, in m, above which measuring is not needed."""
         return (1 - SLACK) * max(self._best, 0.0)
 
     def at(self, frames: dict[int, Floats], *, count: bool) -> PairSample:
-        """Measure the bodies where no bound decides, the nearest first."""
+        """Measure the bodies where bounds are not sufficient, the nearest first."""
         hits: set[int] = set()
         row = -1
         for first, second, query in self._queries:
@@ -148,7 +148,7 @@ class _Search:
 
 
 def relative(first: Floats, second: Floats) -> tuple[Floats, Floats]:
-    """Rotation (n, 3, 3) and translation (n, 3) of one frame in another."""
+    """Rotation (n, 3, 3) and translation (n, 3) of the second frame in the first."""
     back = first[:, :3, :3].transpose(0, 2, 1)
     offset = second[:, :3, 3] - first[:, :3, 3]
     return back @ second[:, :3, :3], (back @ offset[:, :, None])[:, :, 0]

@@ -1,11 +1,11 @@
-"""The self-collisions of one robot: where it begins, in sampled poses, and in all poses."""
+"""The self-collisions of a robot: in the initial, in sampled and in all poses."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
 
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.physics.collision.contacts import Contacts
 
 if TYPE_CHECKING:
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class Collisions:
-    """The self-collisions of one robot, each computed when it is first needed.
+    """The self-collisions of a robot, computed on first use.
 
     Args:
-        need_coal: raises an error if coal cannot be imported; called before it is.
+        need_coal: called before coal is imported; raises an error if it is not installed.
     """
 
     def __init__(self, robot: RosDescription, need_coal: Callable[[], None]) -> None:
@@ -28,24 +28,24 @@ class Collisions:
 
     @cached_property
     def contacts(self) -> Contacts:
-        """The links that overlap where the robot begins."""
+        """The links that overlap in the initial pose."""
         return self._contacts(unit=self._robot.targets.applies_units)
 
     @cached_property
     def contacts_in_moveit(self) -> Contacts:
-        """The same as MoveIt has it, which ignores the units of COLLADA files."""
+        """The same for MoveIt, which ignores the units of COLLADA files."""
         return self._contacts(unit=False)
 
     @cached_property
     def sampled_in_moveit(self) -> SampledPoses:
-        """The robot in sampled poses, as MoveIt has it."""
+        """The robot in sampled poses, for MoveIt."""
         self._need_coal()
         from urdfkit.physics.collision.sampled_poses import SampledPoses
 
         return SampledPoses(self._robot.model, self._robot.tree, self._robot.meshes, unit=False)
 
     def matrix(self, **options: Any) -> Matrix:
-        """Which links can collide; the options are those of `sampling.collisions`."""
+        """The collision matrix; the options are those of `sampling.collisions`."""
         self._need_coal()
         from urdfkit.physics.collision.sampling import collisions
 

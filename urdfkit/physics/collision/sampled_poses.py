@@ -1,4 +1,4 @@
-"""Collisions of a robot in sampled poses, without a process: what a check can afford."""
+"""Collisions of a robot in sampled poses, without worker processes, fast enough for a check."""
 
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
@@ -14,12 +14,12 @@ from urdfkit.robot.assets.triangles import Meshes
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.tree import KinematicTree
 
-#: Colliding samples of a pair in which the other pairs are looked at.
+#: Colliding samples of a pair in which the other pairs are tested.
 _POSES = 20
 
 
 class Collision(NamedTuple):
-    """Two links that overlap: how deep, in m, and the joints between them."""
+    """An overlap of two links: its depth in m, and the positions of the joints between them."""
 
     depth: float
     pose: dict[str, float]
@@ -29,7 +29,7 @@ class SampledPoses:
     """A robot in sampled poses.
 
     Args:
-        unit: apply the unit that a COLLADA file states.
+        unit: apply the unit of COLLADA files.
     """
 
     def __init__(
@@ -49,47 +49,47 @@ class SampledPoses:
         """Find for each pair of moving links a collision that no other collision prevents.
 
         Args:
-            is_checked: of two links, whether their collisions are avoided; where two of these
-                overlap, the robot never is.
+            is_checked: True for two links whose collisions are avoided; the robot never reaches
+                poses in which such links overlap.
         """
-        # Limits of 0.0: how far apart meshes are that do not overlap takes most of the time.
-        known = [self._pair(*pair) for pair in pairs]
-        bound = [pair for pair in known if self._is_bound(pair) and self.kinematics.between(*pair)]
+        # Limits of 0.0, because measuring the distance of separate meshes takes most of the time.
+        numbers = [self._pair(*pair) for pair in pairs]
+        bound = [p for p in numbers if self._is_bound(p) and self.kinematics.between(*p)]
         rows = self.kinematics.samples(samples, 0, 0)
-        seen = self._collision_model.query(bound, 0.0).at(rows, count=True)
+        results = self._collision_model.query(bound, 0.0).at(rows, count=True)
         poses = {
-            pair: self._poses(pair, rows[one.hits[:_POSES]])
-            for pair, one in zip(bound, seen, strict=True)
-            if one.hits
+            pair: self._poses(pair, rows[result.hits[:_POSES]])
+            for pair, result in zip(bound, results, strict=True)
+            if result.hits
         }
         if not poses:
-            return [None] * len(known)
+            return [None] * len(numbers)
         links = self._collision_model.links
         checked = [
             pair
             for pair in self.kinematics.pairs(links)
             if is_checked(frozenset(self._names(pair)))
         ]
-        every = np.concatenate(list(poses.values()))
-        is_free = np.ones(len(every), dtype=bool)
-        for one in self._collision_model.query(checked, 0.0).at(every, count=True):
-            is_free[one.hits] = False
-        found: dict[Pair, Collision] = {}
-        ends = np.cumsum([len(some) for some in poses.values()])[:-1]
-        for (pair, some), free in zip(poses.items(), np.split(is_free, ends), strict=True):
+        all_poses = np.concatenate(list(poses.values()))
+        is_free = np.ones(len(all_poses), dtype=bool)
+        for result in self._collision_model.query(checked, 0.0).at(all_poses, count=True):
+            is_free[result.hits] = False
+        collisions: dict[Pair, Collision] = {}
+        ends = np.cumsum([len(rows) for rows in poses.values()])[:-1]
+        for (pair, rows), free in zip(poses.items(), np.split(is_free, ends), strict=True):
             if free.any():
-                (nearest,) = self._collision_model.query([pair], 0.0).at(some[free], count=True)
-                pose = self.kinematics.pose(some[free][nearest.row], *pair)
-                found[pair] = Collision(-nearest.distance, pose)
-        return [found.get(pair) for pair in known]
+                (nearest,) = self._collision_model.query([pair], 0.0).at(rows[free], count=True)
+                pose = self.kinematics.pose(rows[free][nearest.row], *pair)
+                collisions[pair] = Collision(-nearest.distance, pose)
+        return [collisions.get(pair) for pair in numbers]
 
     def _poses(self, pair: Pair, rows: Floats) -> Floats:
-        """Some configurations, and the same with all joints that do not move a pair at default."""
+        """Configurations, also with defaults for all joints that do not move the pair."""
         columns = self.kinematics.between(*pair)
         return np.concatenate([rows, self.kinematics.default_with(columns, rows[:, columns])])
 
     def has_bodies(self, link: str) -> bool:
-        """True if a link has bodies that can collide."""
+        """True if a link has collision bodies."""
         return self._number.get(link) in self._collision_model.links
 
     def _pair(self, first: str, second: str) -> Pair:
@@ -100,5 +100,5 @@ class SampledPoses:
         return self.kinematics.links[pair[0]], self.kinematics.links[pair[1]]
 
     def _is_bound(self, pair: Pair) -> bool:
-        """True if joints with limits say how two links stand to one another."""
+        """True if two links are in the same part of the robot."""
         return self.kinematics.parts[pair[0]] == self.kinematics.parts[pair[1]]

@@ -1,4 +1,4 @@
-"""The pairs of a robot's links that can collide, found by sampling its configurations."""
+"""Computes the pairs of links that can collide by sampling configurations."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
     from urdfkit.ros import RosDescription
 
-#: Pairs that collide in more of them always collide (as in MoveIt's Setup Assistant).
+#: Part of the samples above which a pair always collides (as in MoveIt's Setup Assistant).
 ALWAYS = 0.95
-#: More processes start more slowly than they help.
+#: Limit above which starting processes takes longer than they save.
 MAX_PROCESSES = 8
-#: More pairs, some 300 links with bodies, are rejected.
+#: Limit for pairs, about 300 links with bodies.
 MAX_PAIRS = 50_000
 
-#: Of neighbours, which are not measured.
+#: Findings for adjacent links, which are not measured.
 _ADJACENT = PairFindings()
 
 
@@ -41,7 +41,7 @@ def collisions(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Matrix:
-    """Which links of a robot can collide with one another.
+    """Determine which links of a robot can collide with each other.
 
     >>> from urdfkit.lint.loading import read
     >>> found = collisions(read("models/good/two_link_arm/urdf/two_link_arm.urdf"), jobs=1)
@@ -51,22 +51,22 @@ def collisions(
     base forearm never
     upper_arm forearm adjacent
 
-    The same seed gives the same result, whatever the number of processes.
+    The same seed yields the same result for any number of processes.
 
     Args:
         robot: from `urdfkit.lint.loading.read`.
-        samples: configurations, equally likely everywhere within the joint limits.
-        seed: of these.
-        begin: positions of joints, in rad or m, where the robot begins; the others begin at 0,
-            or in the middle if 0 is beyond their limits.
-        units: apply the unit of length that a COLLADA file states, as RViz and Gazebo do; MoveIt
-            and Pinocchio take the numbers as metres. As the robot's targets do if not given.
-        jobs: processes; as many as there are processors, up to `MAX_PROCESSES`, if not given.
-        progress: called with the number of samples done and of all.
+        samples: number of configurations, uniformly distributed within the joint limits.
+        seed: of the samples.
+        begin: initial positions of joints, in rad or m; the default is 0, or the middle of the
+            range if 0 is outside of it.
+        units: apply the unit of COLLADA files, as RViz and Gazebo do; MoveIt and Pinocchio read
+            metres. By default, as the robot's targets do.
+        jobs: number of processes; by default the number of processors, up to `MAX_PROCESSES`.
+        progress: called with the number of finished samples and of all.
 
     Raises:
-        CollisionError: the robot has too many pairs of links with collision bodies, or no
-            process can be started.
+        CollisionError: the robot has too many pairs of links with collision bodies, or a process
+            cannot be started.
     """
     applies = robot.targets.applies_units if units is None else units
     bodies, omitted = collision_arrays(robot.model, robot.meshes, unit=applies)
@@ -78,16 +78,16 @@ def collisions(
         moves = {pair: not adjacency.is_rigid(*both) for pair, both in names.items()}
         measured = {p: moves[p] for p, both in names.items() if not adjacency.is_adjacent(*both)}
         tasks = _tasks(measured, moving.row(begin or {}), samples, seed)
-        found = _examined(pool, tasks, samples, progress)
+        findings = _measure_pairs(pool, tasks, samples, progress)
     counted = min(samples, COUNTED)
     results = (
-        _result(moving, pair, both, found.get(pair, _ADJACENT), counted, moves=moves[pair])
+        _result(moving, pair, both, findings.get(pair, _ADJACENT), counted, moves=moves[pair])
         for pair, both in names.items()
     )
     return Matrix(
         robot.model.name,
         tuple(results),
-        max((one.samples for one in found.values() if one is not None), default=0),
+        max((each.samples for each in findings.values() if each is not None), default=0),
         samples,
         counted,
         seed,
@@ -99,22 +99,22 @@ def collisions(
 
 
 def _units(robot: RosDescription) -> dict[str, float]:
-    """The meshes that state another unit than the metre, as they are named."""
-    found: dict[str, float] = {}
+    """Units in metres of the meshes with another unit than metres, by file name as written."""
+    units: dict[str, float] = {}
     for link in robot.model.links:
         for body in link.collisions:
             if body.shape is None or body.shape.filename is None:
                 continue
             mesh = robot.meshes.mesh(body.shape)
             if mesh is not None and mesh.unit != 1:
-                found[body.shape.filename.value] = mesh.unit
-    return found
+                units[body.shape.filename.value] = mesh.unit
+    return units
 
 
-def _examined(
+def _measure_pairs(
     pool: WorkerPool, tasks: Sequence[Task], samples: int, progress: Progress | None
 ) -> dict[Pair, PairFindings | None]:
-    """What is found out about each pair; None for those that crash coal."""
+    """The findings for each pair; None for pairs that crash coal."""
     finished = iter(range(1, len(tasks) + 1))
 
     def advance() -> None:
@@ -123,14 +123,14 @@ def _examined(
 
     answers = pool.run(tasks, advance)
     return {
-        pair: found
+        pair: findings
         for task, answer in zip(tasks, answers, strict=True)
-        for pair, found in zip(task.pairs, answer, strict=True)
+        for pair, findings in zip(task.pairs, answer, strict=True)
     }
 
 
 def _tasks(measured: Mapping[Pair, bool], start: Floats, samples: int, seed: int) -> list[Task]:
-    """The pairs, with whether each moves, in groups that are worth a task."""
+    """Tasks with groups of pairs; ``measured`` maps pairs to whether they move."""
     pairs = list(measured)
     size = max(1, min(64, -(-len(pairs) // 8)))
     groups = [tuple(pairs[at : at + size]) for at in range(0, len(pairs), size)]
@@ -146,7 +146,7 @@ def _result(
     *,
     moves: bool,
 ) -> PairResult:
-    """What became of a pair; nothing is found of one that crashes coal."""
+    """The result for a pair; ``found`` is None if it crashes coal."""
     verdict, frequency, nearest = PairVerdict.UNKNOWN, None, None
     if found is not None:
         verdict = _verdict(found, counted, moves=moves)
@@ -169,17 +169,17 @@ def _verdict(found: PairFindings, counted: int, *, moves: bool) -> PairVerdict:
 
 
 def _pairs(moving: TreeArrays, links: Sequence[int]) -> list[Pair]:
-    """The pairs of some links that joints bind to one another."""
+    """The pairs of links of the same part of the robot."""
     pairs = sorted(islice(moving.pairs(links), MAX_PAIRS + 1))
     if len(pairs) > MAX_PAIRS:
         raise CollisionError(
-            f"{len(links)} links with collision geometry are too many: they make more "
+            f"{len(links)} links with collision geometry are too many: they form more "
             f"than {MAX_PAIRS} pairs"
         )
     return pairs
 
 
 def _parts(moving: TreeArrays, links: Sequence[int]) -> tuple[str, ...]:
-    """The topmost links of the parts that are not compared; none if all are one part."""
+    """The topmost links of the parts; empty if there is only one part."""
     tops = dict.fromkeys(moving.parts[link] for link in links)
     return tuple(moving.links[top] for top in tops) if len(tops) > 1 else ()

@@ -1,4 +1,4 @@
-"""What a process finds out about some pairs of links, from the first configuration to the last."""
+"""A task of a worker process: the findings for a group of pairs of links."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import closest
 from urdfkit.physics.collision.pair_queries import CollisionModel, Pair, PairQuery
 
-#: Samples in which the collisions of all pairs are counted; later, only pairs that have none
-#: are looked at.
+#: Samples in which the collisions of all pairs are counted; in later samples, only pairs without
+#: collisions are tested.
 COUNTED = 1000
-#: More samples are given up when the last half of so many showed nothing new.
+#: Least number of samples; sampling then ends if the last half of the samples found nothing new.
 ENOUGH = 10_000
 
-#: Frames of all links in a block of samples take about so many bytes.
+#: Bytes for the frames of all links in a block of samples.
 _MEMORY = 64e6
 _FRAME = 128
 _BLOCK = 1000
@@ -26,42 +26,42 @@ _BLOCK = 1000
 
 @dataclass
 class PairFindings:
-    """What is known of a pair."""
+    """Findings for a pair of links."""
 
-    hits_at_start: bool = False  # True if the two collide where the robot begins
-    hits: int = 0  # of the samples that are counted, those in which they collide
+    hits_at_start: bool = False  # True if the links collide in the initial configuration
+    hits: int = 0  # number of collisions in the counted samples
     hits_elsewhere: bool = False  # True if they collide in another configuration
-    samples: int = 0  # that were looked at
-    distance: float = inf  # the least, in m
-    configuration: Floats | None = None  # (dof,), of that distance
+    samples: int = 0  # number of tested samples
+    distance: float = inf  # least distance in m
+    configuration: Floats | None = None  # (dof,), of the least distance
 
     @property
     def is_free(self) -> bool:
-        """True if they were never found to collide."""
+        """True if no collision was found."""
         return not (self.hits_at_start or self.hits or self.hits_elsewhere)
 
 
 class Task(NamedTuple):
-    """Pairs to look at, one by one."""
+    """Pairs to test."""
 
     pairs: tuple[Pair, ...]  # of numbers of links
-    moves: tuple[bool, ...]  # for each, whether joints move one against the other
-    start: Floats  # (dof,), where the robot begins
-    samples: int  # to look at
-    seed: int  # of these
+    moves: tuple[bool, ...]  # for each pair, whether joints move its links against each other
+    start: Floats  # (dof,), the initial configuration
+    samples: int  # number of samples
+    seed: int  # of the samples
 
     def run(self, collision_model: CollisionModel) -> list[PairFindings]:
-        """What is found out about each pair."""
+        """The findings for each pair."""
         return _TaskRun(self, collision_model).findings()
 
     def parts(self) -> list[Task]:
-        """The same work, one task for each pair."""
+        """A separate task for each pair."""
         pairs = zip(self.pairs, self.moves, strict=True)
         return [self._replace(pairs=(pair,), moves=(moves,)) for pair, moves in pairs]
 
 
 class _TaskRun:
-    """The run of one task: the start, samples to count in, descents, then ever more samples."""
+    """One task: the initial configuration, counted samples, descents, then further samples."""
 
     def __init__(self, task: Task, collision_model: CollisionModel) -> None:
         self._task, self._collision_model = task, collision_model
@@ -88,7 +88,7 @@ class _TaskRun:
             self._found[pair].samples = counted
 
     def _descend(self, pairs: Sequence[Pair]) -> None:
-        """Bring those together that were not found to collide: a rare collision is found so."""
+        """Minimise the distance of pairs without collisions, which finds rare collisions."""
         for pair in self._free(pairs):
             if self._collision_model.kinematics.between(*pair):
                 found, nearest = self._found[pair], closest(self._collision_model, pair)
@@ -97,7 +97,7 @@ class _TaskRun:
                     found.distance, found.configuration = nearest
 
     def _search(self, pairs: Sequence[Pair], done: int) -> None:
-        """Look for a first collision of the others, as long as there is hope."""
+        """Test pairs without collisions in further samples, as long as new collisions are found."""
         free = self._free(pairs)
         while free and done < self._task.samples:
             before, end = free, min(self._task.samples, 2 * done)
@@ -115,17 +115,17 @@ class _TaskRun:
         self, pairs: Sequence[Pair], rows: Floats, *, count: bool
     ) -> Iterator[tuple[Pair, int]]:
         """Count the configurations (n, dof) in which each pair collides."""
-        for pair, seen in zip(pairs, self._query.at(rows, pairs, count=count), strict=True):
+        for pair, sample in zip(pairs, self._query.at(rows, pairs, count=count), strict=True):
             found = self._found[pair]
-            if seen.row >= 0 and seen.distance < found.distance:
-                found.distance, found.configuration = seen.distance, rows[seen.row]
-            yield pair, len(seen.hits)
+            if sample.row >= 0 and sample.distance < found.distance:
+                found.distance, found.configuration = sample.distance, rows[sample.row]
+            yield pair, len(sample.hits)
 
     def _free(self, pairs: Sequence[Pair]) -> list[Pair]:
         return [pair for pair in pairs if self._found[pair].is_free]
 
     def _blocks(self, start: int, end: int) -> Iterator[Floats]:
-        """The samples from one number to another in blocks that the memory can hold."""
+        """The samples of a range in blocks that fit into memory."""
         kinematics = self._collision_model.kinematics
         size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(kinematics.links)))))
         for at in range(start, end, size):

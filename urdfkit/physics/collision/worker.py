@@ -1,17 +1,17 @@
-"""The process that samples: it may crash in native code without taking the caller along.
+"""The worker process for sampling: a crash in native code does not affect the caller.
 
-It is sent the kinematic tree and the bodies, then one task after another.
+It receives the kinematic tree and the bodies, then one task after another.
 """
 
 from urdfkit.core.child_process import Parent
 from urdfkit.core.limits import limit_memory
 
-#: Bytes that a process may take; a humanoid with large meshes takes a twentieth.
+#: Memory limit in bytes; a humanoid with large meshes takes a twentieth.
 _MEMORY = 8 * 2**30
 
 
 def main() -> None:
-    """Answer until there are no more tasks."""
+    """Process tasks until there are no more."""
     limit_memory(_MEMORY)
     parent = Parent()
     from urdfkit.physics.collision.collision_geometry import build_geometry
@@ -22,7 +22,7 @@ def main() -> None:
     geometries = []
     for body in bodies:
         geometries.append(build_geometry(body))
-        parent.send(len(geometries))  # the caller learns which one was fatal
+        parent.send(len(geometries))  # tells the caller which body causes a crash
     collision_model = CollisionModel(kinematics, geometries)
     for task in received:
         parent.send(task.run(collision_model))

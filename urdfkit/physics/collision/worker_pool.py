@@ -1,4 +1,4 @@
-"""Processes of our own that sample, and what happens when one of them crashes."""
+"""Worker processes for sampling, with recovery from crashes."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from urdfkit.physics.collision.batch_kinematics import TreeArrays
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
 from urdfkit.physics.collision.task import PairFindings, Task
 
-#: What a process runs.
+#: Module that a worker process runs.
 _MAIN = "urdfkit.physics.collision.worker"
 
-#: A robot that crashes more processes than this is given up.
+#: Most crashes for one robot.
 _MAX_CRASHES = 20
 
 
@@ -26,17 +26,17 @@ class CollisionError(UrdfkitError):
 
 
 class WorkerPool:
-    """Some processes with the bodies of one robot; use it in a ``with`` statement.
+    """Worker processes with the bodies of one robot; a context manager.
 
     Raises:
-        CollisionError: no process can be started.
+        CollisionError: a process cannot be started.
     """
 
     def __init__(
         self, kinematics: TreeArrays, bodies: Sequence[CollisionArrays], count: int
     ) -> None:
-        self.bodies = list(bodies)  # those that coal takes
-        self.omitted: list[OmittedCollision] = []  # those that crashed it
+        self.bodies = list(bodies)  # bodies that do not crash coal
+        self.omitted: list[OmittedCollision] = []  # bodies that crash coal
         self._kinematics = kinematics
         self._crashes = 0
         self._is_over = False
@@ -63,27 +63,27 @@ class WorkerPool:
     def run(
         self, tasks: Iterable[Task], done: Callable[[], None]
     ) -> list[list[PairFindings | None]]:
-        """The answers to some tasks, in their order; None for a pair that crashes coal.
+        """The results of tasks, in order; None for a pair that crashes coal.
 
         Raises:
-            CollisionError: too many of them crash.
+            CollisionError: too many crashes.
         """
         with ThreadPoolExecutor(self._count) as pool:
-            waiting = [pool.submit(self._answer, task) for task in tasks]
+            futures = [pool.submit(self._run_task, task) for task in tasks]
             try:
-                answers = []
-                for one in waiting:
-                    answers.append(one.result())
+                results = []
+                for future in futures:
+                    results.append(future.result())
                     done()
-                return answers
+                return results
             except BaseException:
-                for one in waiting:
-                    one.cancel()
+                for future in futures:
+                    future.cancel()
                 self._end()  # the threads wait for these processes
                 raise
 
     def _start(self) -> None:
-        """Start all processes; a body that is fatal to the first is left out for all."""
+        """Start all processes; a body that crashes the first one is omitted in all."""
         while True:
             workers = [self._worker() for _ in range(self._count)]
             fatal = workers[0].wait()
@@ -117,27 +117,27 @@ class WorkerPool:
         if self._crashes > _MAX_CRASHES:
             raise CollisionError(f"coal crashed {self._crashes} times on this robot")
 
-    def _answer(self, task: Task) -> list[PairFindings | None]:
+    def _run_task(self, task: Task) -> list[PairFindings | None]:
         try:
-            return self._ask(task)
+            return self._run_in_worker(task)
         except ProcessDied:
             self._note_crash()
         parts = task.parts()
         if len(parts) == 1:
             return [None]
-        return [answer for part in parts for answer in self._answer(part)]
+        return [result for part in parts for result in self._run_task(part)]
 
-    def _ask(self, task: Task) -> list[PairFindings | None]:
+    def _run_in_worker(self, task: Task) -> list[PairFindings | None]:
         worker = self._idle.get()
         try:
-            answer: list[PairFindings | None] = worker.ask(task)
+            result: list[PairFindings | None] = worker.run(task)
         except ProcessDied:
             worker.end()
             worker = self._worker()
             raise
         finally:
             self._idle.put(worker)
-        return answer
+        return result
 
 
 class _Worker(ChildProcess):
@@ -147,15 +147,15 @@ class _Worker(ChildProcess):
         try:
             super().__init__(_MAIN)
         except OSError as error:
-            raise CollisionError(f"no process can be started: {error.strerror}") from error
+            raise CollisionError(f"cannot start a process: {error.strerror}") from error
         self._total = self._expected = len(bodies)
         try:
             self.send((kinematics, list(bodies)))
         except ProcessDied:
-            pass  # the result says so
+            pass  # `wait` reports it
 
     def wait(self) -> int | None:
-        """Wait until it has made its bodies; the number of the one that was fatal, if one was."""
+        """Wait until all bodies are built; returns the number of a body that crashes it."""
         while self._expected:
             try:
                 self.receive()
@@ -164,7 +164,7 @@ class _Worker(ChildProcess):
             self._expected -= 1
         return None
 
-    def ask(self, task: Task) -> Any:
+    def run(self, task: Task) -> Any:
         """Send a task and return its result.
 
         Raises:

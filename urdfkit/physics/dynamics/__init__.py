@@ -1,1 +1,1 @@
-"""Dynamics by Pinocchio: the only gate to it. Import the modules in here where they are used."""
+"""Dynamics by Pinocchio, which only this package imports; import its modules inside functions."""

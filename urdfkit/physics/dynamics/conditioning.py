@@ -1,4 +1,4 @@
-"""Whether the joint-space mass matrix can be inverted: every simulation does it at each step."""
+"""Condition number of the joint-space mass matrix, which simulators invert at each step."""
 
 from __future__ import annotations
 
@@ -7,27 +7,26 @@ import numpy as np
 from urdfkit.core.record import Record
 from urdfkit.physics.dynamics.robot import Dynamics
 
-#: Single precision, in which several simulators compute, has seven digits.
+#: Limit of single precision, which several simulators use: seven digits.
 LARGEST = 1e7
 
 
 class Conditioning(Record):
-    """The mass matrix with all joints at zero, scaled so that units do not matter."""
+    """Condition of the mass matrix with all joints at zero, scaled to be independent of units."""
 
-    #: The ratio of its largest to its smallest eigenvalue; infinite where the smallest is not
-    #: positive.
+    #: Ratio of the largest to the smallest eigenvalue; infinite if the smallest is not positive.
     number: float
-    #: Whose motion against each other has the least inertia, the first one most.
+    #: Joints of the combined motion with the least inertia, by their contribution.
     joints: tuple[str, ...]
 
     @property
     def is_ill(self) -> bool:
-        """True if single precision does not hold the matrix."""
+        """True if single precision is not sufficient to invert the matrix."""
         return self.number > LARGEST
 
 
 def conditioning(robot: Dynamics) -> Conditioning:
-    """Condition of the mass matrix, of the coordinates that move some mass."""
+    """Condition of the mass matrix of the coordinates that move any mass."""
     matrix = robot.mass_matrix({})
     diagonal = np.diag(matrix)
     moving = np.flatnonzero(diagonal)
@@ -36,10 +35,10 @@ def conditioning(robot: Dynamics) -> Conditioning:
     scale = np.sqrt(np.abs(diagonal[moving]))
     with np.errstate(over="ignore", invalid="ignore"):
         scaled = matrix[np.ix_(moving, moving)] / np.outer(scale, scale)
-    strange = ~np.isfinite(scaled).all(axis=1)
-    if strange.any():  # negative masses give anything
-        lost = (robot.columns[index].partition("[")[0] for index in moving[strange])
-        return Conditioning(float("inf"), tuple(dict.fromkeys(lost)))
+    overflown = ~np.isfinite(scaled).all(axis=1)
+    if overflown.any():  # from negative masses
+        names = (robot.columns[index].partition("[")[0] for index in moving[overflown])
+        return Conditioning(float("inf"), tuple(dict.fromkeys(names)))
     values, vectors = np.linalg.eigh(scaled)
     number = float(values[-1] / values[0]) if values[0] > 0 else float("inf")
     part = np.abs(vectors[:, 0])

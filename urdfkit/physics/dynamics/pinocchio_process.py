@@ -1,20 +1,20 @@
-"""Pinocchio's own reading of a URDF, in a process of its own: ``python child.py < robot.urdf``.
+"""Pinocchio's URDF parser in a separate process: ``python pinocchio_process.py < robot.urdf``.
 
-Its parser may crash on hostile text, and writes its reasons to the standard error of the process.
-Prints one line of JSON: ``{"error": reason}``, or the facts of the model.
+The parser may crash on malicious text, and writes its messages to standard error. The process
+prints one line of JSON: ``{"error": reason}``, or the properties of the model.
 """
 
 import json
 import os
 import sys
 
-#: Seconds of computing and bytes of memory; real robots need a tenth of a second.
+#: Limits of CPU time in seconds and memory in bytes; real robots need a tenth of a second.
 SECONDS, MEMORY = 20, 4 * 2**30
 
 
 def main() -> None:
-    """Read standard input and print what it makes."""
-    _bound()
+    """Parse standard input and print the result."""
+    _limit_resources()
     import pinocchio as pin
 
     text = sys.stdin.buffer.read().decode("utf-8", "replace")
@@ -27,7 +27,7 @@ def main() -> None:
 
 
 def _facts(model: object) -> dict[str, object]:
-    """Facts of a model without Pinocchio's Data: its memory grows with the cube of the joints."""
+    """Properties of a model, without Pinocchio's Data, whose memory grows with joints cubed."""
     import numpy as np
     import pinocchio as pin
 
@@ -44,11 +44,11 @@ def _facts(model: object) -> dict[str, object]:
     return {"nq": model.nq - 7, "nv": model.nv - 6, "mass": mass, "center": center}
 
 
-def _bound() -> None:
-    """Hostile text ends this process, and nothing else."""
+def _limit_resources() -> None:
+    """Limit the effect of malicious text to this process."""
     try:
         import resource
-    except ImportError:  # Windows, for which there is no Pinocchio either
+    except ImportError:  # Windows, where Pinocchio is not available either
         return
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))

@@ -1,4 +1,4 @@
-"""A second opinion: what Pinocchio itself makes of a URDF."""
+"""The result of Pinocchio's own URDF parser, for comparison."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ import sys
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 
-#: Seconds, with the start of Python and the import of Pinocchio.
+#: Seconds, including the start of Python and the import of Pinocchio.
 TIMEOUT = 60
 
 
 class PinocchioReading(Record):
-    """What Pinocchio says of a text."""
+    """Pinocchio's model of a URDF, or the reason for none."""
 
-    refusal: str  # why it makes no model; empty if it does
-    #: What it wrote to standard error, a sentence each, the first cause first.
+    refusal: str  # reason why there is no model; otherwise empty
+    #: Messages on standard error, a sentence each, the first cause first.
     complaints: tuple[str, ...]
-    #: nq and nv: numbers of a configuration and a velocity, the root fixed, followers counted.
+    #: nq and nv: size of a configuration and a velocity, with a fixed root, including followers.
     nq: int = 0
     nv: int = 0
     mass: float = 0.0  # of all links, in kg
-    #: Of mass, all joints at zero, in the frame of the root, in m.
+    #: Centre of mass with all joints at zero, in the root frame, in m.
     center: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 
-def opinion(text: bytes) -> PinocchioReading:
-    """Ask Pinocchio in a process of its own, since its parser may crash on hostile text.
+def parse_urdf(text: bytes) -> PinocchioReading:
+    """Parse a URDF with Pinocchio in a separate process, as the parser may crash on bad text.
 
     Args:
-        text: a URDF, expanded.
+        text: an expanded URDF.
     """
     child = os.path.join(os.path.dirname(os.path.abspath(__file__)), "pinocchio_process.py")
     try:
@@ -40,7 +40,7 @@ def opinion(text: bytes) -> PinocchioReading:
             [sys.executable, child], input=text, capture_output=True, check=False, timeout=TIMEOUT
         )
     except subprocess.TimeoutExpired:
-        disk.depends_on_more()  # on a faster machine it may be done in time
+        disk.depends_on_more()  # a faster machine may finish in time
         return PinocchioReading(f"it takes longer than {TIMEOUT} s", ())
     complaints = _sentences(done.stderr.decode("utf-8", "replace"))
     lines = done.stdout.decode("utf-8", "replace").splitlines()
@@ -59,6 +59,6 @@ def _end(code: int) -> str:
 
 
 def _sentences(text: str) -> tuple[str, ...]:
-    """The reasons that urdfdom writes: ``Error:   ...``, each followed by its place in C++."""
+    """The error messages of urdfdom: ``Error:   ...``, each followed by its location in C++."""
     found = (line.partition("Error:")[2].strip() for line in text.splitlines())
     return tuple(dict.fromkeys(line for line in found if line))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.mesh.io.facts import MAX_BYTES, READ
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.assets.mesh_files import MeshReference

@@ -6,8 +6,8 @@ import os
 from enum import Enum
 from itertools import product
 from math import hypot
-from typing import TYPE_CHECKING
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.mesh.io.referenced_files import find_image
 from urdfkit.mesh.measures import OVERLAP
 

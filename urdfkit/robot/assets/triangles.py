@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.model import Shape
 
 if TYPE_CHECKING:

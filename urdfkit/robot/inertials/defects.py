@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable
 from enum import Enum
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import ORIGIN, Vector
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.inertia import principal_moments, scaled
 from urdfkit.robot.inertials.link_comparison import (
     LARGEST_PART,

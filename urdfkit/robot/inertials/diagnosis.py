@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import rotate, transposed
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia

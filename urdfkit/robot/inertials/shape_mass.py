@@ -7,10 +7,10 @@ hull replaces a mesh that does not enclose a solid; a note states this.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.mesh.measures import OVERLAP, Measures, Uniform
 from urdfkit.robot.inertia import MassProperties, combined, scaled
 from urdfkit.robot.model import Body, Link, Shape, Tensor

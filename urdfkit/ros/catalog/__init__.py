@@ -7,9 +7,9 @@ facts were read. A file is loaded once, when a model first needs it.
 import os
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any, TypeVar
 
 from urdfkit.core.record import Record, frozen
+from urdfkit.core.static_typing import Any, TypeVar
 
 Entry = TypeVar("Entry", bound=Record)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import chain
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import is_typo
 from urdfkit.ros.catalog import data, record
 

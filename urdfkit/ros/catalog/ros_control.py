@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import Any
 from urdfkit.ros.catalog import data, record
 
 

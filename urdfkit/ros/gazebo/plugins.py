@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.ros.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
 
 if TYPE_CHECKING:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -94,9 +95,8 @@ def _of_nothing(conversion: SdfConversion) -> Rejection:
 
 def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
     """Frames that are attached to nothing, or have the name of something else."""
-    taken = {link.name for link in conversion.links} | conversion.joint_names | conversion.added
-    leaves_frames = conversion.converter.has_frames and conversion.tree.is_sound
-    for joint in filter(conversion.merges, conversion.model.joints) if leaves_frames else ():
+    model = conversion.model
+    for joint in _merged_joints(conversion):
         child = joint.child_name
         if child in conversion.dropped:
             reason = conversion.dropped[child]
@@ -105,15 +105,15 @@ def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
                 "attached to nothing; give that link a mass"
             )
             yield Rejection("gz", "INE004", message, joint.at.span)
-        for name in (joint.name, child):
-            if name in taken:
-                message = (
-                    f"the frame of the merged '{name}' has the name of another link, joint or "
-                    "frame; rename one of them"
-                )
-                yield Rejection("gz", "", message, joint.at.span)
-            taken.add(name)
-    for block in conversion.model.gazebo:
+    for name, joint in _shared_frames(conversion):
+        message = (
+            f"the frame of the merged '{name}' has the name of another link, joint or frame; "
+            "rename one of them"
+        )
+        is_both = name in model.joints_by_name and name in model.links_by_name
+        yield Rejection("gz", "NAM003" if is_both else "", message, joint.at.span)
+    taken = _parts(conversion) | _frames(conversion)
+    for block in model.gazebo:
         for added in block.children if not block.get("reference") else ():
             name = added.get("name") or ""
             if added.tag not in ("frame", "model"):
@@ -122,6 +122,38 @@ def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
                 message = f"another part is called '{name}'; rename one of the two"
                 yield Rejection("gz", "", message, added.span)
             taken.add(name)
+
+
+def shared_frames(conversion: SdfConversion) -> frozenset[str]:
+    """Names of merged links and joints that another link, joint or frame of the SDF has, too."""
+    return frozenset(name for name, _ in _shared_frames(conversion))
+
+
+def _shared_frames(conversion: SdfConversion) -> Iterator[tuple[str, Joint]]:
+    """Names that merged links and joints share with something, with the merged joint."""
+    taken = _parts(conversion)
+    for joint in _merged_joints(conversion):
+        for name in (joint.name, joint.child_name):
+            if name in taken:
+                yield name, joint
+            taken.add(name)
+
+
+def _parts(conversion: SdfConversion) -> set[str]:
+    """Names of the links and joints of the SDF."""
+    return {link.name for link in conversion.links} | conversion.joint_names | conversion.added
+
+
+def _frames(conversion: SdfConversion) -> set[str]:
+    """Names of the frames that merged links and joints leave."""
+    merged = _merged_joints(conversion)
+    return {name for joint in merged for name in (joint.name, joint.child_name)}
+
+
+def _merged_joints(conversion: SdfConversion) -> list[Joint]:
+    """The joints that leave a frame."""
+    leaves_frames = conversion.converter.has_frames and conversion.tree.is_sound
+    return list(filter(conversion.merges, conversion.model.joints)) if leaves_frames else []
 
 
 def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:

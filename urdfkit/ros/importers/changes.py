@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.model import Joint, Link
-from urdfkit.ros.importers.imported import WORLD, Imported, ImportedBody
+from urdfkit.ros.importers.imported import Imported, ImportedBody
+from urdfkit.ros.importers.orders import WORLD
 from urdfkit.text.document import Element
 
 

@@ -59,6 +59,9 @@ class ImporterFacts(Record):
     ignores_tensors: bool = False  # True if inertia is computed from the collision shapes
     drops_visuals: bool = False  # True if visuals are not loaded
     reads_compiler: bool = False  # True if a ``<mujoco><compiler>`` changes all this
+    #: True if the child of a floating joint is a free body, the root of a tree of its own, and
+    #: the joint has the name of that body.
+    frees_floating: bool = False
     skips_mimic: bool = False  # True if a joint that follows another one has no coordinate
     about_mimic: str = ""  # what such a joint is instead, or as well
     #: Positions and velocities by type of joint, where they are not the usual ones.

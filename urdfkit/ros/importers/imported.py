@@ -12,15 +12,12 @@ from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.importers.facts import ImporterFacts
-from urdfkit.ros.importers.orders import ordered
+from urdfkit.ros.importers.orders import WORLD, free_trees, ordered
 from urdfkit.ros.mujoco import compiler_of
 
 #: The mass properties of the collision shapes of a link at 1 kg/m³, in the frame of the link; None
 #: if they are not known. The other argument is the fact ``mesh_volume``.
 Solid = Callable[["Link", str], "MassProperties | None"]
-
-#: The name of the world, in every program.
-WORLD = "world"
 
 
 class ImportedJoint(Record):
@@ -87,17 +84,26 @@ class Imported:
     def joints(self) -> tuple[ImportedJoint, ...]:
         """The joints that have coordinates, in the program's order.
 
-        Their coordinates are counted after those of a free root.
+        Their coordinates are counted after those of the free root of their tree.
         """
         facts = self.facts
         order = ordered(self.tree, facts.walk, facts.siblings, merged=self.merges_fixed)
+        numbered: list[Joint | None] = [None, *order]
+        if facts.frees_floating:
+            numbered = free_trees(self.tree, order)
         is_counted = self.root_is_free or facts.numbers_root
-        q, v = facts.root_coordinates if is_counted else (0, 0)
+        q = v = 0
         found: list[ImportedJoint] = []
-        for joint in order:
+        for joint in numbered:
+            nq, nv = facts.root_coordinates if is_counted else (0, 0)
+            if joint is None:
+                q, v = q + nq, v + nv
+                continue
             nq, nv = facts.coordinates_of(joint.kind)
             if nv and not (facts.skips_mimic and joint.mimic):
-                names = (joint.name + end for end in facts.suffixes.get(joint.kind, ("",)))
+                is_body = facts.frees_floating and joint.kind == "floating"
+                name = joint.child_name if is_body else joint.name
+                names = (name + end for end in facts.suffixes.get(joint.kind, ("",)))
                 found.append(ImportedJoint(joint, tuple(names), q, nq, v, nv))
                 q, v = q + nq, v + nv
         return tuple(found)

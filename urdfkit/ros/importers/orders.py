@@ -6,6 +6,9 @@ from collections.abc import Callable, Iterable
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
+#: The name of the world, in every program.
+WORLD = "world"
+
 #: Takes a link, and returns the joints below it.
 Below = Callable[[str], Iterable["Joint"]]
 
@@ -28,6 +31,32 @@ def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> l
         found = _breadth_first(tree, below)
         return found + [joint for joint in tree.spanning if joint.kind == "fixed" and merged]
     return _depth_first(tree, lambda link: sort(tree.children[link]))
+
+
+def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None]:
+    """The joints by the trees that floating joints cut a robot into; None is a free root.
+
+    What is connected to the world comes first; then come the trees whose root has most joints, of
+    equal ones in the order of the links in the document.
+
+    Args:
+        order: of the joints, depth first.
+    """
+    base_of: dict[str, str] = {}  # the root of the tree of each link
+    trees: dict[str, list[Joint | None]] = {root.name: [None] for root in tree.roots}
+    for joint in order:
+        is_cut = joint.kind == "floating"
+        base = joint.child_name if is_cut else base_of.get(joint.parent_name, joint.parent_name)
+        base_of[joint.child_name] = base
+        trees.setdefault(base, []).append(joint)
+    place = {name: index for index, name in enumerate(tree.model.links_by_name)}
+
+    def rank(base: str) -> tuple[bool, int, int]:
+        joints = sum(joint.kind != "floating" for joint in tree.children[base])
+        return base != WORLD, -joints, place[base]
+
+    bases = sorted(trees, key=rank)
+    return [joint for base in bases for joint in trees[base]]
 
 
 def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], list[Joint]]:

@@ -4,13 +4,18 @@ XML of ROS 1 and ROS 2, and YAML and Python of ROS 2 are read, as far as constan
 a launch file is run.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from functools import lru_cache
 
-from urdfkit.ros.launch.collect import Collector
-from urdfkit.ros.launch.contents import Launch, LaunchedFile
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.collect import Collector
+    from urdfkit.ros.launch.contents import Launch, LaunchedFile
 
 #: Launch files that are kept: a check plans with one, checks it, and asks it about each robot.
 KEPT = 256
@@ -29,6 +34,9 @@ def read_launch(
 
 @lru_cache(KEPT)
 def _launch(source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...]) -> Launch:
+    from urdfkit.ros.launch.collect import Collector  # few robots have a launch file to read
+    from urdfkit.ros.launch.contents import LaunchedFile
+
     collector = Collector(resolver, _read)
     _read(collector, LaunchedFile(source, dict(arguments)))
     return collector.launch()

@@ -1,8 +1,11 @@
-"""What ros_gz_bridge passes between Gazebo and ROS: words of its command line, or a YAML file."""
+"""Topics that ros_gz_bridge and ros_gz_image pass between Gazebo and ROS.
+
+Sources: words of the command line, or a YAML file.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
@@ -20,7 +23,10 @@ KEYS = (
 FROM_GAZEBO, TO_GAZEBO, BOTH = "GZ_TO_ROS", "ROS_TO_GZ", "BIDIRECTIONAL"
 DIRECTIONS = (FROM_GAZEBO, TO_GAZEBO, BOTH)
 
-_SIGNS = {"[": FROM_GAZEBO, "]": TO_GAZEBO, "@": BOTH}
+CONFIG_FILE = "config_file:="
+_IMAGE_PACKAGES = ("ros_gz_image", "ros_ign_image")
+#: Characters of a command line that stand for a direction.
+SIGNS = {FROM_GAZEBO: "[", TO_GAZEBO: "]", BOTH: "@"}
 
 
 class BridgedTopic(Record):
@@ -57,23 +63,53 @@ def all_messages() -> tuple[str, ...]:
     return tuple({pair.split()[1]: None for pairs in packages for pair in pairs.split(", ")})
 
 
+def ros_messages(gz_message: str) -> tuple[str, ...]:
+    """The messages of ROS that the bridge converts a message of Gazebo to, ``Double`` for one."""
+    return tuple(
+        f"{package}/msg/{pair.split()[0]}"
+        for package, pairs in data("bridge")["messages"].items()
+        for pair in pairs.split(", ")
+        if pair.split()[1] == gz_message
+    )
+
+
 def is_bridge(started: StartedProgram) -> bool:
     is_executable = started.executable in ("parameter_bridge", "bridge_node")
     return is_executable and started.package in ("ros_gz_bridge", "ros_ign_bridge")
 
 
+def config_file(words: Iterable[Word]) -> Word | None:
+    """The file that a command line names as ``-p config_file:=PATH``; None if there is none."""
+    for word in words:
+        if word.text and word.text.startswith(CONFIG_FILE):
+            return Word(word.text.removeprefix(CONFIG_FILE), word.span)
+    return None
+
+
 def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
-    """What a program passes on; nothing if it is no bridge of ros_gz."""
+    """Topics that a bridge of ros_gz passes on; empty for any other program."""
+    if started.executable == "image_bridge" and started.package in _IMAGE_PACKAGES:
+        yield from _images(started)
     if not is_bridge(started):
         return
-    path = started.parameters.values.get("config_file")
+    named = config_file(started.words)
+    path = named.text if named else started.parameters.values.get("config_file")
     for word in started.words:
-        if word.text and word.text.startswith("config_file:="):
-            path = word.text.partition(":=")[2]
-        elif found := _of_word(word):
+        if found := _of_word(word):
             yield found
     if path:
         yield from _in_file(path, resolver)
+
+
+def _images(started: StartedProgram) -> Iterator[BridgedTopic]:
+    """Topics of images, each a word of the command line; the topic of ROS has the same name."""
+    for word in started.words:
+        text = word.text or ""
+        if text.startswith("-"):
+            return  # --ros-args
+        if text and ":=" not in text:
+            types = ("sensor_msgs/msg/Image", "gz.msgs.Image")
+            yield BridgedTopic(word.span, text, text, *types, FROM_GAZEBO)
 
 
 def _of_word(word: Word) -> BridgedTopic | None:
@@ -82,10 +118,13 @@ def _of_word(word: Word) -> BridgedTopic | None:
     if text is None or "@" not in text or "/srv/" in text:
         return None
     topic, _, types = text.partition("@")
-    sign = next((one for one in types if one in _SIGNS), "")
+    directions = {sign: direction for direction, sign in SIGNS.items()}
+    sign = next((one for one in types if one in directions), "")
     ros_type, _, rest = types.partition(sign) if sign else (types, "", "")
     gz_type, _, other = rest.partition("@")
-    return BridgedTopic(word.span, other or topic, topic, ros_type, gz_type, _SIGNS.get(sign, ""))
+    return BridgedTopic(
+        word.span, other or topic, topic, ros_type, gz_type, directions.get(sign, "")
+    )
 
 
 def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:

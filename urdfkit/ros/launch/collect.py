@@ -7,8 +7,10 @@ from typing import TypeAlias
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound
+from urdfkit.ros.launch.bridges import config_file
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import (
+    BRIDGE,
     MAX_DEPTH,
     MAX_INCLUDED,
     PARAMETERS,
@@ -20,7 +22,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
-from urdfkit.ros.launch.known_packages import mistakes
+from urdfkit.ros.launch.known_packages import mistakes, shipped_nodes
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Tag
@@ -84,6 +86,24 @@ class Collector:
         exists = there is not None and not is_outside
         self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
+
+    def start(self, node: StartedProgram) -> None:
+        """Record a node that is started, and the file that its command line names."""
+        self.started.append(node)
+        named = config_file(node.words)
+        if named and named.text and os.path.isabs(named.text):
+            self.file(named.text, named.span, BRIDGE)
+
+    def include(self, file: IncludedFile) -> None:
+        """Record a launch file that is included, and the nodes of one of ROS that is not here."""
+        self.includes.append(file)
+        if disk.exists(file.path):
+            return
+        nodes = list(shipped_nodes(file))
+        self.started_by_included += nodes
+        passed = {word.text: word.span for word in (file.arguments or {}).values()}
+        for path in dict.fromkeys(path for node in nodes for path in node.parameters.files):
+            self.file(path, passed[path], PARAMETERS)
 
     def mention(self, path: str, span: Span) -> None:
         """Record a path of a package whose use is not known, if something is there.

@@ -13,6 +13,8 @@ from urdfkit.text.source import Source, Span
 PARAMETERS = "parameter file"
 #: And the description of a map of Nav2.
 MAP = "map"
+#: And the file of the topics of ros_gz_bridge.
+BRIDGE = "configuration of the bridge"
 
 #: Launch files that include one another.
 MAX_DEPTH = 8
@@ -89,10 +91,16 @@ class StartedProgram(Record):
     span: Span  # where it is started
     frame: CallFrame | None  # the launch files that led there
     is_sure: bool = True  # False if a condition decides that is known at run time only
-    is_remapped: bool = False  # True if it gives topics other names
+    #: The names that it gives to topics, by their own names; None where those are not known.
+    remappings: Mapping[str, str] | None = {}
     parameters: GivenParameters = GivenParameters({})  # that it is given
     namespace: str | None = ""  # without slashes around it; None where it is known at run time only
     name: str = ""  # of the node; empty where none is given, or only at run time
+
+    @property
+    def is_remapped(self) -> bool:
+        """True if it gives topics other names."""
+        return self.remappings is None or bool(self.remappings)
 
 
 class IncludedFile(Record):

@@ -1,11 +1,12 @@
 """The launch files and executables of packages that come with ROS: ``catalog/launch.json``."""
 
+import os
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import IncludedFile, StartedProgram, Word
+from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.workspace.resolve import Resolver
 
@@ -13,6 +14,7 @@ from urdfkit.workspace.resolve import Resolver
 _TYPO = 0.8
 #: What other launch files call the world, which the one of gz sim does not read.
 _WORLDS = ("world", "world_name", "world_file")
+_SIM_TIME = "use_sim_time"
 
 
 def mistakes(
@@ -31,6 +33,31 @@ def mistakes(
         if file.frame is None and not _is_own(_name(file)[0], file, resolver):
             yield from filter(None, [unknown_file(file)])
             yield from unknown_arguments(file)
+
+
+def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
+    """The nodes that a launch file of ROS 2 starts; empty for one that is not in the catalogue."""
+    package, name = _name(included)
+    shipped = data("launch")["shipped"].get(f"{package}/launch/{name}")
+    given = included.arguments
+    if shipped is None or given is None or not given.keys().isdisjoint(shipped["unless"].split()):
+        return
+    file, time = given.get(shipped["parameters"]), given.get(_SIM_TIME)
+    files = (file.text,) if file and file.text and os.path.isabs(file.text) else ()
+    values = {_SIM_TIME: time.text if time else None}
+    for node in shipped["nodes"].split():
+        path, _, own = node.partition("=")
+        of, _, executable = path.partition("/")
+        yield StartedProgram(
+            of,
+            executable,
+            (),
+            included.span,
+            included.frame,
+            included.is_sure,
+            parameters=GivenParameters(values, files, is_whole=bool(files)),
+            name=own,
+        )
 
 
 def _is_own(package: str, by: StartedProgram | IncludedFile, resolver: Resolver) -> bool:

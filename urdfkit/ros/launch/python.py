@@ -12,6 +12,7 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import (
+    BRIDGE,
     MAP,
     PARAMETERS,
     GivenParameters,
@@ -172,15 +173,26 @@ class _PythonReader:
             self.values.span(call),
             self.frame,
             is_sure=not self._has_groups and self._condition(call) is True,
-            is_remapped=argument(call, None, "remappings") is not None,
+            remappings=self._remappings(argument(call, None, "remappings")),
             parameters=self._parameters(parameters, argument(call, None, "ros_arguments")),
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
         )
-        self.collector.started.append(started)
+        self.collector.start(started)
         if started.executable == "move_group":
             problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
+
+    def _remappings(self, node: ast.expr | None) -> dict[str, str] | None:
+        known: dict[str, str] = {}
+        for item in self.values.items(node) if node else ():
+            pair = self.values.suggested(item)
+            names = pair.elts if isinstance(pair, (ast.List, ast.Tuple)) else []
+            texts = [text for name in names if (text := self.values.text(name))]
+            if len(texts) != 2:
+                return None
+            known[texts[0]] = texts[1]
+        return known
 
     def _namespace(self, call: ast.Call) -> str | None:
         written = argument(call, None, "namespace")
@@ -224,7 +236,7 @@ class _PythonReader:
         if name == "yaml_filename" and self.values.text(value):
             self._file(value, MAP)
         if name == "config_file" and self.values.text(value):
-            self._file(value, "configuration of the bridge")
+            self._file(value, BRIDGE)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
@@ -259,7 +271,7 @@ class _PythonReader:
         if path and holds is not False:
             seen = self.configurations.seen(call)
             included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)
-            self.collector.includes.append(included)
+            self.collector.include(included)
         if is_there and passed is not None and holds is not False:
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 

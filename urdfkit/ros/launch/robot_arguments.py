@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 from collections.abc import Collection, Iterator
 from functools import lru_cache
-from itertools import islice
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import FileUse, Launch
-from urdfkit.ros.launch.markup import parsed
-from urdfkit.ros.launch.signature import arguments_in
-from urdfkit.ros.launch.values import argument, called
-from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
-from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source, shown
+from urdfkit.text.source import Source
+from urdfkit.workspace.launch_files import directories_of_launch_files, launch_files
 from urdfkit.workspace.ownership import is_generated
 from urdfkit.workspace.resolve import Resolver
 
-#: Launch files of a package that are read, and directories that are searched for them.
-MAX_FILES, MAX_DIRECTORIES = 200, 2000
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.contents import FileUse, Launch
+
+#: Words of which a launch file contains one if it, or another one that it includes, loads YAML.
+_LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
 
 
 class RobotArguments(Record):
@@ -50,7 +47,9 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
         yield one.path, RobotArguments(one.arguments, path, one.frame, one.is_whole, parameters)
 
 
-def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
+def given(
+    robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
+) -> list[RobotArguments]:
     """What launch files start a robot with: those of its package, then others of the workspace.
 
     If none starts a robot that lacks arguments, it is those of the needed arguments that they give
@@ -58,13 +57,15 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
     Args:
         needed: names of the arguments that it lacks.
+        only_parameters: True if the arguments do not matter, as the robot declares none: launch
+            files that load no parameter file are then not read.
     """
     real = disk.real(robot)
     own: list[RobotArguments] = []
     others: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
-    for directory, name in _searched(robot, resolver):
-        for path, one in _started(directory, name, resolver):
+    for directory, name in directories_of_launch_files(robot, resolver):
+        for path, one in _started(directory, name, resolver, only_parameters=only_parameters):
             if not one.arguments.keys() >= set(needed):
                 continue
             if disk.real(path) == real:
@@ -82,7 +83,7 @@ def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) ->
     if no launch file starts the robot.
     """
     real = disk.real(robot)
-    for directory, mentioned in _searched(robot, resolver):
+    for directory, mentioned in directories_of_launch_files(robot, resolver):
         found = [
             one for path, one in _started(directory, mentioned, resolver) if disk.real(path) == real
         ]
@@ -99,7 +100,7 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     Yields:
         The path of a launch file, and the choices or the default of each of its arguments.
     """
-    for directory, name in _searched(robot, resolver):
+    for directory, name in directories_of_launch_files(robot, resolver):
         yield from _declarations(directory, name, resolver)
 
 
@@ -125,7 +126,7 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
     if not name.endswith(".urdf"):
         return False
     named = re.compile(rb"\b%b(?!\.xacro)" % re.escape(name.encode()))
-    if any(named.search(launch.data) for launch in _launch_files(directory, name, resolver)):
+    if any(named.search(launch.data) for launch in launch_files(directory, name, resolver)):
         return False
     package = resolver.packages.enclosing(source.path)
     launches = launches_of_workspace(source.path, resolver) if package else ()
@@ -135,26 +136,18 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
 
 @lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other
 def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
-    return tuple(read_launch(source, resolver) for source in _launch_files(directory, "", resolver))
-
-
-def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
-    """Directories whose launch files may start a robot, and the package that they then mention."""
-    if package := resolver.packages.enclosing(robot):
-        yield package[1], ""
-        workspace = resolver.packages.workspace(robot)
-        if workspace != package[1]:
-            yield workspace, package[0]
+    return tuple(read_launch(source, resolver) for source in launch_files(directory, "", resolver))
 
 
 @lru_cache(maxsize=4)  # the robots of a package, and their SRDFs, are queried in turn
 def _started(
-    directory: str, mentioned: str, resolver: Resolver
+    directory: str, mentioned: str, resolver: Resolver, *, only_parameters: bool = False
 ) -> tuple[tuple[str, RobotArguments], ...]:
     """The robots that launch files of a directory start."""
     return tuple(
         one
-        for source in _launch_files(directory, mentioned, resolver)
+        for source in launch_files(directory, mentioned, resolver)
+        if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
         for one in started(read_launch(source, resolver, choice), source.path)
     )
@@ -166,17 +159,8 @@ def _declarations(
 ) -> tuple[tuple[str, dict[str, list[str]]], ...]:
     return tuple(
         (source.path, _declared(source, with_defaults=True))
-        for source in _launch_files(directory, mentioned, resolver)
+        for source in launch_files(directory, mentioned, resolver)
     )
-
-
-def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
-    """The launch files of a directory whose text mentions a package."""
-    files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
-    for path in islice(files, MAX_FILES):
-        source = resolver.readable(shown(path))
-        if source and mentioned.encode() in source.data:
-            yield source
 
 
 def _choices(source: Source) -> Iterator[dict[str, str]]:
@@ -218,6 +202,11 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
 
 
 def _of_python(source: Source) -> Iterator[_Argument]:
+    import ast
+
+    from urdfkit.ros.launch.values import argument, called
+    from urdfkit.text import python_source
+
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
@@ -235,6 +224,9 @@ def _of_python(source: Source) -> Iterator[_Argument]:
 
 
 def _of_xml(source: Source) -> Iterator[_Argument]:
+    from urdfkit.ros.launch.markup import parsed
+    from urdfkit.ros.launch.signature import arguments_in
+
     document, _ = parsed(source)
     declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
     for element in declared:

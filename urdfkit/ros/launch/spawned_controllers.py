@@ -67,6 +67,15 @@ def resolve_name(name: str, namespace: str | None) -> str:
     return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")
 
 
+def topic_name(name: str, started: StartedProgram) -> str | None:
+    """The whole name of a topic of a node, after its remappings; None where it is not known."""
+    if started.remappings is None or started.namespace is None:
+        return None
+    whole = resolve_name(name, started.namespace)
+    renamed = {resolve_name(old, started.namespace): new for old, new in started.remappings.items()}
+    return resolve_name(renamed.get(whole, whole), started.namespace)
+
+
 def activates(started: StartedProgram) -> bool:
     """True if a program that loads controllers starts them, too."""
     texts = {word.text for word in started.words}

@@ -183,7 +183,7 @@ class _XmlReader(XmlLaunchFile):
             seen = self._seen(element)
             is_sure = not self.unknown_conditions
             included = IncludedFile(path, seen, element.span, self.frame, is_sure)
-            self.collector.includes.append(included)
+            self.collector.include(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return

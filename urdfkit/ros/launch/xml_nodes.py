@@ -35,12 +35,21 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
         element.span,
         file.frame,
         is_sure=not file.unknown_conditions,
-        is_remapped=element.child("remap") is not None,
+        remappings=_remappings(file, element),
         parameters=_parameters(file, element),
         namespace=_namespace(file, element),
         name=element.get("name") or "",
     )
-    file.collector.started.append(started)
+    file.collector.start(started)
+
+
+def _remappings(file: XmlLaunchFile, node: Element) -> dict[str, str] | None:
+    texts = [
+        (file.text(one.attributes.get("from")), file.text(one.attributes.get("to")))
+        for one in node.all("remap")
+    ]
+    known = {old: new for old, new in texts if old and new}
+    return known if len(known) == len(texts) else None
 
 
 def _namespace(file: XmlLaunchFile, node: Element) -> str | None:

@@ -17,7 +17,7 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.siblings import is_of_namesake, other_srdf_files, srdf_files, srdf_in
+from urdfkit.workspace.srdf_files import is_of_namesake, other_srdf_files, srdf_files, srdf_in
 
 
 class Srdf:

@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 
 from urdfkit.core import disk
 from urdfkit.ros import RosDescription
@@ -67,7 +68,7 @@ def _prefix(bare: set[str], prefixed: set[str]) -> str:
     return min(fitting, key=len, default="")
 
 
-def _other_robots(description: RosDescription) -> Iterator[tuple[str, set[str]]]:
+def _other_robots(description: RosDescription) -> Iterator[tuple[str, AbstractSet[str]]]:
     """The links and joints of the other descriptions of the package: as written, and expanded."""
     package = description.resolver.packages.enclosing(description.source.path)
     if package is None:
@@ -82,9 +83,7 @@ def _other_robots(description: RosDescription) -> Iterator[tuple[str, set[str]]]
         yield path, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}
         if xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
-            robot = description.other_robot(path, description.arguments)
-            if robot.is_readable:
-                yield path, {*robot.model.links_by_name, *robot.model.joints_by_name}
+            yield path, description.names_in_robot(path)
 
 
 _NAME = re.compile(rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["']([^"'<>]*)""")
@@ -97,5 +96,5 @@ def _is_robot(path: str) -> bool:
     )
 
 
-def _fits(names: set[str], known: set[str]) -> bool:
+def _fits(names: set[str], known: AbstractSet[str]) -> bool:
     return len(names & known) >= _KNOWN * len(names)

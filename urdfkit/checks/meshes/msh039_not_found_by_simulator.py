@@ -1,18 +1,24 @@
-"""MuJoCo does not find a mesh that ROS finds.
+"""MuJoCo or PyBullet does not find a mesh that ROS finds.
+
+Reported where one of them is a target. The URDF of a xacro is taken to be next to it.
 
 MuJoCo takes the name of a mesh for a path relative to the URDF, or to `meshdir`: it knows no
 packages, and rejects a robot with `package://arm_description/meshes/arm.stl` ("Error opening
-file"). Reported where MuJoCo is a target, for collisions; for visuals only with
-`<mujoco><compiler discardvisual="false"/></mujoco>`. A xacro's URDF is taken to lie next to it.
-
-If all meshes lie in one directory, name it to MuJoCo, which ROS does not read:
+file"). Visuals are reported only with `<mujoco><compiler discardvisual="false"/></mujoco>`. If all
+meshes are in one directory, name it to MuJoCo, which ROS does not read:
 `<mujoco><compiler meshdir="../meshes" strippath="true"/></mujoco>`. Otherwise give MuJoCo a copy
-of the URDF with relative names.
+of the URDF with relative names (`urdfkit bundle --for mujoco`).
+
+PyBullet removes `package://` and looks for the remaining path in the directory of the URDF and in
+all directories above it. It finds `package://arm_description/meshes/arm.stl` only if one of them
+contains a directory `arm_description`, as `src` of a workspace does, and otherwise rejects the
+robot, for a visual as well.
 
 Sources:
     MuJoCo, meshdir and strippath: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler-strippath
     MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
     google-deepmind/mujoco#273: https://github.com/google-deepmind/mujoco/issues/273
+    PyBullet, UrdfFindMeshFile.h: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfFindMeshFile.h
 """
 
 import os
@@ -23,6 +29,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, 
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
+from urdfkit.ros.targets import TargetFacts
 from urdfkit.text.editing.edits import insert_first
 from urdfkit.text.source import shown
 
@@ -45,8 +52,48 @@ FILES = {
     help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
 )
 def check(context: Context) -> Findings:
-    if context.is_part or all(one.finds_packages for one in context.given_facts):
+    if context.is_part:
         return
+    for target in context.given_facts:
+        if target.searches_above:
+            yield from _not_above(context, target)
+        elif not target.finds_packages:
+            yield from _of_mujoco(context)
+
+
+def _not_above(context: Context, target: TargetFacts) -> Findings:
+    """The meshes that a target does not find in the directories above the URDF."""
+    lost = [mesh for mesh in context.files.meshes if _is_not_above(context, mesh)]
+    if lost:
+        first = lost[0]
+        yield Finding(
+            first.at,
+            f"{first.who} is not found by {target.title}, which looks for "
+            f"'{_without_scheme(first.at.value)}' in the directories from that of the URDF upwards"
+            f"{more_like_this(len(lost) - 1)}",
+            f"give {target.title} a copy with relative names: urdfkit bundle --for {target.name}",
+            targets=(target.name,),
+        )
+
+
+def _is_not_above(context: Context, mesh: MeshReference) -> bool:
+    """True for a mesh of a package that is neither above the URDF nor next to what is."""
+    if mesh.located.path is None or mesh.located.package is None:
+        return False  # MSH001
+    name = _without_scheme(mesh.at.value)
+    directory = os.path.abspath(context.source.path)
+    while directory != (directory := os.path.dirname(directory)):
+        path = os.path.join(directory, name)
+        if context.resolver.admits(path) and disk.is_file(path):
+            return False
+    return True
+
+
+def _without_scheme(name: str) -> str:
+    return name.partition("://")[2] or name
+
+
+def _of_mujoco(context: Context) -> Findings:
     wanted = [
         mesh
         for mesh in context.files.meshes
@@ -60,7 +107,7 @@ def check(context: Context) -> Findings:
         message = f"{first.who} is not found by MuJoCo, which looks for '{name}' in "
         message += f"{shown(os.path.normpath(directory))}{more_like_this(len(lost) - 1)}"
         help, fix = _directory(context, wanted)
-        yield Finding(first.at, message, help, fix)
+        yield Finding(first.at, message, help, fix, targets=("mujoco",))
 
 
 def _outside(context: Context) -> Findings:

@@ -1,14 +1,16 @@
-"""MSH039: see the rule; what MuJoCo finds is asked of MuJoCo."""
+"""MSH039: see the rule; what MuJoCo and PyBullet find is asked of them."""
 
 from pathlib import Path
 
 import pytest
 
+from tests.meshed import mesh
 from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.lint.fix import fix
 from urdfkit.mesh import samples
 
+ARM = "package://arm_description/meshes/arm.stl"
 INERTIAL = (
     '<inertial><mass value="1"/>'
     '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -75,3 +77,40 @@ def test_other_programs_find_packages(tmp_path: Path) -> None:
     path = robot(tmp_path, "package://arm_description/meshes/arm.stl")
     assert check(path, select=["MSH039"]).diagnostics == ()
     assert check(path, select=["MSH039"], targets=["pinocchio"]).diagnostics == ()
+
+
+@pytest.mark.parametrize("role", ["visual", "collision"])
+@pytest.mark.parametrize(
+    ("directory", "name", "count"),
+    [
+        ("arm_description", ARM, 0),
+        ("src/arms/arm_description", ARM, 0),
+        ("arms.git", ARM, 1),
+        ("arms.git", "model://arm_description/meshes/arm.stl", 1),
+        ("arms.git", "../meshes/arm.stl", 0),
+    ],
+)
+def test_what_pybullet_finds(
+    tmp_path: Path, directory: str, name: str, count: int, role: str
+) -> None:
+    package = add_package(tmp_path / directory, "arm_description")
+    add_file(package / "meshes" / "arm.stl", samples.stl(samples.box((0, 0, 0), (1, 1, 1))))
+    text = f'<robot name="r"><link name="arm">{INERTIAL}{mesh(name, role)}</link></robot>'
+    path = add_file(package / "urdf" / "arm.urdf", text.encode())
+    found = check(path, select=["MSH001", "MSH039"], targets=["pybullet"]).diagnostics
+    assert [one.code for one in found] == ["MSH039"] * count
+
+
+def test_pybullet_finds_what_is_above(tmp_path: Path) -> None:
+    pybullet = pytest.importorskip("pybullet")
+    pybullet.connect(pybullet.DIRECT)
+    for directory, is_here in (("arm_description", True), ("arms.git", False)):
+        package = add_package(tmp_path / directory, "arm_description")
+        add_file(package / "meshes" / "arm.stl", samples.stl(samples.box((0, 0, 0), (1, 1, 1))))
+        text = f'<robot name="r"><link name="arm">{mesh(ARM)}</link></robot>'
+        path = add_file(package / "urdf" / f"{directory}.urdf", text.encode())
+        if is_here:
+            pybullet.loadURDF(str(path))
+        else:
+            with pytest.raises(pybullet.error):
+                pybullet.loadURDF(str(path))

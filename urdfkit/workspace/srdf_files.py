@@ -1,4 +1,4 @@
-"""Files that belong to a robot by their location, such as the SRDF of its MoveIt package."""
+"""Search for the SRDF files of a robot, such as in its MoveIt package."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
 _SRDF, _ROBOT = (".srdf", ".srdf.xacro"), (".urdf", ".xacro")
-#: The root of a robot; that of a part has no name.
+#: The root of a robot; the root of a part has no name.
 _NAMED = rb"<robot\b[^<>]*\bname\s*="
-#: A section of ``.setup_assistant``, and what is in it; compiled when needed, which is seldom.
+#: A section of ``.setup_assistant`` with its content; compiled when needed, which is rare.
 _SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
 _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
 
 
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
-    """The SRDF files that may be a robot's.
+    """The SRDF files that may be for a robot.
 
-    They are looked for in the robot's directory, in ``config`` and ``srdf`` of its package, and in
-    sibling MoveIt packages whose ``.setup_assistant`` names the robot's file.
+    The robot's directory, ``config`` and ``srdf`` of its package, and sibling MoveIt packages whose
+    ``.setup_assistant`` refers to the robot's file are searched.
     """
     directory = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
@@ -40,13 +40,13 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
 
 
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
-    """The SRDF files of sibling MoveIt packages that may be for a robot, or for others.
+    """The SRDF files of sibling MoveIt packages that may be for a robot, or for another one.
 
-    They name it with arguments of its own, or do not say which file they are made for.
+    Their packages expand the robot with arguments, or do not state for which file they are.
 
     Args:
-        name: of it; an SRDF is of the robot that it is called like, or of that which a launch file
-            of MoveIt starts it with.
+        name: of the robot; an SRDF belongs to the robot with its name, or to the robot with which a
+            launch file of MoveIt starts it.
     """
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
@@ -58,15 +58,15 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         if not setup.urdf or (is_for and setup.has_arguments):
             directories.update(dict.fromkeys(_directories(moveit, setup)))
     files = list(srdf_in(directories, resolver))
-    return [path for path in files if _may_be_called(path, name)] or [
+    return [path for path in files if _may_have_name(path, name)] or [
         path for path in files if _is_started_with(path, robot, resolver)
     ]
 
 
 def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:
-    """True if an SRDF lies between several robots and is called like the file of another one.
+    """True if an SRDF has the name of another robot's file in the same directory.
 
-    A file that the robot names is a part of it, and not another robot.
+    A file that the robot refers to is a part of it, not another robot.
     """
     own, directory = os.path.basename(robot), os.path.dirname(os.path.abspath(robot))
     stem = os.path.basename(srdf).partition(".")[0]
@@ -81,7 +81,7 @@ def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:
 
 
 def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
-    """True if a launch file next to an SRDF names it and the robot for MoveIt."""
+    """True if a launch file in the package of an SRDF passes it with the robot to MoveIt."""
     directory = os.path.join(os.path.dirname(os.path.dirname(srdf)), "launch")
     for name in resolver.directories.entries(directory) or ():
         if name.endswith(".launch.py"):
@@ -93,38 +93,36 @@ def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
 
 
 def _is_for_tests(robot: str, package: tuple[str, str] | None) -> bool:
-    """True for a robot in a test directory of a package, which may be wrong on purpose."""
+    """True for a robot in a test directory of a package, which may be wrong intentionally."""
     if package is None:
         return False
     inside = os.path.relpath(os.path.abspath(robot), package[1])
     return not {"test", "tests"}.isdisjoint(inside.split(os.sep))
 
 
-def _may_be_called(srdf: str, name: str) -> bool:
-    """True unless an SRDF is plainly of a robot of another name, as its head shows."""
-    head = (
-        read_head(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
-    )
-    called = head.replace("'", '"').partition('name="')[2]
-    return called.startswith((f'{name}"', "$"))
+def _may_have_name(srdf: str, name: str) -> bool:
+    """True if the robot of an SRDF has a name, or its name is an expression."""
+    text = read_head(srdf, 20_000).decode("utf-8", "replace")
+    head = text.partition("<robot")[2].partition(">")[0]
+    return head.replace("'", '"').partition('name="')[2].startswith((f'{name}"', "$"))
 
 
 def srdf_in(directories: Iterable[str], resolver: Resolver) -> Iterator[str]:
-    """The SRDF files of some directories."""
-    for place in directories:
-        for name in sorted(resolver.directories.entries(place) or ()):
+    """The SRDF files in directories."""
+    for directory in directories:
+        for name in sorted(resolver.directories.entries(directory) or ()):
             if name.endswith(_SRDF):
-                yield os.path.join(place, name)
+                yield os.path.join(directory, name)
 
 
 def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
-    """The sibling MoveIt packages of a robot's package, and those in a directory of them."""
+    """The MoveIt packages next to a robot's package, also inside a directory of such packages."""
     package = resolver.packages.enclosing(robot)
-    around = os.path.dirname(package[1]) if package else ""
-    if package is None or not resolver.packages.searches(around, robot):
-        return  # what lies there is of another repository
-    for name in resolver.directories.entries(around) or ():
-        directory = os.path.join(around, name)
+    parent = os.path.dirname(package[1]) if package else ""
+    if package is None or not resolver.packages.searches(parent, robot):
+        return  # the parent is outside of the repository
+    for name in resolver.directories.entries(parent) or ():
+        directory = os.path.join(parent, name)
         if "moveit" not in name or directory == package[1]:
             continue
         entries = resolver.directories.entries(directory) or {}
@@ -135,16 +133,15 @@ def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
 
 
 class SetupAssistant(Record):
-    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none."""
+    """Contents of MoveIt's ``.setup_assistant``; all empty if it is missing."""
 
-    #: package and urdf: of the robot's file.
-    package: str = ""
-    urdf: str = ""
-    srdf: str = ""  # of the SRDF, below the package of MoveIt
+    package: str = ""  # of the robot's file
+    urdf: str = ""  # path of the robot's file in its package
+    srdf: str = ""  # path of the SRDF in the MoveIt package
     has_arguments: bool = False  # True if the robot is expanded with arguments
 
     def is_for(self, robot: str, package: tuple[str, str]) -> bool:
-        """True if it was made for a file of a package."""
+        """True if it refers to a robot file of a package."""
         if not self.urdf or self.package != package[0]:
             return False
         return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
@@ -156,19 +153,19 @@ def _setup(directory: str) -> SetupAssistant:
     )
 
     def section(name: str) -> str:
-        found = re.search(_SECTION.format(name), text)
-        return found.group(2) if found else ""
+        match = re.search(_SECTION.format(name), text)
+        return match.group(2) if match else ""
 
-    def entry(inside: str, name: str) -> str:
-        found = re.search(_ENTRY.format(name), inside)
-        return found.group(1) if found else ""
+    def entry(text: str, name: str) -> str:
+        match = re.search(_ENTRY.format(name), text)
+        return match.group(1) if match else ""
 
     urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
     return SetupAssistant(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
 
 
 def _directories(moveit: str, setup: SetupAssistant) -> Iterator[str]:
-    """Where a package of MoveIt keeps its SRDF."""
+    """The directories of a MoveIt package that may contain its SRDF."""
     yield from (os.path.join(moveit, name) for name in ("config", "srdf"))
     if setup.srdf:
         yield os.path.normpath(os.path.join(moveit, os.path.dirname(setup.srdf)))

@@ -1,0 +1,147 @@
+"""References to links and joints that remain where an argument removes their definitions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+
+from urdfkit.core.record import Record
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.source import Source, Span
+
+#: Boolean arguments that are tried with their other value.
+_MOST = 8
+_OTHER = {"true": "false", "false": "true"}
+_TAG = re.compile(
+    rb"""<(/?)xacro:(if|unless)\b((?:[^<>"']|"[^"]*"|'[^']*')*?)(/?)>""",
+)
+_VALUE = re.compile(rb"""\bvalue\s*=\s*(["'])(.*?)\1""", re.DOTALL)
+#: Conditions that decide where a robot runs, not what it has.
+_OF_SIMULATION = re.compile(r"gazebo|gz|ign|sim|^if true$", re.IGNORECASE)
+
+
+class _Condition(Record):
+    """``<xacro:if>`` or ``<xacro:unless>`` in a file."""
+
+    start: int
+    end: int
+    text: str  # such as ``if ${with_camera}``
+
+
+def forgotten_conditions(context: Context) -> Findings:
+    """References that break if an argument has its other boolean value."""
+    booleans = _booleans(context)
+    root = context.document.root
+    suspects = {attribute.value for attribute in _suspects(root)} if booleans else set()
+    for argument, value in booleans if suspects else ():
+        values = {**context.arguments, argument: value}
+        other = context.other_robot(context.source.path, values).reading.document
+        if other is None:
+            continue
+        lost = suspects - {at.value for at in _definitions(other.root)}
+        blocks: dict[object, list[Attribute]] = {}
+        for attribute in _references(other.root) if lost else ():
+            if attribute.value in lost:
+                blocks.setdefault(_block(attribute), []).append(attribute)
+        for first, *more in blocks.values():
+            yield _finding(root, first, len(more), f"{argument} is {value}")
+        suspects -= lost
+
+
+def _booleans(context: Context) -> list[tuple[str, str]]:
+    """The arguments that are true or false, each with its other value."""
+    defaults = context.xacro.defaults
+    values = {name: context.arguments.get(name, text) for name, text in defaults.items()}
+    others = [(name, _OTHER.get(text.strip().lower())) for name, text in values.items()]
+    return [(name, other) for name, other in others if other][:_MOST]
+
+
+def _suspects(root: Element) -> Iterator[Attribute]:
+    """References with fewer conditions than the definition of the same name."""
+    defined = {at.value: _conditions(at.element) for at in _definitions(root)}
+    if not any(defined.values()):
+        return
+    for attribute in _references(root):
+        needed = defined.get(attribute.value)
+        if needed and _conditions(attribute.element) < needed:
+            yield attribute
+
+
+def _definitions(root: Element) -> Iterator[Attribute]:
+    for element in root.children:
+        if element.tag in ("link", "joint") and "name" in element.attributes:
+            yield element.attributes["name"]
+
+
+def _references(root: Element) -> Iterator[Attribute]:
+    """The names of links and joints that joints, ros2_control and Gazebo require."""
+    for element in root.children:
+        keys = {"joint": ("parent", "child", "mimic"), "ros2_control": ("joint",)}
+        for child in element.children if element.tag in keys else ():
+            key = {"mimic": "joint", "joint": "name"}.get(child.tag, "link")
+            if child.tag in keys[element.tag] and key in child.attributes:
+                yield child.attributes[key]
+        if element.tag == "gazebo" and "reference" in element.attributes and element.children:
+            yield element.attributes["reference"]
+
+
+def _conditions(element: Element) -> frozenset[str]:
+    """The conditions around an element and around the calls that led to it."""
+    places: list[Span] = [element.span]
+    frame: CallFrame | None = element.frame
+    while frame is not None:
+        places.append(frame.call.span)
+        frame = frame.outer
+    return frozenset(
+        condition.text
+        for place in places
+        for condition in _in_source(place.source)
+        if condition.start <= place.start < condition.end
+        if not _OF_SIMULATION.search(condition.text)
+    )
+
+
+@lru_cache(maxsize=64)
+def _in_source(source: Source) -> tuple[_Condition, ...]:
+    found: list[_Condition] = []
+    opened: list[tuple[int, str]] = []
+    for tag in _TAG.finditer(bytes(blank_comments(source.data))):
+        if tag.group(1):
+            if opened:
+                start, text = opened.pop()
+                found.append(_Condition(start, tag.end(), text))
+        elif not tag.group(4):
+            value = _VALUE.search(tag.group(3))
+            text = value.group(2).decode("utf-8", "replace").strip() if value else ""
+            opened.append((tag.start(), f"{tag.group(2).decode()} {text}"))
+    return tuple(found)
+
+
+def _block(attribute: Attribute) -> object:
+    """Key of the references that one finding reports."""
+    element = attribute.element
+    return attribute.value if element.tag == "gazebo" else id(element.parent)
+
+
+def _finding(root: Element, attribute: Attribute, more: int, condition: str) -> Finding:
+    """A reference to what is not there.
+
+    Args:
+        more: the number of others in the same block.
+    """
+    element, name = attribute.element, attribute.value
+    defined = next(at for at in _definitions(root) if at.value == name)
+    is_gazebo = element.tag == "gazebo"
+    block = "joint" if element.tag in ("parent", "child", "mimic") else element.tag
+    others = f"; {more} more in the same block" if more and not is_gazebo else ""
+    outcome = ": Gazebo ignores it" if is_gazebo else ""
+    return Finding(
+        Location(attribute.span, element.frame),
+        f"there is no '{name}' if {condition}, but <{element.tag}> names it{others}{outcome}",
+        f"put the <{block}> behind the condition of '{name}'",
+        related=(Related(defined.span, "it is defined here"),),
+        severity=Severity.INFO if is_gazebo else None,
+    )

@@ -1,0 +1,17 @@
+"""Elements of a robot as trees of the standard library, which can be changed and written."""
+
+from xml.etree.ElementTree import Element as Tag
+from xml.etree.ElementTree import SubElement
+
+from urdfkit.text.document import Element
+
+
+def copied(element: Element) -> Tag:
+    root = Tag("")
+    stack = [(element, root)]
+    while stack:
+        one, parent = stack.pop()
+        tag = SubElement(parent, one.tag, {name: at.value for name, at in one.attributes.items()})
+        tag.text = one.text.strip() or None
+        stack += [(child, tag) for child in reversed(one.children)]
+    return root[0]

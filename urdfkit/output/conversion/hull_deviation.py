@@ -1,0 +1,54 @@
+"""How far the convex hulls that collide are from the meshes of the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfkit.lint.context import Context
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.robot.model import Body
+
+#: Points on a hull whose distance from the mesh is measured.
+_SAMPLES = 500
+#: Distance in m below which a mesh counts as convex.
+_CONVEX = 1e-5
+
+
+def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) -> None:
+    """Record the collisions that become convex hulls, and the distance from their meshes."""
+    notes: dict[object, float | None] = {}
+    for body in collisions:
+        shape = body.shape
+        if shape is None or shape.filename is None:
+            continue
+        key = shape.filename.value, shape.scale
+        if key not in notes:
+            notes[key] = _deviation(robot, body)
+        deviation = notes[key]
+        if deviation is None:
+            losses.approximate(shape.at, "its convex hull collides")
+        elif deviation <= _CONVEX:
+            losses.keep(shape.at, "its convex hull collides, which equals it")
+        else:
+            what = f"its convex hull collides, about {deviation * 1e3:.3g} mm outside of the mesh"
+            losses.approximate(shape.at, what)
+
+
+def _deviation(robot: Context, body: Body) -> float | None:
+    """Greatest distance in m of points on the hull of a mesh from it; None without a hull."""
+    # These libraries take longer to import than many robots to convert.
+    from urdfkit.mesh.convex_hull import NoHull, hull
+    from urdfkit.mesh.distance import sample_surface, to_surface
+    from urdfkit.mesh.repair.soup import soup_of
+    from urdfkit.robot.assets.geometry import body_mesh
+
+    mesh = body_mesh(robot, body)
+    if mesh is None or not len(mesh.faces):
+        return None
+    try:
+        shell = hull(mesh)
+    except NoHull:
+        return None
+    points, _ = sample_surface(shell.vertices[shell.faces], _SAMPLES)
+    surface = soup_of(mesh)
+    return float(to_surface(points, surface.points, surface.faces).max(initial=0.0))

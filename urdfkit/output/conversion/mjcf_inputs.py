@@ -1,0 +1,94 @@
+"""Settings of MuJoCo in a URDF: ``<mujoco>``, and those of mujoco_ros2_control."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+from xml.etree.ElementTree import tostring
+
+import mujoco
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.output.conversion.element_copy import copied
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.text.document import Element
+
+_MASSES = "it changes masses, and the conversion writes those of the robot"
+_FILES = "the conversion finds and copies the files"
+#: Why attributes of ``<compiler>`` are lost: they are for MuJoCo's reader of URDF.
+_COMPILER = {
+    **dict.fromkeys(("balanceinertia", "boundinertia", "boundmass", "inertiafromgeom"), _MASSES),
+    **dict.fromkeys(("inertiagrouprange", "settotalmass"), _MASSES),
+    **dict.fromkeys(("assetdir", "meshdir", "strippath", "texturedir"), _FILES),
+    "fusestatic": "--fixed keep or merge decides",
+    "discardvisual": "visuals become geoms that do not collide",
+}
+_MERGED = "mujoco_ros2_control merges it into the MJCF; urdfkit does not"
+
+
+def add_options(made: MjcfRobot, robot: Context) -> None:
+    """Apply the options and the memory that the URDF sets, and record what becomes of the rest.
+
+    Raises:
+        UrdfkitError: MuJoCo rejects one of them.
+    """
+    root = robot.document.root
+    for element, spec in _read(robot):
+        if element.tag == "option":
+            made.spec.option = spec.option
+        elif "memory" in element.attributes:
+            made.spec.memory = spec.memory
+        _keep(made.losses, element)
+    block = root.child("mujoco")
+    compiler = block.child("compiler") if block else None
+    for name, attribute in compiler.attributes.items() if compiler else ():
+        if name in _COMPILER:
+            made.losses.lose(attribute, _COMPILER[name])
+    inputs = root.child("mujoco_inputs")
+    raw = inputs.child("raw_inputs") if inputs else None
+    for child in (*(inputs.children if inputs else ()), *(raw.children if raw else ())):
+        if child.tag not in ("raw_inputs", "option"):
+            made.losses.lose(child, _MERGED)
+
+
+def _keep(losses: LossTable, element: Element) -> None:
+    """Record an ``<option>`` or ``<size>`` and the blocks around it."""
+    for part in element.walk():
+        losses.keep(part, element.tag)
+        for attribute in part.attributes.values():
+            if element.tag == "option" or attribute.name == "memory":
+                losses.keep(attribute, element.tag)
+    block = element.parent
+    while block is not None and block.tag != "robot":
+        losses.approximate(block, "its options and memory alone")
+        block = block.parent
+
+
+def expected_options(robot: Context) -> Any:
+    """The `mujoco.MjOption` of a model with the options that the URDF sets."""
+    spec = mujoco.MjSpec()
+    for element, read in _read(robot):
+        if element.tag == "option":
+            spec.option = read.option
+    return spec.compile().opt
+
+
+def _read(robot: Context) -> Iterator[tuple[Element, Any]]:
+    """Elements with options or sizes, each with a specification that has all options so far."""
+    root = robot.document.root
+    inputs = root.child("mujoco_inputs")
+    before = ""
+    for block in (root.child("mujoco"), inputs.child("raw_inputs") if inputs else None):
+        for element in block.children if block else ():
+            if element.tag not in ("option", "size"):
+                continue
+            before += tostring(copied(element), encoding="unicode")
+            try:
+                yield element, mujoco.MjSpec.from_string(f"<mujoco>{before}</mujoco>")
+            except ValueError as error:
+                what = " ".join(str(error).partition("\n")[0].split())
+                raise UrdfkitError(
+                    f"{element.span}: MuJoCo rejects <{element.tag}>: {what}; correct it"
+                ) from error

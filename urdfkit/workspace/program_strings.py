@@ -1,0 +1,81 @@
+"""Search for string literals in programs of a workspace, such as XML tags that they read."""
+
+import os
+import re
+from collections.abc import Collection, Iterable, Iterator
+from itertools import islice
+
+from urdfkit.text.file_kinds import is_launch
+from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.resolve import Resolver
+
+#: Bounds of the search.
+MAX_FILES, MAX_BYTES = 1000, 200_000
+
+_MANIFEST = os.sep + "package.xml"
+_SUFFIXES = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py")
+#: Names of XML libraries and functions.
+_READS_XML = rb"tinyxml|firstchildelement|elementtree|minidom|lxml|pugi"
+
+
+def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
+    """The source files of programs that read XML and contain a tag as a string, by tag.
+
+    The package of a file is searched, the packages next to it, such as the driver of a robot, and
+    the dependencies in its ``package.xml``, if their directories have these names.
+
+    Args:
+        near: path of the file; a file without a package is not searched for.
+        resolver: finds the workspace, and decides which files may be read.
+    """
+    readers: dict[str, str] = {}
+    for path, data, strings in _files_with_strings(tags, rb"[./]*", near, resolver):
+        if not strings <= readers.keys() and re.search(_READS_XML, data.lower()):
+            readers = dict.fromkeys(strings, path) | readers
+    return readers
+
+
+def strings_in_programs(words: Collection[str], near: str, resolver: Resolver) -> set[str]:
+    """The words that a program of a workspace, not a launch file, contains as a string.
+
+    Args:
+        words: such as the names of frames.
+        near: path of a file in the workspace that is searched.
+        resolver: finds the workspace, and decides which files may be read.
+    """
+    if not words:
+        return set()
+    files = _files_with_strings(words, b"/?", near, resolver)
+    return {word for path, _, strings in files if not is_launch(path) for word in strings}
+
+
+def _files_with_strings(
+    words: Iterable[str], prefix: bytes, near: str, resolver: Resolver
+) -> Iterator[tuple[str, bytes, set[str]]]:
+    """The source files that contain words as strings, their text, and these words."""
+    encoded = [word.encode() for word in words]
+    quoted = rb"""(["'])""" + prefix + b"(" + b"|".join(map(re.escape, encoded)) + rb""")\1"""
+    for path in filter(resolver.admits, islice(_sources(near, resolver), MAX_FILES)):
+        data = read_head(path, MAX_BYTES)
+        if not any(word in data for word in encoded):
+            continue  # most files; the pattern is then not compiled
+        if strings := {match[2].decode() for match in re.finditer(quoted, data)}:
+            yield path, data, strings
+
+
+def _sources(near: str, resolver: Resolver) -> Iterator[str]:
+    """The source files in the packages that are searched for a file."""
+    packages, manifest = resolver.packages, manifest_of(resolver, near)
+    if manifest is None:
+        return
+    package = os.path.dirname(manifest.path)
+    parent = os.path.dirname(package)
+    tops = [parent if packages.searches(parent, near) else package]
+    for name in sorted(manifest.dependencies):
+        tops += packages.siblings_named(name, near)
+    files = dict.fromkeys(path for top in tops for path in resolver.directories.walk(top))
+    directories = tuple(path[: 1 - len(_MANIFEST)] for path in files if path.endswith(_MANIFEST))
+    for path in files:
+        if path.endswith(_SUFFIXES) and path.startswith(directories):
+            yield path
