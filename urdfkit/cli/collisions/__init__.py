@@ -72,9 +72,9 @@ def command(
 
     comparison = compared(matrix, given) if given else None
     if srdf == "-":
-        from urdfkit.physics.collision.srdf_matrix import written
+        from urdfkit.physics.collision.srdf_matrix import new_srdf
 
-        text = written(matrix).decode()
+        text = new_srdf(matrix).decode()
     elif form == "json":
         text = dumped(shown.as_json(matrix, comparison))
     else:
