@@ -64,7 +64,7 @@ def test_a_cancelled_check_ends_before_the_next_rule_and_changes_nothing() -> No
     with pytest.raises(Cancelled):
         file.workspace.check(file.path, is_cancelled=is_cancelled)
     assert asked == [False, False, True]
-    assert list(file.workspace._diagnostics_in(file.path)) == before.diagnostics[file.path]
+    assert list(file.workspace._findings(file.path)) == before.diagnostics[file.path]
     assert codes(file.workspace.check(file.path), MISSION) != codes(before, MISSION)
 
 

@@ -30,7 +30,7 @@ def names(*sources: Path | str, below: Path) -> list[str]:
 def problem(source: Path) -> str:
     """Why a source cannot be read."""
     (model,) = models([str(source)])
-    assert model.name == str(source) or "names itself" in model.problem
+    assert model.name == str(source) or "contains itself" in model.problem
     return model.problem
 
 
@@ -105,7 +105,7 @@ def test_an_archive_names_no_file_outside_of_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", ["some.txt\n", "*.txt\n", "a\0b\n"])
 def test_a_list_that_has_no_end_or_is_none(zoo: Path, text: str) -> None:
     (zoo / "some.txt").write_text(text)
-    assert re.search("names itself|not a list", problem(zoo / "some.txt"))
+    assert re.search("contains itself|not a list", problem(zoo / "some.txt"))
 
 
 def test_entries_of_a_list_that_cannot_be_read_are_rows(zoo: Path) -> None:

@@ -73,4 +73,4 @@ def test_the_command_prints_and_writes_a_page(
 
 def test_no_results_are_an_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["scan", "summary", str(tmp_path)]) == 2
-    assert "holds no results of a scan" in capsys.readouterr().err
+    assert "contains no results of a scan" in capsys.readouterr().err

@@ -245,11 +245,7 @@ def _grammar(here: Cursor) -> Iterator[str]:
 
 def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
     """The explanations of the rules with findings at an offset, or in an ignore comment there."""
-    codes = [
-        diagnostic.code
-        for diagnostic in diagnostics
-        if diagnostic.span.start <= offset <= max(diagnostic.span[1:])
-    ]
+    codes = [each.code for each in diagnostics if each.span.start <= offset <= max(each.span[1:])]
     for comment in ignores(page.source):
         codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
     for code in list(dict.fromkeys(codes))[:MAX_SHOWN]:

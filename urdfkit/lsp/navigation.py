@@ -43,7 +43,7 @@ def references(robot: OpenRobot, page: Page, offset: int, *, definitions: bool) 
         return []
     same = robot.names.occurrences(name)
     own = [use.span for use in same if definitions or not use.is_definition]
-    return own + _references_in_package(robot, name, same)
+    return own + _package_uses(robot, name, same)
 
 
 def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
@@ -57,7 +57,7 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
     return NameUse(kind, span.text, span, False, nodes[0]) if nodes else None
 
 
-def _references_in_package(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
+def _package_uses(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
     """References to a link or joint in other files of the package."""
     kinds = {use.kind for use in same if use.is_definition} & {"link", "joint"}
     if not kinds:
@@ -165,6 +165,5 @@ def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
     if new in robot.defined(*kinds):
         raise CannotRename(f"there is already a {name.kind} '{new}'")
     return [
-        Edit(span, new)
-        for span in (*(use.span for use in same), *_references_in_package(robot, name, same))
+        Edit(span, new) for span in (*(use.span for use in same), *_package_uses(robot, name, same))
     ]

@@ -38,7 +38,7 @@ Result = TypeVar("Result")
 #: Seconds without a change after which a text is checked.
 DEBOUNCE = 0.03
 #: Files that a check may read.
-WATCHED_FILES = (
+WATCHED = (
     "**/{package.xml,urdfkit.toml,pyproject.toml,"
     "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,launch.py,stl,dae,obj,ply,glb,gltf}}"
 )
@@ -107,12 +107,8 @@ class Server(LanguageServer):
     @property
     def supports_snippets(self) -> bool:
         """True if completions may contain a placeholder for the cursor."""
-        capabilities = self.client_capabilities.text_document
-        items = (
-            capabilities.completion.completion_item
-            if capabilities and capabilities.completion
-            else None
-        )
+        text = self.client_capabilities.text_document
+        items = text.completion.completion_item if text and text.completion else None
         return bool(items and items.snippet_support)
 
     def watch(self) -> None:
@@ -121,9 +117,7 @@ class Server(LanguageServer):
         watching = workspace.did_change_watched_files if workspace else None
         if not (watching and watching.dynamic_registration):
             return
-        options = lsp.DidChangeWatchedFilesRegistrationOptions(
-            [lsp.FileSystemWatcher(WATCHED_FILES)]
-        )
+        options = lsp.DidChangeWatchedFilesRegistrationOptions([lsp.FileSystemWatcher(WATCHED)])
         method = lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES
         registration = lsp.Registration("parts", method, options)
         self.client_register_capability(lsp.RegistrationParams([registration]))

@@ -75,7 +75,7 @@ class Workspace:
         closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
         files = {file for root in closed for file in self._diagnostics.pop(root, ())}
         self.reload()
-        return {file: list(self._diagnostics_in(file)) for file in files}
+        return {file: list(self._findings(file)) for file in files}
 
     def reload(self) -> None:
         self._entries.clear()
@@ -204,9 +204,7 @@ class Workspace:
                 by_file.setdefault(file, []).append(diagnostic)
             self._diagnostics[root] = by_file
         files = files_before | set(self._files()) | {path}
-        return CheckResult(
-            {file: list(self._diagnostics_in(file)) for file in sorted(files)}, failure
-        )
+        return CheckResult({file: list(self._findings(file)) for file in sorted(files)}, failure)
 
     def _check_root(
         self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None
@@ -230,9 +228,7 @@ class Workspace:
         config, _ = self.config(path)
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         fixes = fix(*roots, options=Options(config=config, texts=self.texts))
-        return {
-            os.path.realpath(file.path): Source(file.path, file.after).data for file in fixes.files
-        }
+        return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
     def formatted_text(self, path: str) -> bytes:
         """The text of a file as formatted by ``urdfkit format``.
@@ -246,15 +242,11 @@ class Workspace:
     def _files(self) -> Iterator[str]:
         return (file for by_file in self._diagnostics.values() for file in by_file)
 
-    def _diagnostics_in(self, file: str) -> Iterator[Diagnostic]:
+    def _findings(self, file: str) -> Iterator[Diagnostic]:
         """The findings in a file; a finding of several robots has the message of the first."""
         reported: set[tuple[str, int, int]] = set()
         for by_file in self._diagnostics.values():
-            new = [
-                diagnostic
-                for diagnostic in by_file.get(file, ())
-                if _key(diagnostic) not in reported
-            ]
+            new = [each for each in by_file.get(file, ()) if _key(each) not in reported]
             reported.update(map(_key, new))
             yield from new
 
@@ -263,7 +255,7 @@ class Workspace:
         text = self.texts.get(path)
         return [
             diagnostic
-            for diagnostic in self._diagnostics_in(path)
+            for diagnostic in self._findings(path)
             if text is None or diagnostic.span.source.data == Source(path, text).data
         ]
 

@@ -1,7 +1,4 @@
-"""Robot models: kinematic tree, frames, inertias, shapes and meshes.
-
-The protocols are the input of computations on a robot.
-"""
+"""Robot models: tree, frames, inertias, shapes and meshes; protocols for computations on them."""
 
 from __future__ import annotations
 

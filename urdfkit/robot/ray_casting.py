@@ -53,10 +53,7 @@ def shape_of(body: Body, at: Transform) -> Primitive | None:
 def intervals(
     shape: Primitive, directions: Iterable[Vector]
 ) -> Iterator[tuple[float, float] | None]:
-    """Distances at which rays from the origin enter and leave a shape; negative behind the origin.
-
-    None for rays that miss the shape.
-    """
+    """Entry and exit distances of rays from the origin, negative behind it; None for a miss."""
     frame = shape.origin.inverse
     start = frame.position
     for direction in directions:

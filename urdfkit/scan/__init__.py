@@ -1,1 +1,1 @@
-"""Checks of whole collections of models: rows in files, one process to crash, to be resumed."""
+"""Checks of whole model collections: results in files, crashes isolated, runs resumable."""

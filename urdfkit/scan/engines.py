@@ -1,4 +1,4 @@
-"""What runs a scan: processes of this machine, or Dask. Both ask the same `Isolated`."""
+"""Engines of a scan: local processes, or Dask. Both use `Isolated`."""
 
 import threading
 from collections.abc import Iterable, Iterator
@@ -13,20 +13,20 @@ from urdfkit.scan.isolated import Isolated, Settings
 from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow
 
-#: Models of one task of Dask: some tenths of a second. A scan that is killed repeats them.
+#: Models of a Dask task: some tenths of a second. A killed scan repeats them.
 BATCH = 50
-#: Tasks for each processor that wait or run, so that none is idle and no list grows.
+#: Waiting and running tasks per processor: enough to keep it busy, few enough for memory.
 _AHEAD = 3
 
 
 def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[ModelRow]:
-    """The rows of models, as they are done by processes of this machine.
+    """The rows of models in the order of completion, from processes of this machine.
 
     Args:
-        jobs: how many processes.
+        jobs: number of processes.
 
     Raises:
-        UrdfkitError: a process cannot start, or does not understand the options.
+        UrdfkitError: a process cannot start or rejects the options.
     """
     processes = [Isolated(settings) for _ in range(jobs)]
     idle: SimpleQueue[Isolated] = SimpleQueue()
@@ -47,35 +47,34 @@ def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[Mo
             waiting.add(pool.submit(check, model))
             if len(waiting) >= _AHEAD * jobs:
                 done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-                yield from (one.result() for one in done)
+                yield from (task.result() for task in done)
         while waiting:
             done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
-            yield from (one.result() for one in done)
+            yield from (task.result() for task in done)
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:
-            process.end()  # the threads wait for these
+            process.end()  # for which the threads wait
         pool.shutdown()
         for process in processes:
-            process.end()  # one may have begun in between
+            process.end()  # a thread may have started it again in between
 
 
 def dask(
     models: Iterable[Model], settings: Settings, jobs: int, address: str = ""
 ) -> Iterator[ModelRow]:
-    """The rows of models, as they are done by the workers of Dask.
+    """The rows of models in the order of completion, from Dask workers.
 
-    A worker that dies is replaced by Dask, which gives its tasks to others.
+    Dask replaces a worker that dies, and gives its tasks to others.
 
     Args:
-        models: on a disk that all workers see under the same path.
-        jobs: how many workers a cluster on this machine has.
-        address: of a scheduler; that of a new cluster on this machine if empty.
+        models: on a disk with the same path for all workers.
+        jobs: number of workers of a cluster on this machine.
+        address: of a scheduler; empty for a new cluster on this machine.
 
     Raises:
         MissingLibrary: Dask is not installed.
-        UrdfkitError: no scheduler answers; a process cannot start, or does not understand the
-            options.
+        UrdfkitError: no scheduler answers, or a process cannot start or rejects the options.
     """
     with _dask_client(jobs, address) as client:
         from distributed import as_completed
@@ -83,17 +82,17 @@ def dask(
 
         source = iter(models)
         batches = iter(lambda: list(islice(source, BATCH)), [])
-        given: dict[object, list[Model]] = {}
+        batches_by_task: dict[object, list[Model]] = {}
 
         def submit(count: int) -> Iterator[object]:
             for batch in islice(batches, count):
                 task = client.submit(check_batch, batch, settings, pure=False)
-                given[task.key] = batch
+                batches_by_task[task.key] = batch
                 yield task
 
         tasks = as_completed(list(submit(_AHEAD * max(1, sum(client.nthreads().values())))))
         for task in tasks:
-            batch = given.pop(task.key)
+            batch = batches_by_task.pop(task.key)
             try:
                 rows = task.result()
             except KilledWorker:
@@ -106,21 +105,21 @@ def dask(
 def _dask_client(jobs: int, address: str) -> Any:
     with needing("--engine dask", "scan"):
         from distributed import Client
-    here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
+    local_cluster = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
     try:
-        return Client(address) if address else Client(**here)
+        return Client(address) if address else Client(**local_cluster)
     except (OSError, ValueError) as error:
         raise UrdfkitError(f"no Dask scheduler at '{address}': {error}") from error
 
 
-_of_thread = threading.local()
+_thread_data = threading.local()
 
 
 def check_batch(models: list[Model], settings: Settings) -> list[ModelRow]:
-    """The rows of some models; a thread of a Dask worker keeps its process for the next ones."""
-    kept: tuple[Settings, Isolated] | None = getattr(_of_thread, "kept", None)
+    """The rows of models; a thread of a Dask worker reuses its process."""
+    kept: tuple[Settings, Isolated] | None = getattr(_thread_data, "kept", None)
     if kept is None or kept[0] != settings:
         if kept is not None:
             kept[1].end()
-        kept = _of_thread.kept = (settings, Isolated(settings))
+        kept = _thread_data.kept = (settings, Isolated(settings))
     return [kept[1].check(model) for model in models]

@@ -1,8 +1,8 @@
-"""A process that checks models, and that any of them may kill: by a crash, a hang, or its size.
+"""A process that checks models, and that a crash, a hang or memory use of a model may kill.
 
-Of the standard pools, `concurrent.futures` has no limit of time for a task, and loses all its
+Among the standard pools, `concurrent.futures` has no time limit for a task, and loses all its
 processes with one of them; pebble has both, but its licence is the LGPL; billiard cannot start
-from a process of Dask, which is daemonic. This one is a process and two pipes.
+from a Dask process, which is daemonic. This pool is a process and two pipes.
 """
 
 from __future__ import annotations
@@ -19,21 +19,21 @@ from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
-#: Models after which a new process begins, so that nothing that it keeps adds up.
+#: Models after which the process is replaced, so that leaks do not add up.
 _MODELS = 2000
 
 
 class Settings(Record):
-    """How models are checked."""
+    """Settings of the checks of a scan."""
 
     options: Options  # of the check
-    seconds: float = 60.0  # that a model may take
-    #: Address space that a process may take, in bytes; Windows has no such limit.
+    seconds: float = 60.0  # time limit of a model
+    #: Limit of the address space of a process, in bytes; not available on Windows.
     memory: int = 4 * 2**30
 
 
 class Isolated:
-    """Checks models in a process of its own; use it in a ``with`` statement."""
+    """Checks models in a separate process; a context manager."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -47,10 +47,10 @@ class Isolated:
         self.end()
 
     def check(self, model: Model) -> ModelRow:
-        """The row of a model, whatever happens to the process.
+        """The row of a model, even if the process dies.
 
         Raises:
-            UrdfkitError: the process cannot start, or does not understand the options.
+            UrdfkitError: the process cannot start or rejects the options.
         """
         if self._left == 0:
             self._start()
@@ -85,7 +85,8 @@ class Isolated:
         return self._process.receive()
 
     def _death(self, model: Model, seconds: float) -> ModelRow:
-        code = self._process.exit_code() if self._process else 0  # none: `end` was called meanwhile
+        # Another thread may have called `end`.
+        code = self._process.exit_code() if self._process else 0
         self.end()
         limit = self._settings.seconds
         if seconds >= limit:
@@ -97,11 +98,11 @@ class Isolated:
 
 
 def main() -> None:
-    """Check what standard input names until it ends, which it does when the caller dies."""
+    """Check the models from standard input until it ends, which it does when the parent dies."""
     import faulthandler
     import signal
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the caller hears Ctrl-C, too
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
     parent = Parent()
     received = parent.received()
     settings: Settings = next(received)
@@ -114,7 +115,7 @@ def main() -> None:
     parent.send(None)
     resolver = Resolver(options.packages)
     for model in received:
-        # A thread of C, which no loop in native code holds up.
+        # A native thread: loops in native code do not block it.
         faulthandler.dump_traceback_later(settings.seconds, exit=True)
         row = check_model(model, options, resolver)
         faulthandler.cancel_dump_traceback_later()

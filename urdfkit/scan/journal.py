@@ -1,4 +1,4 @@
-"""The results of a scan on disk: a line of JSON for every model, as soon as it is done."""
+"""Results of a scan on disk: a JSON line for each model, written as soon as it is checked."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from urdfkit.core import atomic
 from urdfkit.errors import UnreadableFile, UnwritableFile
 from urdfkit.scan.rows import ModelRow
 
-#: Names of files in the directory of results.
+#: Files in the results directory.
 SETTINGS, RESULTS = "scan.json", "results.jsonl"
-#: What each model has.
+#: Keys of each line.
 _COLUMNS = frozenset(ModelRow._fields)
 
 
 class Journal:
-    """Where the rows of a scan go; use it in a ``with`` statement.
+    """Writer of the rows of a scan, as a context manager.
 
-    A run that is killed leaves whole lines, and perhaps the beginning of one more, which is cut
-    off: the next run goes on behind them.
+    A killed run leaves whole lines and perhaps an incomplete one, which the next run truncates
+    before it appends.
 
     Attributes:
-        done: the names of the models that have a line.
+        done: names of the models that have a line.
 
     Raises:
-        UnwritableFile: it cannot be written, another scan is writing it, or it holds a scan with
-            other options.
+        UnwritableFile: the file cannot be written, another scan is writing it, or the directory
+            contains a scan with other options.
     """
 
     def __init__(self, directory: str, options: dict[str, Any]) -> None:
@@ -59,7 +59,7 @@ class Journal:
         Raises:
             UnwritableFile: the disk is full.
         """
-        content = {**row._asdict(), "findings": [found._asdict() for found in row.findings]}
+        content = {**row._asdict(), "findings": [finding._asdict() for finding in row.findings]}
         try:
             self._file.write(json.dumps(content).encode() + b"\n")
             self._file.flush()  # so that the row is on disk if the process is killed
@@ -68,10 +68,10 @@ class Journal:
 
 
 def rows(directory: str) -> Iterator[dict[str, Any]]:
-    """The models of a scan, each with its ``findings``, in the order in which they were done.
+    """The models of a scan with their ``findings``, in the order of completion.
 
     Raises:
-        UnreadableFile: the directory holds no scan.
+        UnreadableFile: the directory does not contain a scan.
     """
     path = os.path.join(directory, RESULTS)
     try:
@@ -79,7 +79,7 @@ def rows(directory: str) -> Iterator[dict[str, Any]]:
             yield from _lines(file)
     except OSError as error:
         raise UnreadableFile(
-            f"{directory}: holds no results of a scan ({error.strerror})"
+            f"{directory}: contains no results of a scan ({error.strerror})"
         ) from error
 
 
@@ -91,7 +91,7 @@ def _lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
 
 
 def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
-    """The lines of a file, which is then without the beginning of another one."""
+    """The lines of a file; an incomplete last line is truncated."""
     file.seek(0)
     end = 0
     for line in file:
@@ -103,37 +103,37 @@ def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
 
 
 def _row(line: bytes, path: str) -> dict[str, Any]:
-    """A model as `Journal.write` has written it."""
+    """A model as written by `Journal.write`."""
     try:
         row = json.loads(line)
     except (ValueError, RecursionError):
         row = None
     if not isinstance(row, dict) or not row.keys() >= _COLUMNS:
-        raise UnreadableFile(f"{path}: holds no results of a scan by this version of urdfkit")
+        raise UnreadableFile(f"{path}: contains no results of a scan by this version of urdfkit")
     return row
 
 
 def _claim(directory: str, options: dict[str, Any]) -> None:
-    """Note the options of a scan; those of one that goes on must be the same."""
+    """Write the options of a scan; a resumed scan must have the same options."""
     path = os.path.join(directory, SETTINGS)
     text = json.dumps(options, indent=1, sort_keys=True) + "\n"
     try:
         with open(path, encoding="utf-8") as file:
-            known = file.read()
+            existing = file.read()
     except FileNotFoundError:
         atomic.write(path, text.encode())
         return
     except (OSError, UnicodeDecodeError) as error:
         raise UnwritableFile(f"{path}: {error}") from error
-    if known != text:
+    if existing != text:
         raise UnwritableFile(
-            f"{directory}: holds a scan with other options or by another version (see {path}); "
+            f"{directory}: contains a scan with other options or by another version (see {path}); "
             "remove it, or pass another directory"
         )
 
 
 def _lock(file: BinaryIO, path: str) -> None:
-    """Keep other scans from a file until it is closed; the system does so, also after a kill."""
+    """Lock a file against other scans until it is closed or the process ends."""
     try:
         import fcntl
     except ImportError:  # Windows

@@ -1,4 +1,4 @@
-"""The models that the sources of a scan stand for, one after another."""
+"""The models of the sources of a scan, one after another."""
 
 from __future__ import annotations
 
@@ -31,23 +31,23 @@ if TYPE_CHECKING:
 
 try:
     from lzma import LZMAError
-except ImportError:  # this Python reads no such archives
+except ImportError:  # Python without lzma
 
     class LZMAError(Exception):  # type: ignore[no-redef]
         pass
 
 
-#: What a directory or an archive stands for: every file with one of these suffixes.
+#: Suffixes of the models in a directory or an archive.
 SUFFIXES = (".urdf", ".urdf.xacro")
-#: Other xacro files of a directory are robots if the root has a name, which no library needs.
+#: Other xacro files are robots if the root has a name, which libraries do not need.
 _NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
 _LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
-#: Bytes that archives of few bytes may hold, and how many times their own size others may.
+#: Limit of the extracted bytes of a small archive, and of the compression ratio of others.
 _LARGE, _MOST_TIMES = 2 * 10**9, 100
-#: What holds a long name or other facts about the next member of a tar, and their bytes at most.
+#: Headers of the next member of a tar, such as a long name, and their largest size in bytes.
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE,
     tarfile.SOLARIS_XHDTYPE,
@@ -56,10 +56,10 @@ _LARGEST_HEADER = 2**20
 
 
 class _HugeHeader(Exception):
-    """Nothing that describes a file is as large."""
+    """A header is larger than any valid one."""
 
 
-#: What a damaged or encrypted archive raises.
+#: Errors of damaged or encrypted archives.
 _UNREADABLE = (
     OSError, EOFError, RuntimeError, ValueError, IndexError, MemoryError,
     tarfile.TarError, zipfile.BadZipFile, zlib.error, LZMAError, _HugeHeader,
@@ -67,26 +67,26 @@ _UNREADABLE = (
 
 
 class Model(Record):
-    """A description of a collection."""
+    """A description in a collection."""
 
-    #: By which it is known in the results: the path as the source gives it; of a member of an
-    #: archive, the path of the archive and that in it.
+    #: Name in the results: the path as in the source; for a member of an archive, the path of the
+    #: archive joined with the path in it.
     name: str
-    path: str  # where it is on disk
-    archive: str = ""  # that it comes from; empty if from none
-    directory: str = ""  # that the archive was extracted to
-    #: Why there is nothing to check, such as a damaged archive; empty otherwise.
+    path: str  # on disk
+    archive: str = ""  # the archive that contains it; empty if none
+    directory: str = ""  # to which the archive was extracted
+    #: Why the model cannot be checked, such as a damaged archive; empty otherwise.
     problem: str = ""
 
 
 def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
-    """The models of some sources; those in archives without a path as yet.
+    """The models of sources; models in archives have no path yet.
 
-    A source that cannot be read is one model with the problem: the scan goes on with the others.
+    An unreadable source is a model with a problem: the scan continues with the others.
 
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
-        lists: real paths of the lists that name the sources.
+        lists: real paths of the lists that contain the sources.
     """
     for source in sources:
         try:
@@ -112,14 +112,14 @@ def require_sources(sources: Iterable[str]) -> None:
 def _models_of(source: str, lists: frozenset[str]) -> Iterator[Model]:
     name = source.lower()
     if os.path.isdir(source):
-        found = (path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD)))
-        yield from (Model(path, path) for path in found)
+        paths = (path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD)))
+        yield from (Model(path, path) for path in paths)
     elif os.path.isfile(source) and name.endswith(_ARCHIVES):
         yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
     elif os.path.isfile(source) and name.endswith(_LISTS):
         real = os.path.realpath(source)
         if real in lists:
-            raise UnreadableFile(f"{source}: this list names itself")
+            raise UnreadableFile(f"{source}: this list contains itself")
         yield from models(_listed(source), lists | {real})
     elif _is_glob(source):
         require_sources([source])
@@ -134,7 +134,7 @@ def _is_glob(source: str) -> bool:
 
 
 class _TarMember(tarfile.TarInfo):
-    """A member whose headers are small: tarfile takes them into memory, whatever their size."""
+    """A member with small headers: tarfile reads headers of any size into memory."""
 
     @classmethod
     def frombuf(cls, buf: bytes | bytearray, encoding: str | None, errors: str) -> Self:
@@ -145,9 +145,9 @@ class _TarMember(tarfile.TarInfo):
 
 
 class Extraction:
-    """The archives of a scan, each extracted when its first model is wanted.
+    """The archives of a scan, extracted on demand; a context manager.
 
-    Use it in a ``with`` statement: the files are removed at its end.
+    The extracted files are removed at exit.
     """
 
     def __init__(self) -> None:
@@ -156,17 +156,17 @@ class Extraction:
         self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
-        remove_abandoned()  # a scan that was killed may have nothing left to do
+        remove_abandoned()  # of killed scans
         return self
 
     def __exit__(self, *error: object) -> None:
         self._until_exit.close()
 
     def on_disk(self, model: Model) -> Model:
-        """A model with the path where it is, or with the problem of its archive.
+        """The model with its path on disk, or with the problem of its archive.
 
         Raises:
-            UnwritableFile: its archive is too large for the disk.
+            UnwritableFile: the archive is too large for the disk.
         """
         if not model.archive:
             return model
@@ -192,7 +192,7 @@ def _require_readable(path: str) -> None:
 
 
 def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
-    """True for a file that is a model by its suffix or, if it is another xacro, by its head."""
+    """True for a file that is a model by its suffix or, for another xacro, by its head."""
     name = path.lower()  # SolidWorks writes .URDF
     if name.endswith(SUFFIXES):
         return True
@@ -200,14 +200,14 @@ def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
 
 
 def _listed(path: str) -> Iterator[str]:
-    """The lines of a list; relative paths start at the directory of the list."""
+    """The lines of a list; paths are relative to the directory of the list."""
     directory = os.path.dirname(path)
     try:
         with opened(path) as file:
             while data := file.readline(_LONGEST_LINE):
                 line = data.decode("utf-8").strip()
                 if "\0" in line:
-                    raise ValueError("it holds a NUL")
+                    raise ValueError("it contains a NUL")
                 if line and not line.startswith("#"):
                     yield os.path.join(directory, line)
     except (OSError, ValueError) as error:
@@ -220,20 +220,20 @@ def _members(archive: str) -> Iterator[str]:
     try:
         names = [
             name
-            for name, opens in (_in_tar if is_tar else _in_zip)(archive)
+            for name, opens in (_tar_members if is_tar else _zip_members)(archive)
             if _is_robot(name, partial(_head, opens))
         ]
     except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({_why(error)})") from error
     plain = map(os.path.normpath, names)
-    # What lies outside of the archive is not extracted, and a file of that name is another one.
+    # Paths outside of the archive are not extracted; a file with such a path is another file.
     yield from sorted(
         name for name in plain if not os.path.isabs(name) and name.split(os.sep)[0] != os.pardir
     )
 
 
-def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
-    """The files in an archive, each with what opens it before the next one is asked for."""
+def _tar_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """The files in an archive, each with a function that opens it before the next is requested."""
     size = 0
     with tarfile.open(archive, tarinfo=_TarMember) as tar:
         for member in tar:
@@ -245,10 +245,10 @@ def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]
                 yield member.name, partial(tar.extractfile, member)
 
 
-def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+def _zip_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """Like ``_in_tar``, for a ZIP archive."""
     with zipfile.ZipFile(archive) as packed:
-        _check_ratio(archive, sum(one.file_size for one in packed.infolist()))
+        _check_ratio(archive, sum(member.file_size for member in packed.infolist()))
         for member in packed.infolist():
             if not member.is_dir():
                 yield member.filename, partial(packed.open, member)
@@ -273,7 +273,7 @@ def _extract(archive: str, directory: str) -> None:
                 tar.extractall(directory, filter="data")
         else:
             with zipfile.ZipFile(archive) as packed:
-                _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
+                _check_room(archive, sum(member.file_size for member in packed.infolist()), free)
                 packed.extractall(directory)
     except _UNREADABLE as error:
         message = f"{archive}: cannot be extracted ({_why(error)})"
@@ -286,7 +286,7 @@ def _why(error: Exception) -> str:
 
 
 def _check_ratio(archive: str, size: int) -> None:
-    """Reject what would fill the disk, or never end, for a few bytes."""
+    """Reject archives that would fill the disk."""
     ratio = size / max(os.path.getsize(archive), 1)
     if size > _LARGE and ratio > _MOST_TIMES:
         raise UnreadableFile(

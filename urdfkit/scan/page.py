@@ -1,4 +1,4 @@
-"""A summary of a scan for people: as text, and as one HTML file that opens offline."""
+"""A human-readable summary of a scan, as text and as a self-contained HTML file."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
@@ -15,7 +15,7 @@ td.n, th.n { text-align: right } code { overflow-wrap: anywhere } .error { color
 body { background: #181818; color: #ddd } .error { color: #f77 } .warning { color: #fa4 } }
 """
 
-#: A heading, the names of columns, and rows; numbers are aligned to the right.
+#: A heading, column names, and rows; numbers are right-aligned.
 _Table = tuple[str, Sequence[str], list[tuple[object, ...]]]
 
 
@@ -86,12 +86,12 @@ def _tables(summary: Summary) -> Iterator[_Table]:
         ("fact", "value", "middle half of the models", "model"),
         [
             (
-                one.fact,
-                f"{one.value:.4g} {FACTS[one.fact]}".strip(),
-                f"{one.low:.4g} to {one.high:.4g}",
-                one.model,
+                outlier.fact,
+                f"{outlier.value:.4g} {FACTS[outlier.fact]}".strip(),
+                f"{outlier.low:.4g} to {outlier.high:.4g}",
+                outlier.model,
             )
-            for one in summary.outliers
+            for outlier in summary.outliers
         ],
     )
     yield ("Not checked", ("model", "status", "reason"), list(summary.failures))
@@ -113,7 +113,7 @@ def _html_table(columns: Sequence[str], rows: list[tuple[object, ...]]) -> str:
 def _html_row(row: Iterable[object]) -> str:
     cells = []
     for cell in row:
-        of_class = "n" if _is_number(cell) else str(cell) if cell in ("error", "warning") else ""
-        attribute = f' class="{of_class}"' if of_class else ""
+        css_class = "n" if _is_number(cell) else str(cell) if cell in ("error", "warning") else ""
+        attribute = f' class="{css_class}"' if css_class else ""
         cells.append(f"<td{attribute}>{escape(str(cell))}</td>")
     return f"<tr>{''.join(cells)}</tr>"

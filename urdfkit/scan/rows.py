@@ -1,4 +1,4 @@
-"""What a scan keeps of a model: one row of facts, and one for each finding."""
+"""Rows of a scan: one for each model, and one for each finding."""
 
 from __future__ import annotations
 
@@ -31,46 +31,46 @@ class FindingRow(Record):
     rule: str
     severity: str  # ``error``, ``warning`` or ``info``
     message: str  # one sentence
-    path: str  # of the file; in an archive, below the path of the archive
-    #: line and column: in it, from 1.
+    path: str  # of the file; for a member of an archive, below the path of the archive
+    #: line and column: from 1.
     line: int
     column: int
     element: str  # path of the element after expansion
-    places: int  # how many expansions of a macro it has
+    places: int  # number of macro expansions with the finding
 
 
 class ModelRow(Record):
     """A model."""
 
-    model: str  # its name in the scan
-    #: ``ok``, ``unreadable`` (no file, no XML, does not expand, a damaged archive), ``crashed`` (a
+    model: str  # name in the scan
+    #: ``ok``, ``unreadable`` (no file, not XML, does not expand, a damaged archive), ``crashed`` (a
     #: bug in urdfkit), ``timeout``, ``memory``, or ``died`` (its process was killed).
     status: str
-    reason: str = ""  # why it is not ``ok``
-    hash: str = ""  # SHA-256 of the expanded description and the mesh files that it names
-    robot: str = ""  # the name in it
-    #: links, joints, dof, visuals, collisions: how many.
+    reason: str = ""  # why the status is not ``ok``
+    hash: str = ""  # SHA-256 of the expanded description and its mesh files
+    robot: str = ""  # name of the robot
+    #: links, joints, dof, visuals, collisions: counts.
     links: int | None = None
     joints: int | None = None
     dof: int | None = None
     visuals: int | None = None
     collisions: int | None = None
-    #: meshes and missing: mesh files that were found, and references that lead to none.
+    #: meshes and missing: existing mesh files, and references to missing ones.
     meshes: int | None = None
     missing: int | None = None
     mass: float | None = None  # of all links, in kg
-    #: size_x, size_y, size_z: of the box around all shapes in the zero configuration, in m; None
-    #: without shapes.
+    #: size_x, size_y, size_z: of the bounding box of all shapes in the zero configuration, in m;
+    #: None without shapes.
     size_x: float | None = None
     size_y: float | None = None
     size_z: float | None = None
-    #: errors, warnings, infos: how many findings.
+    #: errors, warnings, infos: numbers of findings.
     errors: int = 0
     warnings: int = 0
     infos: int = 0
     seconds: float = 0.0  # of the check
-    cpu_seconds: float = 0.0  # of processor time
-    findings: tuple[FindingRow, ...] = ()  # one row each
+    cpu_seconds: float = 0.0  # processor time of the check
+    findings: tuple[FindingRow, ...] = ()
 
 
 def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
@@ -78,7 +78,7 @@ def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
 
     Args:
         options: resolved.
-        resolver: what the models before have found of packages and directories.
+        resolver: shared by all models; caches packages and directories.
     """
     start, start_cpu = time.perf_counter(), time.process_time()
     row = _row(model, options, resolver)
@@ -108,12 +108,12 @@ def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
         errors=report.count(Severity.ERROR),
         warnings=report.count(Severity.WARNING),
         infos=report.count(Severity.INFO),
-        findings=tuple(_finding(found, model) for found in report.diagnostics),
+        findings=tuple(_finding(diagnostic, model) for diagnostic in report.diagnostics),
     )
 
 
 def _measured(model: Model, context: Context) -> ModelRow:
-    """The facts of a robot; of one that cannot be read, why."""
+    """The measured values of a robot; for an unreadable one, the reason."""
     try:
         text, robot = context.text, context.model
     except Unavailable as reason:
@@ -140,9 +140,9 @@ def _measured(model: Model, context: Context) -> ModelRow:
 
 
 def _size(context: Context) -> tuple[float | None, float | None, float | None]:
-    """The edges of the box around all shapes in the zero configuration, along the root's axes.
+    """The edges of the bounding box of all shapes in the zero configuration, along the root's axes.
 
-    Meshes count by their measures, which are cached, so that no triangle is read.
+    Meshes are represented by their cached measures, so that no triangle is read.
     """
     low, high = [float("inf")] * 3, [float("-inf")] * 3
     for name, frame in frames(context.tree, {}).items():
@@ -175,7 +175,7 @@ def _digest(text: bytes, files: Iterable[str]) -> str:
 
 @lru_cache(maxsize=4096)
 def _file_digest(path: str, modified: int, size: int) -> bytes:
-    """Hash of a mesh file; many models of a collection may share the file."""
+    """Hash of a mesh file; models of a collection may share the file."""
     digest = hashlib.sha256()
     with open(path, "rb") as file:
         while block := file.read(1 << 20):
@@ -183,23 +183,23 @@ def _file_digest(path: str, modified: int, size: int) -> bytes:
     return digest.digest()
 
 
-def _finding(found: Diagnostic, model: Model) -> FindingRow:
-    line, column = found.span.source.position(found.span.start)
+def _finding(diagnostic: Diagnostic, model: Model) -> FindingRow:
+    line, column = diagnostic.span.source.position(diagnostic.span.start)
     return FindingRow(
-        found.code,
-        found.name,
-        found.severity.value,
-        _portable(found.message, model),
-        _portable(shown(found.span.source.path), model),
+        diagnostic.code,
+        diagnostic.name,
+        diagnostic.severity.value,
+        _portable(diagnostic.message, model),
+        _portable(shown(diagnostic.span.source.path), model),
         line,
         column,
-        found.element,
-        len(found.calls),
+        diagnostic.element,
+        len(diagnostic.calls),
     )
 
 
 def _portable(text: str, model: Model) -> str:
-    """A text with the archive where it names the directory that this was extracted to."""
+    """A text with the path of the archive instead of the directory it was extracted to."""
     if not model.directory:
         return text
     return without_directory(text, model.directory, f"{model.archive}/")

@@ -1,4 +1,4 @@
-"""scan(): the models of some sources make a directory of results."""
+"""``scan``: checks the models of sources and writes a results directory."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from urdfkit.scan.models import Extraction, Model, models, require_sources
 class Scanned(Record):
     """The outcome of a run."""
 
-    models: int  # how many were checked in this run
-    #: Sources that cannot be read, each with the reason; they have a row in the results, too.
+    models: int  # number of models that were checked in this run
+    #: Unreadable sources with the reasons; they have a row in the results, too.
     unreadable: dict[str, str]
 
 
@@ -33,52 +33,52 @@ def scan(
     jobs: int = 1,
     progress: Progress | None = None,
 ) -> Scanned:
-    """Check the models of some sources that a directory of results does not hold yet.
+    """Check the models of sources that are not yet in a results directory.
 
     Args:
         sources: descriptions, directories, globs, archives, and files that list these.
-        directory: of the results; a run that was stopped goes on in it.
+        directory: of the results; a stopped run is resumed.
         engine: ``local`` or ``dask``.
-        address: of a scheduler of Dask; a cluster on this machine if empty.
-        progress: called with the number of models done in this run, and of all that it does; 0
-            until these are counted.
+        address: of a Dask scheduler; empty for a cluster on this machine.
+        progress: called with the number of models finished in this run and the total number; 0
+            until the models are counted.
 
     Raises:
-        UrdfkitError: a source does not exist, there is no model in any, the results cannot be
-            written, the options mean nothing, or Dask is not installed.
+        UrdfkitError: a source does not exist, no source contains a model, the results cannot be
+            written, the options are invalid, or Dask is not installed.
     """
     sources = tuple(sources)
-    settings.options.resolved()  # a wrong option stops here
+    settings.options.resolved()  # rejects invalid options now
     require_sources(sources)
     unreadable: dict[str, str] = {}
-    with Journal(directory, _deciding(settings)) as journal, Extraction() as extraction:
-        known = len(journal.done)
+    with Journal(directory, _effective_options(settings)) as journal, Extraction() as extraction:
+        finished = len(journal.done)
         total = _counted(sources)
-        wanted = _wanted(models(sources), journal.done, extraction, unreadable)
+        pending = _pending(models(sources), journal.done, extraction, unreadable)
         if engine == "dask":
-            rows = dask(wanted, settings, jobs, address)
+            rows = dask(pending, settings, jobs, address)
         else:
-            rows = local(wanted, settings, jobs)
+            rows = local(pending, settings, jobs)
         checked = 0
         for count, row in enumerate(rows, 1):
             journal.write(row)
             checked += row.model not in unreadable
             if progress is not None:
-                progress(count, total[0] - known if total else 0)
+                progress(count, total[0] - finished if total else 0)
         if not journal.done:
             raise UnreadableFile(f"there is no model in {', '.join(map(repr, sources))}")
     return Scanned(checked, unreadable)
 
 
-def _wanted(
-    found: Iterable[Model], done: set[str], extraction: Extraction, unreadable: dict[str, str]
+def _pending(
+    candidates: Iterable[Model], done: set[str], extraction: Extraction, unreadable: dict[str, str]
 ) -> Iterator[Model]:
-    """The models that are not done; each once, though several sources name it.
+    """The models that are not done, without repetitions.
 
     Args:
-        unreadable: gets the sources that cannot be read.
+        unreadable: receives the unreadable sources with the reasons.
     """
-    for model in found:
+    for model in candidates:
         is_new = model.name not in done
         done.add(model.name)
         ready = extraction.on_disk(model) if is_new else model
@@ -89,7 +89,7 @@ def _wanted(
 
 
 def _counted(sources: tuple[str, ...]) -> list[int]:
-    """A list that will hold the number of all models, once they are counted."""
+    """A list to which the number of all models is appended once they are counted."""
     total: list[int] = []
 
     def count() -> None:
@@ -99,8 +99,8 @@ def _counted(sources: tuple[str, ...]) -> list[int]:
     return total
 
 
-def _deciding(settings: Settings) -> dict[str, Any]:
-    """What decides the results, as JSON."""
+def _effective_options(settings: Settings) -> dict[str, Any]:
+    """The options that affect the results, as JSON."""
     options = settings.options
     return {
         "select": sorted(options.select),

@@ -1,4 +1,4 @@
-"""What the results of a scan say together: rates per rule, duplicates, outliers, failures."""
+"""Summary of the results of a scan: rule rates, duplicates, outliers, failures."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from typing import Any
 
 from urdfkit.core.record import Record
 
-#: Examples that are named of each thing.
+#: Listed examples of each entry.
 EXAMPLES = 3
 #: Rows of one list.
 MAX_ROWS = 20
-#: Facts whose outliers are listed, with their units; those on a scale of ratios are compared so.
+#: Facts whose outliers are listed, with their units; `_RATIOS` are compared on a log scale.
 FACTS = {
     "mass": "kg", "size_x": "m", "size_y": "m", "size_z": "m", "dof": "", "links": "",
     "cpu_seconds": "s",
@@ -23,29 +23,29 @@ FACTS = {
 _RATIOS = frozenset(("mass", "size_x", "size_y", "size_z", "cpu_seconds"))
 #: Interquartile ranges from the middle half: Tukey's "far out".
 _FAR = 3.0
-#: With fewer values there are no outliers.
+#: Fewer values have no outliers.
 _FEWEST = 8
 
 
 class RuleRate(Record):
-    """How often a rule found something."""
+    """Frequency of the findings of a rule."""
 
-    #: code, rule, severity: of it; the worst severity.
+    #: code, rule, severity: of the rule; the worst severity.
     code: str
     rule: str
     severity: str
-    #: findings and models: how many findings, in how many models.
+    #: findings and models: number of findings, and of models with them.
     findings: int
     models: int
     examples: tuple[str, ...]  # names of models
 
 
 class Outlier(Record):
-    """A model far from the others."""
+    """A model with an unusual value."""
 
     fact: str  # one of `FACTS`
     value: float  # of the model
-    #: low and high: between which the middle half of the models is.
+    #: low and high: range of the middle half of the models.
     low: float
     high: float
     model: str  # its name
@@ -54,24 +54,24 @@ class Outlier(Record):
 class Summary(Record):
     """The results of a scan on one page."""
 
-    models: int  # how many
-    statuses: dict[str, int]  # how many of each status
-    #: with_errors, with_warnings, clean: models with an error; with a warning and no error; read,
-    #: and without either.
+    models: int  # number of models
+    statuses: dict[str, int]  # number of models by status
+    #: with_errors, with_warnings, clean: models with an error; with a warning and no error; sound
+    #: models without either.
     with_errors: int
     with_warnings: int
     clean: int
     cpu_seconds: float  # of all checks
-    rules: tuple[RuleRate, ...]  # those that found something, in most models first
-    duplicates: tuple[tuple[str, ...], ...]  # models with the same content, most first
-    redundant: int  # how many models are copies of another one
-    outliers: tuple[Outlier, ...]  # the farthest of each fact
+    rules: tuple[RuleRate, ...]  # rules with findings, by decreasing number of models
+    duplicates: tuple[tuple[str, ...], ...]  # models with the same content, largest groups first
+    redundant: int  # number of models that are copies of another one
+    outliers: tuple[Outlier, ...]  # the most extreme ones of each fact
     #: The models that are not ``ok``, by name with status and reason.
     failures: tuple[tuple[str, str, str], ...]
 
 
 def summarise(rows: Iterable[dict[str, Any]]) -> Summary:
-    """The summary of the rows of a scan, as the journal has them; it reads them once."""
+    """The summary of the rows of a scan, from one pass over the journal."""
     statuses: Counter[str] = Counter()
     kinds: Counter[str] = Counter()
     rules: dict[str, RuleRate] = {}
@@ -87,9 +87,9 @@ def summarise(rows: Iterable[dict[str, Any]]) -> Summary:
         _count_rules(rules, row)
         if row["hash"]:
             copies.setdefault(row["hash"], []).append(name)
-        for fact, known in values.items():
+        for fact, entries in values.items():
             if row[fact] is not None:
-                known.append((row[fact], name))
+                entries.append((row[fact], name))
         if row["status"] != "ok" and len(failures) < MAX_ROWS:
             failures.append((name, row["status"], row["reason"]))
     groups = sorted(copies.values(), key=lambda group: (-len(group), group))
@@ -103,7 +103,7 @@ def summarise(rows: Iterable[dict[str, Any]]) -> Summary:
         tuple(sorted(rules.values(), key=lambda rate: (-rate.models, rate.code))),
         tuple(tuple(group) for group in groups[:MAX_ROWS] if len(group) > 1),
         sum(len(group) - 1 for group in groups),
-        tuple(one for fact, known in values.items() for one in _outliers(fact, known)),
+        tuple(outlier for fact, entries in values.items() for outlier in _outliers(fact, entries)),
         tuple(failures),
     )
 
@@ -117,33 +117,33 @@ def _kind(row: dict[str, Any]) -> str:
 
 
 def _count_rules(rules: dict[str, RuleRate], row: dict[str, Any]) -> None:
-    counts = Counter(found["code"] for found in row["findings"])
-    for found in row["findings"]:
-        code = found["code"]
-        new = RuleRate(code, found["rule"], found["severity"], 0, 0, ())
-        known = rules.setdefault(code, new)
-        worst = min(known.severity, found["severity"], key=("error", "warning", "info").index)
-        rules[code] = known._replace(severity=worst)
+    counts = Counter(finding["code"] for finding in row["findings"])
+    for finding in row["findings"]:
+        code = finding["code"]
+        new = RuleRate(code, finding["rule"], finding["severity"], 0, 0, ())
+        rate = rules.setdefault(code, new)
+        worst = min(rate.severity, finding["severity"], key=("error", "warning", "info").index)
+        rules[code] = rate._replace(severity=worst)
     for code, count in counts.items():
-        known = rules[code]
-        examples = (*known.examples, row["model"])[:EXAMPLES]
-        rules[code] = known._replace(
-            findings=known.findings + count, models=known.models + 1, examples=examples
+        rate = rules[code]
+        examples = (*rate.examples, row["model"])[:EXAMPLES]
+        rules[code] = rate._replace(
+            findings=rate.findings + count, models=rate.models + 1, examples=examples
         )
 
 
-def _outliers(fact: str, known: list[tuple[float, str]]) -> list[Outlier]:
-    """The values that are farthest out, in ratios where these count."""
+def _outliers(fact: str, values: list[tuple[float, str]]) -> list[Outlier]:
+    """The most extreme values; the `_RATIOS` on a log scale."""
     scaled = [
         (log10(value) if fact in _RATIOS else value, value, name)
-        for value, name in known
+        for value, name in values
         if value > 0 or fact not in _RATIOS
     ]
     if len(scaled) < _FEWEST:
         return []
     low, _, high = quantiles(map(itemgetter(0), scaled), n=4)
     spread = _FAR * (high - low)
-    far = [one for one in scaled if not low - spread <= one[0] <= high + spread]
-    far.sort(key=lambda one: (-abs(one[0] - (low + high) / 2), one[2]))
+    far = [entry for entry in scaled if not low - spread <= entry[0] <= high + spread]
+    far.sort(key=lambda entry: (-abs(entry[0] - (low + high) / 2), entry[2]))
     ends = [10**end if fact in _RATIOS else end for end in (low, high)]
     return [Outlier(fact, value, ends[0], ends[1], name) for _, value, name in far[:EXAMPLES]]

@@ -1,4 +1,4 @@
-"""The results of a scan as two Parquet files: one row for a model, one for a finding."""
+"""The results of a scan as two Parquet files: models and findings."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -10,16 +10,16 @@ from urdfkit.scan import journal
 from urdfkit.scan.rows import FindingRow, ModelRow
 
 MODELS, FINDINGS = "models.parquet", "findings.parquet"
-#: Models that are turned into rows at a time.
+#: Models that are converted at a time.
 _CHUNK = 1000
 
 
 def write_tables(directory: str) -> None:
-    """Write the Parquet files next to the results that they are made of, whole or not at all.
+    """Write the Parquet files next to the results, completely or not at all.
 
     Raises:
         MissingLibrary: pyarrow is not installed.
-        UnreadableFile: the directory holds no scan.
+        UnreadableFile: the directory does not contain a scan.
     """
     with needing("Parquet", "scan"):
         import pyarrow
@@ -33,13 +33,15 @@ def write_tables(directory: str) -> None:
     findings = {"model": "str", **FindingRow.__annotations__}
     paths = [os.path.join(directory, name) for name in (MODELS, FINDINGS)]
     with (
-        ParquetWriter(f"{paths[0]}.tmp", schema(models), compression="zstd") as of_models,
-        ParquetWriter(f"{paths[1]}.tmp", schema(findings), compression="zstd") as of_findings,
+        ParquetWriter(f"{paths[0]}.tmp", schema(models), compression="zstd") as model_writer,
+        ParquetWriter(f"{paths[1]}.tmp", schema(findings), compression="zstd") as finding_writer,
     ):
         for chunk in _chunks(journal.rows(directory)):
-            of_models.write_table(_table(pyarrow, schema(models), chunk))
-            flat = [{"model": row["model"], **one} for row in chunk for one in row["findings"]]
-            of_findings.write_table(_table(pyarrow, schema(findings), flat))
+            model_writer.write_table(_table(pyarrow, schema(models), chunk))
+            flat = [
+                {"model": row["model"], **finding} for row in chunk for finding in row["findings"]
+            ]
+            finding_writer.write_table(_table(pyarrow, schema(findings), flat))
     for path in paths:
         os.replace(f"{path}.tmp", path)
 

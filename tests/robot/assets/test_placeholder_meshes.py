@@ -213,7 +213,7 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
         ("b.stl", "its name and its link define neither"),
         ("b.step", "only .dae, .stl"),
         ("package://not_there/b.stl", "package 'not_there' not found"),
-        ("http://example.org/b.stl", "'http://' does not refer to a file"),
+        ("http://example.org/b.stl", "'http://' is not a file URI"),
     ],
 )
 def test_what_cannot_be_made_is_said(visual: str, reason: str, tmp_path: Path) -> None:

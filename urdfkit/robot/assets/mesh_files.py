@@ -244,8 +244,7 @@ class MeshFiles:
     ) -> tuple[str | None, bool]:
         """The file of the expected name in the package, and whether it is certain.
 
-        Of several, the one that shares the most parent directories with the missing file, if
-        unique.
+        Of several, the only one that shares the most parent directories with the missing file.
         """
         base = located.directory
         if base is None:

@@ -193,9 +193,7 @@ def _make(
         reason = f"package '{located.package}' not found; pass its directory with --package"
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
-        return NotGenerated(
-            path, references, defect, f"'{located.scheme}://' does not refer to a file"
-        )
+        return NotGenerated(path, references, defect, f"'{located.scheme}://' is not a file URI")
     if not robot.files.resolver.admits(path):
         return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
     if "Git LFS" in defect:

@@ -66,9 +66,8 @@ def placeholder_shape(
     else:
         result = _copied(robot, link, body)
         if result is None and bounds is not None:
-            result = _block(
-                bounds.size, bounds.frame, f"fitted to {bounds.source} of link '{link.name}'"
-            )
+            reason = f"fitted to {bounds.source} of link '{link.name}'"
+            result = _block(bounds.size, bounds.frame, reason)
     if result is None:
         return None
     assert body.shape is not None
