@@ -20,14 +20,15 @@ Sources:
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import BOUNDED, MOVING, several
 from urdfkit.robot.model import Joint
-from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import number
 
 TARGETS = ("mujoco",)
-GOOD = robot_xml(link_xml("base"), link_xml("arm"), joint_xml("floating"))
+_INERTIAL = inertial_xml("1", "0.1 0.1 0.1")
+GOOD = robot_xml(link_xml("base"), link_xml("arm", _INERTIAL), joint_xml("floating"))
 BAD = robot_xml(
     GOOD,
-    link_xml("tool"),
+    link_xml("tool", _INERTIAL),
     joint_xml("floating", name="wrist", parent="arm", child="tool"),
 )
 
