@@ -92,7 +92,7 @@ def replay(words: list[str]) -> int | None:
     if answers != entry.answers:
         from urdfkit.cli.result_recording import store
 
-        # Files have new times, as git gives them. The next check need not compare contents.
+        # Only times of files have changed, such as by git. Saves the next comparison of contents.
         store(entry._replace(since=now, answers=answers))
     return _write(entry)
 

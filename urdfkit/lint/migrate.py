@@ -1,4 +1,4 @@
-"""From one Gazebo to another: what can be renamed, and what a person must decide."""
+"""Migration of a model to another Gazebo: automatic renames, and edits to make by hand."""
 
 from __future__ import annotations
 
