@@ -44,5 +44,5 @@ def test_there_is_no_standard_output_for_a_directory(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["bundle", str(ARM), "-o", "-"]) == 2
-    assert "'-' is no directory" in capsys.readouterr().err
+    assert "'-' is not a directory" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []

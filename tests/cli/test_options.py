@@ -188,5 +188,5 @@ def test_a_file_is_no_option(
     (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     (tmp_path / word).write_text("")
     assert main(["check", "r.urdf", word]) == 2
-    assert capsys.readouterr().err == f"error: '{word}' is a file and no option; write ./{word}\n"
+    assert capsys.readouterr().err == f"error: '{word}' is a file, not an option; write ./{word}\n"
     assert main(["check", "--", "r.urdf"]) == 0

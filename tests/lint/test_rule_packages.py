@@ -176,9 +176,13 @@ def test_a_module_beside_the_configuration_runs_where_that_is_trusted(
         ({"a/__init__.py": "1/0", "a/b/__init__.py": ""}, "a.b", "'a.b': ZeroDivisionError"),
         ({}, "..", "rule package '..': "),
         ({"ine900_mine.py": ""}, "ine900_mine", "the prefix INE is reserved by urdfkit"),
-        ({"acm001_x.py": ""}, "acm001_x", "must hold a function 'check' with @rule(...)"),
+        ({"acm001_x.py": ""}, "acm001_x", "must define a function 'check' with @rule(...)"),
         ({"acm001_x.py": "1/0"}, "acm001_x", "acm001_x: ZeroDivisionError: division by zero"),
-        ({"acm001_x.py": "check = 1"}, "acm001_x", "must hold a function 'check' with @rule(...)"),
+        (
+            {"acm001_x.py": "check = 1"},
+            "acm001_x",
+            "must define a function 'check' with @rule(...)",
+        ),
         (
             {"a/acm001_x.py": "", "a/__init__.py": "", "b/acm001_y.py": "", "b/__init__.py": ""},
             "a,b",

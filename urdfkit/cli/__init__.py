@@ -1,12 +1,12 @@
-"""The command line. It can do nothing that the library cannot.
+"""The command line; everything it does is also available in the library.
 
-A command parses its options, makes one call of the library, renders what comes back, and says
-by its exit code how it went:
+A command parses its options, makes one call of the library, renders the result, and returns an exit
+code:
 
 - 0: clean, or done
-- 1: findings at or over ``--fail-on``
-- 2: it cannot be done: a file is missing, an option is wrong
-- 3: a bug in urdfkit
+- 1: findings at or above ``--fail-on``
+- 2: usage or input error
+- 3: internal error (a bug in urdfkit)
 - 130: stopped by Ctrl-C
 
 Results go to standard output, everything else to standard error.
@@ -40,16 +40,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command line and return its exit code.
 
     Args:
-        arguments: without the name of the program; those of the process if None.
+        arguments: without the program name; the arguments of the process if None.
     """
     if arguments is not None:
         return guarded(_run, list(arguments))
-    # This process does one thing and ends. Looking for garbage on the way finds none, and to take
-    # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
+    # The process ends after one command: garbage collection is useless, and tearing down all
+    # objects at the end would take 8 of 120 ms.
     gc.set_threshold(100_000)
     # Processes that multiprocessing starts must not import from the current directory.
     os.environ["PYTHONSAFEPATH"] = "1"
-    # Where memory is limited, OpenBLAS with threads never stops asking for more.
+    # With limited memory, OpenBLAS with threads retries allocations for ever.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
@@ -66,21 +66,21 @@ def _leave(code: int) -> NoReturn:
             if stream is not None:
                 stream.flush()
         except OSError:
-            pass  # nobody reads it any more
+            pass  # the reader closed it
     os._exit(code)
 
 
 def guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
-    """Every way in which a command line can end, as an exit code."""
+    """Run a command line; reports exceptions and returns the exit code."""
     try:
         _reject_files_as_options(words)
         return run(words)
     except UrdfkitError as error:
-        return fail(2, _no_memory() if _is_import_in_vain(error) else str(error))
+        return fail(2, _no_memory() if _is_import_without_memory(error) else str(error))
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
-        return 2  # of standard error; of standard output it is none
+        return 2  # standard error was closed; a closed standard output is not an error
     except Exception as error:
         if getattr(error, "errno", None) == ENOSPC:
             return fail(2, os.strerror(ENOSPC))
@@ -99,23 +99,23 @@ def guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
 
 
 def _reject_files_as_options(words: list[str]) -> None:
-    """A file may be called ``--config=a.yaml``; where a shell or a hook lists files, it is none."""
+    """Reject files with names such as ``--config=a.yaml``, which shells or hooks may pass."""
     for word in words[: words.index("--")] if "--" in words else words:
         if word.startswith("-") and word != "-" and os.path.lexists(word):
-            raise UrdfkitError(f"'{word}' is a file and no option; write ./{word}")
+            raise UrdfkitError(f"'{word}' is a file, not an option; write ./{word}")
 
 
 def _replay_or_run(words: list[str]) -> int:
-    """Repeat the result of an earlier check if nothing has changed since."""
+    """Replay the cached result of an earlier check if nothing has changed since; otherwise run."""
     from urdfkit.cli import result_cache
 
     code = result_cache.replay(words)
     if code is not None:
         return code
-    if asked := result_cache.question(words):
+    if question := result_cache.question(words):
         from urdfkit.cli import result_recording
 
-        result_recording.begin(asked)
+        result_recording.begin(question)
     return _run(words)
 
 
@@ -132,8 +132,8 @@ def _run(words: list[str]) -> int:
     return run_check(values)
 
 
-def _is_import_in_vain(error: UrdfkitError) -> bool:
-    """True for a library that is there, and has no room."""
+def _is_import_without_memory(error: UrdfkitError) -> bool:
+    """True for an installed library that cannot be imported for lack of memory."""
     cause: BaseException | None = error
     while cause is not None and type(cause) is not ImportError:
         cause = cause.__cause__
@@ -160,5 +160,5 @@ def fail(code: int, error: str, *more: str) -> int:
     try:
         output.tell(f"error: {error}", *more)
     except OSError:
-        pass  # nobody reads it
+        pass  # standard error is closed
     return code

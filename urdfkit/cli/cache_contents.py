@@ -1,4 +1,4 @@
-"""What lies in the cache."""
+"""The contents of the cache."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
-#: The directories that urdfkit makes in that of the cache; it leaves others alone.
+#: Subdirectories of the cache that urdfkit creates; others are not touched.
 _OWN = ("meshes", "results")
 
 
@@ -15,12 +15,12 @@ class Contents(Record):
     """Files and directories of the cache."""
 
     files: list[str]  # the entries
-    size: int  # of all, in bytes
-    directories: list[str]  # that they are in, the innermost first
+    size: int  # total size in bytes
+    directories: list[str]  # directories of the entries, innermost first
 
 
 def contents() -> Contents:
-    """What lies in the cache now."""
+    """The current contents of the cache."""
     files: list[str] = []
     directories: list[str] = []
     cache = cache_directory()

@@ -1,4 +1,4 @@
-"""``urdfkit check``, as click has it."""
+"""``urdfkit check`` as a click command."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ from urdfkit.cli.options import CHECK, FILES, Option
 
 
 def click_option(option: Option) -> click.Option:
-    """An option of the table, for click."""
+    """An option of the table as a click option."""
     return click.Option(
         [flag for flag in (option.short, option.flag) if flag],
         help=option.help,

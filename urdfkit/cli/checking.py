@@ -1,4 +1,4 @@
-"""``urdfkit check`` once its command line is read."""
+"""``urdfkit check`` for a parsed command line."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.fix_session import Fixes
 
-#: Formats that say what would be fixed.
+#: Formats that state how many findings can be fixed.
 _FOR_PEOPLE = ("text", "full")
 
 
@@ -77,7 +77,7 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
     written = _write(report, outputs, values)
     code = report.exit_code(fail_on(values, chosen))
     code = 0 if code == 1 and values["exit_zero"] else code
-    if _may_be_kept(values, chosen) and not (report.crashed or _is_huge(report)):
+    if _is_cacheable(values, chosen) and not (report.crashed or _is_huge(report)):
         from urdfkit.cli import result_recording
 
         result_recording.keep(code, written)
@@ -87,9 +87,9 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
 def _write(
     report: Report, outputs: Iterable[tuple[str, str]], values: Mapping[str, Any]
 ) -> list[tuple[str, bytes]]:
-    """Write the report in each format to its file, or print it; return what was written."""
-    # Files first: if one cannot be written, standard output stays empty.
-    ordered = sorted(outputs, key=lambda one: not one[1])
+    """Write the report in each format to its file or standard output; return files and contents."""
+    # Files first: if a file cannot be written, standard output stays empty.
+    ordered = sorted(outputs, key=lambda name_and_file: not name_and_file[1])
     return [
         (file, (_write_file if file else _print)(report, name, file, values))
         for name, file in ordered
@@ -97,7 +97,7 @@ def _write(
 
 
 def _write_file(report: Report, name: str, file: str, values: Mapping[str, Any]) -> bytes:
-    """Write a report to a file; return what was written, nothing of a huge report."""
+    """Write a report to a file; return its content, or b"" for a huge report."""
     from urdfkit.core import atomic
 
     parts = map(output.encode, formats.stream(name, report, quiet=values["quiet"]))
@@ -110,7 +110,7 @@ def _write_file(report: Report, name: str, file: str, values: Mapping[str, Any])
 
 
 def _print(report: Report, name: str, _: str, values: Mapping[str, Any]) -> bytes:
-    """Print a report; return what was printed, nothing of a huge report."""
+    """Print a report; return the output, or b"" for a huge report."""
     color = output.has_color(values["color"])
     texts = formats.stream(name, report, color=color, width=output.width(), quiet=values["quiet"])
     if _is_huge(report):
@@ -121,27 +121,29 @@ def _print(report: Report, name: str, _: str, values: Mapping[str, Any]) -> byte
 
 
 def _is_huge(report: Report) -> bool:
-    """True if the findings of a report are kept on disk."""
+    """True if the findings of a report are stored on disk."""
     return isinstance(report.diagnostics, StoredFindings)
 
 
 def _has_fixes(report: Report) -> bool:
-    """True if it is worth while to say what would be fixed: not of thousands of robots."""
-    return not _is_huge(report) and any(found.fix for found in report.diagnostics)
+    """True if fixable findings are to be counted, which takes too long for a huge report."""
+    return not _is_huge(report) and any(finding.fix for finding in report.diagnostics)
 
 
-def _may_be_kept(values: Mapping[str, Any], chosen: Options) -> bool:
-    """False of a check that does more than to report, or depends on more than on files."""
-    acts = values["fix"] or values["write_baseline"] or values["changed"]
-    # Rules of others are programs, and so are models that are trusted.
-    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.external_rules)
+def _is_cacheable(values: Mapping[str, Any], chosen: Options) -> bool:
+    """False for a check that writes files, or whose result depends on more than files."""
+    writes = values["fix"] or values["write_baseline"] or values["changed"]
+    # External rules and trusted models may run any code.
+    return not (
+        writes or chosen.with_config().trust or chosen.rules or chosen.config.external_rules
+    )
 
 
 def choices(values: Mapping[str, Any]) -> Options:
-    """What the options mean for ``urdfkit.check``."""
+    """The options of the command line as options of ``urdfkit.check``."""
     files = options.files(values)
-    added = options.add_rules(values)  # before other options name their codes
-    config = options.config(values, files[0])  # which may add rules, too
+    added = options.add_rules(values)  # first: other options contain their codes
+    config = options.config(values, files[0])  # may also add rules
     return Options(
         arguments=options.arguments(values),
         packages=options.packages(values),
@@ -161,13 +163,13 @@ def choices(values: Mapping[str, Any]) -> Options:
 
 
 def _files(values: Mapping[str, Any], chosen: Options) -> str:
-    """The descriptions that would be checked, with their arguments, and those that would not."""
+    """The descriptions that would be checked, with their arguments, and the skipped files."""
     from urdfkit.lint.unchecked import unread_files
 
     chosen = chosen.with_config()
     resolver = Resolver(chosen.packages)
     plan, read = planned(options.files(values), resolver, chosen), reader(chosen, resolver)
-    sets = [(one, context) for job in plan.jobs for one, context in as_launched(job, read)]
+    sets = [pair for job in plan.jobs for pair in as_launched(job, read)]
     lines = [
         " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job, _ in sets
@@ -181,7 +183,7 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
 
 
 def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
-    """Write comments for the findings that are at or over ``--fail-on``, or that are selected."""
+    """Write comments for the findings at or above ``--fail-on``, or for the selected ones."""
     from urdfkit.core.words import counted
     from urdfkit.lint.added_ignores import add_ignores
     from urdfkit.text.editing import rewriting
@@ -191,22 +193,22 @@ def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
         raise options.UsageError("--add-ignore takes files, not '-', and no --fix")
     report = _with_baseline(_check(values, chosen), _baseline(values), values)
     least = Severity.INFO if values["select"] else fail_on(values, chosen)
-    findings = [one for one in report.diagnostics if one.severity.rank <= least.rank]
+    findings = [found for found in report.diagnostics if found.severity.rank <= least.rank]
     added = add_ignores(findings, files, chosen, force=values["force"])
     if values["diff"]:
         output.write_diff("".join(file.diff() for file in added.files), values["color"])
         return int(bool(added.files))
     rewriting.write(added.files)
     if not values["quiet"]:
-        lines = [f"{one.span}: {one.code} left: {reason}" for one, reason in added.left]
-        done = counted(len(added.suppressed), "finding")
-        lines.append(f"{done} suppressed in {counted(len(added.files), 'file')}")
+        lines = [f"{left.span}: {left.code} left: {reason}" for left, reason in added.left]
+        suppressed = counted(len(added.suppressed), "finding")
+        lines.append(f"{suppressed} suppressed in {counted(len(added.files), 'file')}")
         output.page(lines)
     return 0
 
 
 def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
-    """The mildest severity that counts."""
+    """The lowest severity that makes the exit code 1."""
     return Severity(values["fail_on"] or chosen.config.fail_on)
 
 
@@ -229,7 +231,7 @@ def _standard_input(name: str) -> Source:
 
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
-    """The report with what ``--fix`` would do; of standard input nothing can be fixed in place."""
+    """The report with the number of fixable findings, unless it is of standard input."""
     from urdfkit.lint.fixable import fixable
 
     files = options.files(values)
@@ -239,7 +241,7 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
 def apply_fixes(
     values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
 ) -> Fixes:
-    """Fix the files in place, show the changes as a diff, or only find them."""
+    """Fix the files in place, print the changes as a diff (--diff), or only find them (--check)."""
     from urdfkit.lint.fix import changes, fix
 
     files = options.files(values)
@@ -247,13 +249,13 @@ def apply_fixes(
         raise options.UsageError("standard input cannot be fixed in place; pass a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
-    now = chosen._replace(progress=progress)
+    chosen = chosen._replace(progress=progress)
     try:
         if values["diff"] and not generate_meshes:
-            fixes = changes(files, now, unsafe=unsafe, force=force)
+            fixes = changes(files, chosen, unsafe=unsafe, force=force)
         else:
             fixes = fix(
-                *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
+                *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=chosen
             )
         if values["diff"]:
             output.write_diff(fixes.diff(), values["color"])
@@ -263,8 +265,8 @@ def apply_fixes(
         fixes.write()
         if not fixes.meshes:
             return fixes
-        # With the generated meshes more can be checked, and perhaps fixed.
-        again = fix(*files, unsafe=unsafe, force=force, options=now)
+        # The generated meshes may lead to further findings and fixes.
+        again = fix(*files, unsafe=unsafe, force=force, options=chosen)
         again.write()
     finally:
         if progress is not None:
@@ -279,7 +281,7 @@ def apply_fixes(
 
 
 def _print_fixes(fixes: Fixes) -> None:
-    """Say on standard error what was fixed; the report says what is left."""
+    """Print the fixed files and the reasons for unapplied fixes to standard error."""
     output.tell(*(f"fixed {shown(file.path)}" for file in fixes.files))
     reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(reasons):
@@ -288,7 +290,7 @@ def _print_fixes(fixes: Fixes) -> None:
 
 
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:
-    """The findings that are tolerated; None without a baseline, or one that is to be written."""
+    """The findings in the baseline; None if there is no baseline, or it is to be written."""
     file = values["baseline"]
     if values["write_baseline"] and not file:
         raise options.UsageError("--write-baseline needs --baseline FILE to write to")
@@ -302,7 +304,7 @@ def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:
 def _with_baseline(
     report: Report, known: Counter[Fingerprint] | None, values: Mapping[str, Any]
 ) -> Report:
-    """The findings that a baseline does not hold; after writing it there are none."""
+    """The report without the findings in the baseline; writes the baseline if requested."""
     file = values["baseline"]
     if not file:
         return report
@@ -317,9 +319,9 @@ def _with_baseline(
 
 
 def _progress(files: Sequence[str]) -> ProgressBar | None:
-    """A bar over robots; for a single robot over its mesh files, which take longest."""
+    """A progress bar of robots; for a single robot, of its mesh files, which take longest."""
     if sys.stderr is None or not sys.stderr.isatty():
-        return None  # which spares the import
+        return None  # saves the import
     from urdfkit.cli.progress import on_terminal
 
     is_single = len(files) == 1 and not os.path.isdir(files[0])

@@ -34,7 +34,7 @@ def command() -> int:
 
 
 def _remove(directory: str) -> None:
-    """Remove a directory, unless another process has removed it or has put an entry into it."""
+    """Remove a directory, unless another process has removed it or added an entry."""
     try:
         os.rmdir(directory)
     except FileNotFoundError:

@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from urdfkit.lint.context import Context
 
 SHELLS = ("bash", "zsh", "fish")
-#: The variable by which a shell asks; click derives it from the name of the program.
+#: Environment variable of completion requests; click derives it from the program name.
 VARIABLE = "_URDFKIT_COMPLETE"
 
-#: Gives the values of an option for the words before it.
+#: Returns the values of an option for the words before it.
 _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 
 
@@ -51,7 +51,7 @@ def command(shell: str) -> int:
 
 
 def register() -> None:
-    """Let click complete the values of options, and file names where it knows nothing else."""
+    """Let click complete the values of options, and file names by default."""
     for shell in SHELLS:
         kind = get_completion_class(shell)
         assert kind is not None
@@ -64,7 +64,7 @@ class _WithValues(ShellComplete):
 
 
 def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
-    """What may stand in the place of a word.
+    """The completions of a word.
 
     Args:
         words: before it, without the name of the program.
@@ -113,7 +113,7 @@ def _positions(words: list[str]) -> Iterable[str]:
 
 
 def _robot(words: list[str]) -> Context:
-    """The robot that a command line names.
+    """The robot of a command line.
 
     Raises:
         UrdfkitError: it names none, or one that cannot be read.

@@ -1,4 +1,4 @@
-"""What several commands have in common: examples in their help, and options."""
+"""Decorators that several commands share: examples in their help, and options."""
 
 from collections.abc import Callable, Iterable
 from inspect import cleandoc
@@ -12,45 +12,45 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 def examples(*lines: str) -> str:
-    """Command lines as a list, which click leaves as it is."""
+    """Command lines as a list that click does not wrap."""
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
 def described(
     name: str, cls: type[click.Command] = click.Command
 ) -> Callable[[Callable[..., Any]], click.Command]:
-    """``click.command`` for a command whose docstring is its help, and ends with examples."""
+    """``click.command`` for a function whose docstring is the help, with examples at its end."""
 
-    def made(command: Callable[..., Any]) -> click.Command:
+    def decorate(command: Callable[..., Any]) -> click.Command:
         text, _, lines = cleandoc(command.__doc__ or "").partition("\n\nExamples:\n")
         epilog = examples(*map(str.strip, lines.splitlines())) if lines else None
         return click.command(name, cls, help=text, epilog=epilog)(command)
 
-    return made
+    return decorate
 
 
 def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
-    """Give a command several options, of which the last is listed first."""
+    """Add several options to a command; the last one is listed first."""
 
-    def decorated(command: Command) -> Command:
+    def decorate(command: Command) -> Command:
         for add in options:
             command = add(command)
         return command
 
-    return decorated
+    return decorate
 
 
 def option(
     usage: str, help: str, *, to: str | None = None, **more: Any
 ) -> Callable[[Command], Command]:
-    """Give a command an option, written as in its help; one without a value is a switch.
+    """Add an option to a command, written as in its help; without a value it is a switch.
 
     >>> force = option("--force", "Replace OUT if it is a bundle.")
     >>> output = option("-o, --output FILE", "Image to write.")
 
     Args:
-        to: the parameter of the command that takes the value; by default that of the option's name.
-        more: what `click.option` takes, too.
+        to: the parameter of the command that gets the value. [default: the option's name]
+        more: further arguments of `click.option`.
     """
     words = usage.split()
     flags = [word.rstrip(",") for word in words if word.startswith("-")]
@@ -61,18 +61,18 @@ def option(
 
 
 def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Command]:
-    """Give a command an option that takes one of some words; the first is the default."""
+    """Add an option with a choice of words to a command; the first word is the default."""
     words = list(of)
     return click.option(*names, type=click.Choice(words), default=words[0], help=help)
 
 
 def in_formats(*formats: str) -> Callable[[Command], Command]:
-    """Give a command the option ``--format``, as ``form``; the first format is the default."""
+    """Add the option ``--format`` as parameter ``form``; the first format is the default."""
     return choice("--format", "form", of=formats, help="Output format.")
 
 
 def to_file(name: str, help: str) -> Callable[[Command], Command]:
-    """Give a command the option ``-o``; None is standard output, and so is '-'."""
+    """Add the option ``-o`` to a command; without it, and for '-', the value is None (stdout)."""
     return click.option(
         "-o",
         "--output",
@@ -84,9 +84,9 @@ def to_file(name: str, help: str) -> Callable[[Command], Command]:
 
 
 def _no_stream(context: click.Context, option: click.Parameter, out: str) -> str:
-    """Rejects '-', of which other commands make standard output."""
+    """Reject '-', which other commands interpret as standard output."""
     if out == "-":
-        raise click.BadParameter("'-' is no directory; pass './-' for one of that name")
+        raise click.BadParameter("'-' is not a directory; pass './-' for a directory of that name")
     return out
 
 
@@ -111,7 +111,7 @@ RULES = option(
     "--rules NAMES", "Rule packages to load: installed names, or modules.", multiple=True
 )
 
-#: Gives a command that computes the limits of its process; they hold from here on.
+#: Add options for the limits of memory and time, which apply from the parsing of the option on.
 limited = with_options(
     option(
         "--memory GIB",

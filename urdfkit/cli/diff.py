@@ -15,7 +15,7 @@ from urdfkit.output.comparison import KINDS, compare
 from urdfkit.output.comparison.differences import Tolerances
 from urdfkit.output.report.translations import LANGUAGES
 
-#: Formats, by the suffix of a file.
+#: Formats by file suffix.
 SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
 _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
 

@@ -35,7 +35,7 @@ from urdfkit.ros.targets import Targets, parse
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
-#: Python packages, what uses them, and the extra that they belong to.
+#: Python packages with their purpose and their extra.
 _PACKAGES = (
     ("xacro", "expansion", ""),
     ("click", "command line", ""),
@@ -123,7 +123,7 @@ def _environment() -> Iterator[str]:
 
 
 def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
-    """The entry points of a directory, and what is none."""
+    """The entry points of a directory, and the skipped files."""
     resolver = Resolver({**config.packages, **options.packages(values)})
     found = discover(path, config, resolver)
     configured = " (named by the configuration)" if config.robots else ""
@@ -139,7 +139,7 @@ def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[st
 
 
 def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
-    """What a check of a description works with."""
+    """The packages, targets and rules of a check of a description."""
     packages = {**config.packages, **options.packages(values)}
     entry = config.entry(path, options.arguments(values), values["variant"])
     names = options.words(values, "target") or config.targets
@@ -167,7 +167,7 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
 
 
 def _packages(path: str, resolver: Resolver) -> Iterator[str]:
-    """Where a file finds packages: the root of the search and what decided it, other sources."""
+    """The package search of a file: its root with the reason, and other directories."""
     packages = resolver.packages
     root = packages.root(path)
     known = packages.known(path)

@@ -16,7 +16,7 @@ from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import STANDARD_INPUT, Source
 from urdfkit.xacro import Xacro
 
-#: An option of the ``xacro`` command that changes nothing here.
+#: An option of the ``xacro`` command that has no effect here.
 _IGNORED = partial(
     click.option,
     expose_value=False,
@@ -62,9 +62,9 @@ def command(
 
     file = only_file(asked)
     source = _read(file, root_dir)
-    how = reading(asked, file if file == "-" else os.path.join(root_dir, file))
+    read = reading(asked, file if file == "-" else os.path.join(root_dir, file))
     xacro = expand(
-        source, Resolver(how.packages), how.arguments, trust=how.trust, root_dir=root_dir
+        source, Resolver(read.packages), read.arguments, trust=read.trust, root_dir=root_dir
     )
     error = _error(xacro)
     _print_notes(xacro, error, quiet=quiet or verbosity == 0)
@@ -84,27 +84,27 @@ def _read(file: str, root_dir: str) -> Source:
     if root_dir == os.curdir:
         return Source.read(file)
     source = Source.read(os.path.join(root_dir, file))
-    source.path = file  # the banner names the file as it was typed
+    source.path = file  # the banner contains the path as the user typed it
     return source
 
 
 def _error(xacro: Xacro) -> str | None:
-    """What xacro stops with; a default that comes too late is used by checks alone."""
-    early = (one.argument for one in xacro.problems if one.code == "XAC020")
+    """The error that xacro stops with; only checks use a default after the argument's use."""
+    early = (problem.argument for problem in xacro.problems if problem.code == "XAC020")
     if (name := next(early, None)) is not None:
         return f"Undefined substitution argument {name}"
     return xacro.first_error
 
 
 def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
-    """Warnings, and errors with their places, on standard error."""
+    """Print warnings, and errors with their locations, to standard error."""
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""
         kind = f"{message.kind}: " if message.kind else ""
         output.tell(f"{kind}{message.text}{where}")
     if error is None:
         return
-    output.tell(*f"error: {error}".split("\n"))  # on the lines of xacro
+    output.tell(*f"error: {error}".split("\n"))  # with the line breaks of xacro
     for problem in _errors(xacro):
         output.tell(f"{problem.span}: {problem.code} {problem.message}")
         steps = problem.frame.steps() if problem.frame else ()
@@ -117,7 +117,7 @@ def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
 
 
 def _errors(xacro: Xacro) -> Iterator[Problem]:
-    """The errors, each of a place once; warnings were printed as xacro words them."""
+    """The distinct errors; warnings were printed in the words of xacro."""
     reported = set()
     for problem in xacro.problems:
         key = (problem.code, problem.span, problem.message)

@@ -20,7 +20,7 @@ _OPTIONS = (
     "quiet unsafe-fixes diff force select ignore rules preview min-confidence target color "
     "package trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
-#: Line numbers of one kind of finding that are listed.
+#: Most line numbers that are listed for one kind of finding.
 _MAX_LINES = 8
 
 
@@ -145,7 +145,7 @@ def _total(fixes: Fixes, verb: str) -> str:
 
 
 def _reasons(fixes: Fixes) -> Iterator[str]:
-    """Why fixes are left that no other option applies, each reason once."""
+    """The reasons for fixes that no other option applies, with their number."""
     reasons = Counter(left.reason for left in fixes.left if left.diagnostic.fix)
     for reason, count in reasons.items():
         if reason not in ("", "info", "unsafe"):

@@ -70,7 +70,7 @@ def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
 
 
 def _print_result(result: Formatted, done: str, *, quiet: bool) -> None:
-    """Print on standard error which files were changed."""
+    """Print the changed files to standard error."""
     errors = [f"error: {reason}" for _, reason in result.failed]
     lines = [f"{done}: {shown(file.path)}" for file in result.files]
     lines += [f"skipped: {shown(path)}: {reason}" for path, reason in result.skipped]

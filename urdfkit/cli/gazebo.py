@@ -38,7 +38,7 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
 
 
 def show(context: Context, form: str, *, old: bool) -> int:
-    """Print what Gazebo makes of a robot.
+    """Print the conversion of a robot to SDF.
 
     Args:
         form: ``text`` or ``json``.
@@ -52,7 +52,7 @@ def show(context: Context, form: str, *, old: bool) -> int:
 
 
 def _rejection(rejected: list[Rejection]) -> Iterator[str]:
-    """Why there will be no robot, and that what follows is what there would be."""
+    """Why Gazebo rejects the robot, and the heading of the result without these errors."""
     for reader in dict.fromkeys(one.reader for one in rejected):
         yield f"{reader} rejects this robot:"
         for one in (one for one in rejected if one.reader == reader):
@@ -97,7 +97,7 @@ def _are(count: int) -> str:
 
 
 def _mass(link: Element) -> str:
-    """The mass of a link of SDF, as it is written."""
+    """The declared mass of an SDF link."""
     inertial = link.child("inertial")
     mass = inertial.child("mass") if inertial else None
     return mass.text.strip() if mass else ""

@@ -1,4 +1,4 @@
-"""The ``urdfkit`` command as click has it: a group of commands, each imported when used."""
+"""The ``urdfkit`` command: a click group of commands, each imported when it is used."""
 
 import os
 from collections.abc import Sequence
@@ -12,8 +12,8 @@ from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
 from urdfkit.core.suggest import did_you_mean
 
-#: The commands as help lists them. ``urdfkit.cli.<name>`` has each of them as ``command``, a
-#: click.Command that returns the exit code.
+#: Commands by section of the help. ``urdfkit.cli.<name>`` defines ``command``, a click.Command
+#: that returns the exit code.
 SECTIONS = {
     "Check and fix": ("check", "fix", "format", "migrate", "scan"),
     "Expand xacro": ("expand", "trace"),
@@ -63,7 +63,7 @@ def run(words: Sequence[str]) -> int:
     """Run a command line and return its exit code.
 
     Raises:
-        UsageError: it cannot be understood.
+        UsageError: the command line is invalid.
         KeyboardInterrupt: Ctrl-C.
     """
     if VARIABLE in os.environ:
@@ -76,11 +76,11 @@ def run(words: Sequence[str]) -> int:
         message = " ".join(error.format_message().split()).removesuffix(".")
         message = message.replace("a valid float range", "a number")
         message = message.replace("a valid integer range", "an integer")
-        if isinstance(error, click.NoSuchOption):  # which click says in three sentences
+        if isinstance(error, click.NoSuchOption):  # click's message has three sentences
             name = error.option_name
             message = f"no such option '{name}'{did_you_mean(name, error.possibilities or ())}"
-        message = message[:1].lower() + message[1:]  # as all other errors begin
-        # Where click leaves the context out, an option of the command is at fault.
+        message = message[:1].lower() + message[1:]  # like all other errors
+        # If click omits the context, the cause is an option of the command.
         command = error.ctx.command_path if error.ctx else f"urdfkit {words[0]}"
         raise UsageError(f"{message} (see '{command} --help')") from error
     assert isinstance(code, int)

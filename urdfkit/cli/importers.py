@@ -22,7 +22,7 @@ from urdfkit.text.source import Span, shown
 
 VERSION = 1
 
-#: The rules about the graph of links and joints, for programs that are no target.
+#: Rules about the graph of links and joints, for programs that are not targets.
 STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
 
 
@@ -88,7 +88,7 @@ def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
 
 
 def _errors(asked: dict[str, Any], context: Context, facts: ImporterFacts) -> list[Diagnostic]:
-    """The errors of a check for a program; those of the tree alone, if it is no target."""
+    """The errors of a check for a program; only those of the tree if it is not a target."""
     options = check_options(asked, only_file(asked))
     if facts.target:
         options = options._replace(targets=(facts.target,))
@@ -103,7 +103,7 @@ def _place(span: Span) -> str:
 
 
 def _overview(robots: list[Imported]) -> Iterator[str]:
-    """A row for each program, and then the orders that differ."""
+    """A row for each program, followed by the joint orders that differ."""
     model = robots[0].tree.model
     yield f"{counted(len(model.links), 'link')}, {model.mass:g} kg, as programs import them:"
     yield ""
@@ -186,7 +186,7 @@ def _about_root(one: Imported) -> str:
 
 
 def _changes(one: Imported) -> Iterator[str]:
-    """The changes, below the file that they are in."""
+    """The changes, grouped by file."""
     for path, group in groupby(changes(one), key=lambda change: change.at.span.source.path):
         yield ""
         yield shown(path)

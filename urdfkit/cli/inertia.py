@@ -78,7 +78,7 @@ def command(
 
 
 def _write(chosen: Sequence[InertiaProposal], color: str, *, is_diff: bool) -> int:
-    """Write suggested values, or show them as a diff; 1 if one cannot be written."""
+    """Write suggested values, or print them as a diff; the exit code is 1 if a write fails."""
     lines: list[str] = []
     files, left = rewrites(chosen)
     if is_diff:
@@ -124,7 +124,7 @@ def _row(what: str, values: MassProperties | None) -> str:
 
 
 def proposed(chosen: Sequence[InertiaProposal]) -> Iterator[str]:
-    """What to write; links that get the same share a line."""
+    """The suggested values; links with the same values share a line."""
     alike: dict[str, list[InertiaProposal]] = {}
     for one in chosen:
         if one.computed is not None:

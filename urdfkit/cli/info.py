@@ -1,4 +1,4 @@
-"""``urdfkit info``: a robot on one page."""
+"""``urdfkit info``: a summary of a robot."""
 
 import os
 import textwrap
@@ -19,7 +19,7 @@ from urdfkit.text.source import shown
 
 VERSION = 1
 
-#: Names in a list; the rest are counted.
+#: Most names in a list; the rest are counted.
 MOST = 8
 
 _LABEL = 12
@@ -117,7 +117,7 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
 def _size(found: Overview) -> Iterator[str]:
     box, reach, left_out = found.shapes.box, found.reach, found.shapes.left_out
     if len(left_out) > found.shapes.measured:
-        box = None  # the rest says nothing of the whole
+        box = None  # too few shapes for the size of the robot
         yield from _entry("size", "not known")
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
@@ -128,8 +128,8 @@ def _size(found: Overview) -> Iterator[str]:
         names = _list(left_out)
         yield from _entry("", f"without shapes of {names}: {_list(reasons)}")
     if reach and reach.distance > 0:
-        way = f"from joint {reach.joint} to the origin of {reach.link}"
-        yield from _entry("reach", f"{reach.distance:.4g} m {way}")
+        ends = f"from joint {reach.joint} to the origin of {reach.link}"
+        yield from _entry("reach", f"{reach.distance:.4g} m {ends}")
 
 
 def _shapes(found: Shapes) -> Iterator[str]:
@@ -147,7 +147,7 @@ def _shapes(found: Shapes) -> Iterator[str]:
 
 
 def _sensors(found: Sequence[Sensor]) -> Iterator[str]:
-    """Each of a few; of many how many there are of each type."""
+    """Each sensor; if there are many, the number of each type."""
     if len(found) <= MOST:
         for sensor in found:
             yield from _entry("sensor", _sensor(sensor))
@@ -158,11 +158,11 @@ def _sensors(found: Sequence[Sensor]) -> Iterator[str]:
 
 
 def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
-    """Names by what they have in common; one without a name is ``(no name)``."""
-    found: dict[str, list[str]] = {}
+    """Names by their common key; a missing name becomes ``(no name)``."""
+    groups: dict[str, list[str]] = {}
     for key, name in pairs:
-        found.setdefault(key, []).append(name or "(no name)")
-    return found
+        groups.setdefault(key, []).append(name or "(no name)")
+    return groups
 
 
 def _sensor(sensor: Sensor) -> str:
@@ -173,7 +173,7 @@ def _sensor(sensor: Sensor) -> str:
 
 
 def _entry(label: str, text: str) -> list[str]:
-    """A label and its text, wrapped in a column of its own."""
+    """A label, and its text wrapped in a second column."""
     return textwrap.wrap(
         text,
         max(output.width(), 40),
@@ -191,19 +191,19 @@ def _list(names: Iterable[str]) -> str:
 
 
 def _repeated(names: Iterable[str]) -> list[str]:
-    """Names once each, with how often they occur."""
+    """Distinct names, with their number if they occur several times."""
     return [f"{name} ({many}x)" if many > 1 else name for name, many in Counter(names).items()]
 
 
 def _vector(values: Iterable[float], size: float = 0.0) -> str:
-    """Three numbers; what is negligible against the largest, or against ``size``, is 0."""
-    every = list(values)
-    noise = 1e-6 * max(size, *map(abs, every))
-    return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
+    """Three numbers; 0 if negligible relative to the largest of them and ``size``."""
+    numbers = list(values)
+    noise = 1e-6 * max(size, *map(abs, numbers))
+    return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in numbers)
 
 
 def as_json(found: Overview) -> Mapping[str, Any]:
-    """The same for programs; lengths in m, masses in kg."""
+    """The summary for JSON; lengths in m, masses in kg."""
     structure, shapes, whole = found.structure, found.shapes, found.weight.whole
     body = whole.properties
     return {

@@ -77,7 +77,7 @@ def render(found: DirectoryContents, directory: str) -> str:
 
 
 class _ConfiguredRobot:
-    """A description, and what a configuration has to say about it."""
+    """A description and its entry in a configuration."""
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:
         self.file = os.path.relpath(file, directory).replace(os.sep, "/")
@@ -89,7 +89,7 @@ class _ConfiguredRobot:
         self.targets = context.targets.names if is_readable else ()
 
     def lines(self) -> Iterator[str]:
-        """Its table, with the arguments that it needs; the others as comments."""
+        """The ``[[robot]]`` table with the required arguments; the others as comments."""
         yield "[[robot]]"
         yield f"file = {_quoted(self.file)}"
         if self._xacro is None:
@@ -101,7 +101,7 @@ class _ConfiguredRobot:
                 yield f"# arguments.{_key(name)} = {_quoted(default)}"
 
     def _value(self, name: str, xacro: Xacro) -> str:
-        """A value that is found; the others, or what to do, as a comment."""
+        """The first possible value; the others, or an instruction, as a comment."""
         found = found_values(name, xacro, self._resolver)
         if found is None:
             return '""  # required: fill in the value'
@@ -116,7 +116,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _key(name: str) -> str:
-    """A name as TOML writes it on the left of '='."""
+    """A name as a TOML key."""
     is_bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
     return name if is_bare else _quoted(name)
 

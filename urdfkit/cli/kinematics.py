@@ -78,7 +78,7 @@ def _dynamics(
 
 
 def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str]:
-    """The lines for people; angles also in degrees, since nobody reads radians."""
+    """The result as text; angles also in degrees."""
     where = "at the given pose" if found["pose"] else "all joints at zero"
     if "frames" in found:
         yield from _frames(found["frames"], root_of, where)
@@ -102,7 +102,7 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
 def _frames(
     found: Mapping[str, Transform], root_of: Mapping[str, str], where: str
 ) -> Iterator[str]:
-    """The frames under each root, in the frame of that root."""
+    """The frames of each tree, relative to its root."""
     if not found:
         yield "no frames: no link is a root"
         return
@@ -128,7 +128,7 @@ def _fixed(value: float, width: int, digits: int) -> str:
 
 
 def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[str]:
-    """A square matrix, in groups of as many columns as the terminal has room for."""
+    """A square matrix, in groups of columns that fit the terminal."""
     width = min(max(map(len, names), default=0), 20)
     count = max(1, (output.width() - width - 2) // 10)
     for start in range(0, len(names), count):
@@ -152,7 +152,7 @@ def _numbers(values: Iterable[float]) -> str:
 
 
 def as_json(found: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, Any]:
-    """The same for programs, in m and rad; rotations are three rows."""
+    """The result for JSON, in m and rad; rotations are three rows."""
     document = dict(found)
     if "frames" in found:
         document["frames"] = {

@@ -1,4 +1,4 @@
-"""Groups of commands, each of which is imported when it is used."""
+"""Click groups that import each command when it is used."""
 
 import os
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ from urdfkit.core.installation import install_command
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 
-#: What other tools call a command; none of them is a typo of one of ours.
+#: Names of commands in other tools, with our command.
 _ELSEWHERE = {
     "lint": "check",
     "validate": "check",
@@ -29,12 +29,12 @@ class MissingExtra(UrdfkitError):
 
 
 class LazyGroup(click.Group):
-    """A group that imports a command when it is asked for.
+    """A group that imports each command when it is used.
 
     Args:
-        package: that has a module for each command, with a ``command`` in it.
-        sections: names of commands by the heading of help that lists them.
-        extra: of urdfkit, that the commands need.
+        package: package with a module for each command, which defines ``command``.
+        sections: names of commands by heading in the help.
+        extra: extra of urdfkit that the commands require.
     """
 
     def __init__(

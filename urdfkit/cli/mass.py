@@ -1,4 +1,4 @@
-"""``urdfkit mass``: the mass properties of every link and of the whole."""
+"""``urdfkit mass``: the mass properties of every link and of the whole robot."""
 
 import csv
 import io
@@ -101,13 +101,13 @@ def _unknown(found: MassTable) -> Iterator[str]:
 
 
 def _axes(axes: Rotation) -> str:
-    """The axes as letters where they are those of the link, else ``turned``."""
+    """The axes as letters if they are parallel to the link's axes, else ``turned``."""
     letters = []
     for column in zip(*axes, strict=True):
-        at = max(range(3), key=lambda index: abs(column[index]))
-        if abs(column[at]) < 1 - 1e-6:
+        largest = max(range(3), key=lambda index: abs(column[index]))
+        if abs(column[largest]) < 1 - 1e-6:
             return "turned"
-        letters.append("xyz"[at])
+        letters.append("xyz"[largest])
     return " ".join(letters)
 
 
@@ -161,7 +161,7 @@ def _link(row: MassRow) -> dict[str, Any]:
 
 
 def as_csv(found: MassTable) -> str:
-    """One line for each link and one for the whole, which has no name."""
+    """One row for each link, and one without a name for the whole robot."""
     from urdfkit.output.report.csv import cell  # with all of the report
 
     text = io.StringIO()

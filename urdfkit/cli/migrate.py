@@ -46,7 +46,7 @@ def command(asked: dict[str, Any], target: str, color: str) -> int:
 
 
 def render(migration: Migration, target: str) -> Iterator[str]:
-    """The diff, and what is left as lines that ``patch`` ignores."""
+    """The diff, and the remaining findings as lines that ``patch`` ignores."""
     if not (migration.renamed or migration.left or migration.unread):
         yield f"nothing to do for {target}\n"
     yield migration.diff()

@@ -1,8 +1,8 @@
-"""The options of ``urdfkit check``, stated once, and what their values mean.
+"""The table of options of ``urdfkit check``, and the interpretation of their values.
 
-Importing click costs more than checking a small robot. So the ordinary command line is read by
-``quick``, and everything else, help and errors included, by click: both from this table, and
-both give the same values. Other commands use click alone.
+Importing click takes longer than checking a small robot. So ``quick`` parses ordinary command
+lines, and click all others, including help and errors: both use this table, with the same results.
+Other commands use click only.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 class Option(Record):
     """One command-line option."""
 
-    flag: str  # as it is typed
+    flag: str  # long name, with its dashes
     help: str  # one sentence
-    metavar: str = ""  # stands for the value; empty for a switch
-    choices: tuple[str, ...] = ()  # the values there are; any if empty
-    many: bool = False  # may be given several times
-    default: str | None = None  # of an option with choices
-    short: str = ""  # the same with one letter
+    metavar: str = ""  # placeholder of the value in the help; empty for a switch
+    choices: tuple[str, ...] = ()  # valid values; any if empty
+    many: bool = False  # repeatable
+    default: str | None = None  # default of an option with choices
+    short: str = ""  # short name, with its dash
 
     @property
     def key(self) -> str:
@@ -43,7 +43,7 @@ class Option(Record):
         return self.default if self.metavar else False
 
 
-#: The name of the value that holds all words that are no options.
+#: Key of the words that are not options.
 FILES = "files"
 
 CHECK = (
@@ -68,7 +68,7 @@ CHECK = (
     Option("--preview", "Run preview rules, too."),
     Option(
         "--min-confidence",
-        "Leave out findings that are less sure. [default: guessed]",
+        "Report only findings of at least this confidence. [default: guessed]",
         "CONFIDENCE",
         ("measured", "inferred", "guessed"),
     ),
@@ -84,13 +84,13 @@ CHECK = (
         "NAMES",
         many=True,
     ),
-    Option("--info", "Show infos, too, and all that is known of each finding (--format full)."),
-    Option("--watch", "Check again whenever a file that was read changes, until Ctrl-C."),
+    Option("--info", "Also show infos, and all details of each finding (--format full)."),
+    Option("--watch", "Check again whenever an input file changes, until Ctrl-C."),
     Option(
         "--add-ignore",
         "Write an ignore comment for every finding that decides the exit code; --diff shows them.",
     ),
-    Option("--show-files", "List the robots to check and the files left out; check nothing."),
+    Option("--show-files", "List the robots to check and the skipped files; check nothing."),
     Option("--show-settings", "Print the settings of the check as TOML; check nothing."),
     Option("--exit-zero", "Exit with 0 even if there are findings."),
     Option("--fix", "Apply safe fixes in place, and report the remaining findings."),
@@ -122,7 +122,7 @@ CHECK = (
     Option("--variant", "Check only this variant of the configuration. [default: all]", "NAME"),
     Option("--baseline", "Do not report findings that are in FILE.", "FILE"),
     Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
-    Option("--stdin-filename", "File name for what '-' reads.", "FILE"),
+    Option("--stdin-filename", "File name of standard input ('-').", "FILE"),
 )
 
 
@@ -132,21 +132,21 @@ class UsageError(UrdfkitError):
 
 def files(values: Mapping[str, Any]) -> list[str]:
     """The files to check, as typed; '-' is standard input."""
-    found = [word for word in values[FILES] if ":=" not in word]
-    if not found:
+    paths = [word for word in values[FILES] if ":=" not in word]
+    if not paths:
         raise UsageError(
             "no file to check; pass a URDF or xacro file, a directory such as '.', or '-' for "
             "standard input"
         )
-    if found.count("-") > 1:
+    if paths.count("-") > 1:
         raise UsageError("'-' stands for standard input, which can be read only once")
-    for file in found:
+    for file in paths:
         name, equals, value = file.partition("=")
         if equals and not disk.exists(file):
             raise UsageError(
                 f"{file}: file not found; a xacro argument has the form {name}:={value}"
             )
-    return found
+    return paths
 
 
 def jobs(values: Mapping[str, Any]) -> int:
@@ -160,33 +160,33 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file; for standard input that of the current directory.
+    """The configuration of a file; for standard input, of the current directory.
 
-    One that was found may come with a robot from anywhere, and is no more trusted than it. Its
-    limits of an expansion hold from now on, and those that are given.
+    A configuration that the user did not name may come with the robot, and is not trusted. Sets the
+    limits of expansions, from the configuration and the command line.
     """
-    found = _configured(values, near)
-    given = _limits(values)
-    if given:
+    configured = _configured(values, near)
+    limits = _limits(values)
+    if limits:
         from urdfkit.lint.config import Config
 
-        found = found or Config()
-        found = found._replace(limits=found.limits._replace(**given))
-    if found is not None:
-        expansion_limits.allow(found.limits)
-    return found
+        configured = configured or Config()
+        configured = configured._replace(limits=configured.limits._replace(**limits))
+    if configured is not None:
+        expansion_limits.allow(configured.limits)
+    return configured
 
 
 def _limits(values: Mapping[str, Any]) -> dict[str, int]:
-    """The limits of an expansion that are given, by name."""
-    found = {}
+    """The limits of an expansion on the command line, by name."""
+    limits = {}
     for name in ("seconds", "megabytes"):
         word = values.get(f"xacro_{name}")
         if word is not None:
             if not word.isdecimal() or int(word) < 1:
                 raise UsageError(f"--xacro-{name} {word}: write a number from 1")
-            found[name] = int(word)
-    return found
+            limits[name] = int(word)
+    return limits
 
 
 def _configured(values: Mapping[str, Any], near: str) -> Config | None:
@@ -197,14 +197,14 @@ def _configured(values: Mapping[str, Any], near: str) -> Config | None:
         return None
     from urdfkit.lint.config_reader import load
 
-    found = load(path, trusted=bool(values["config"]) or values["trust"])
-    for warning in found.warnings:
+    configured = load(path, trusted=bool(values["config"]) or values["trust"])
+    for warning in configured.warnings:
         warn(warning)
-    return found
+    return configured
 
 
 def add_rules(values: Mapping[str, Any]) -> list[str]:
-    """Packages of rules that are named on the command line; their rules are known from now on."""
+    """Register the packages of rules on the command line; their names."""
     names = words(values, "rules")
     if names:
         from urdfkit.lint.rule_packages import add
@@ -214,59 +214,59 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
 
 
 def arguments(values: Mapping[str, Any]) -> dict[str, str]:
-    """The arguments for xacro; the last of a name wins."""
-    found = {}
+    """The xacro arguments; the last one of a name takes precedence."""
+    arguments = {}
     for word in values[FILES]:
         name, is_argument, value = word.partition(":=")
         if is_argument:
             if not name:
                 raise UsageError(f"'{word}' has no name before ':='")
-            found[name] = value
-    return found
+            arguments[name] = value
+    return arguments
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    found = {}
+    directories = {}
     for word in values["package"]:
         name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        found[name] = directory
-    return found
+        directories[name] = directory
+    return directories
 
 
 def words(values: Mapping[str, Any], key: str) -> list[str]:
-    """The words of an option that takes comma lists."""
+    """The words of an option that takes comma-separated lists."""
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
 
 
 def selected(values: Mapping[str, Any]) -> list[str]:
-    """What ``--select`` names; warns of former codes and names."""
-    named = words(values, "select")
-    if named:
+    """The words of ``--select``; warns of former codes and names."""
+    selection = words(values, "select")
+    if selection:
         from urdfkit.lint import rule_index
 
-        for note in filter(None, map(rule_index.note, named)):
+        for note in filter(None, map(rule_index.note, selection)):
             warn(f"--select: {note}")
-    return named
+    return selection
 
 
 def ignored(values: Mapping[str, Any]) -> list[str]:
-    """What ``--ignore`` names; a word that means no rule is warned of and left out."""
-    named = words(values, "ignore")
-    if not named:
+    """The words of ``--ignore`` that match a rule; warns of the others."""
+    selection = words(values, "ignore")
+    if not selection:
         return []
     from urdfkit.lint import rule_index
 
-    unknown = rule_index.ignored(named).unknown
-    for note in (*filter(None, map(rule_index.ignore_note, named)), *unknown):
+    errors = rule_index.ignored(selection).unknown
+    for note in (*filter(None, map(rule_index.ignore_note, selection)), *errors):
         warn(f"--ignore: {note}")
-    wrong = {error.word for error in unknown}
-    return [word for word in named if word not in wrong]
+    unknown = {error.word for error in errors}
+    return [word for word in selection if word not in unknown]
 
 
 def warn(text: str) -> None:
-    """Say on standard error what is odd; the cache of results holds standard output only."""
+    """Print a warning to standard error; prevents caching, which covers standard output only."""
     disk.depends_on_more()
     from urdfkit.cli import output
 
@@ -274,17 +274,17 @@ def warn(text: str) -> None:
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:
-    """The format of the text for people."""
+    """The name of the text format."""
     if values["statistics"]:
         return "statistics"
-    # Whoever names rules, or fails on infos, wants to see what they report.
+    # With selected rules, or exit code 1 for infos, users need to see infos.
     return "full" if values["info"] or values["select"] or fail_on == "info" else "text"
 
 
 def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
-    """The formats, each with the file it is for; an empty name is standard output."""
-    found: list[tuple[str, str]] = []
-    elsewhere = "" if values["output"] in (None, "-") else values["output"]
+    """The formats, each with its file; an empty file name stands for standard output."""
+    formats_and_files: list[tuple[str, str]] = []
+    output_file = "" if values["output"] in (None, "-") else values["output"]
     for word in values["format"] or ("text",):
         name, colon, file = word.partition(":")
         if name not in formats.names():
@@ -292,11 +292,11 @@ def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
             raise UsageError(f"--format {word}: unknown format '{name}', only {known}")
         if colon and not file:
             raise UsageError(f"--format {word}: expected a file name after the colon")
-        file = "" if file == "-" else file or elsewhere
-        if file in (other for _, other in found):
+        file = "" if file == "-" else file or output_file
+        if file in (other for _, other in formats_and_files):
             where = file or "standard output"
             raise UsageError(f"two formats write to {where}; give one of them a file, as NAME:FILE")
-        found.append((_text(values, fail_on) if name == "text" else name, file))
-    if elsewhere and elsewhere not in (file for _, file in found):
-        raise UsageError(f"--output {elsewhere}: every --format has a file already")
-    return found
+        formats_and_files.append((_text(values, fail_on) if name == "text" else name, file))
+    if output_file and output_file not in (file for _, file in formats_and_files):
+        raise UsageError(f"--output {output_file}: every --format has a file already")
+    return formats_and_files

@@ -1,4 +1,4 @@
-"""Standard output: whether it has colours, how wide it is, and what can go wrong with it."""
+"""Standard output and standard error: colours, width, encoding and errors."""
 
 import os
 import sys
@@ -8,16 +8,16 @@ from urdfkit.errors import UnwritableFile
 from urdfkit.text.source import shown_text
 from urdfkit.text.terminal import columns, printable, wrap
 
-#: How units are written where the terminal has no letters for them, such as kg m^2.
+#: Units for terminals whose encoding lacks these letters, such as kg m^2.
 _ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
-#: The colours of a line in a diff, by how it begins.
+#: ANSI colour codes of the lines in a diff, by prefix.
 _DIFF = {"---": 1, "+++": 1, "@@": 36, "-": 31, "+": 32}
 
 
 def has_color(when: str) -> bool:
-    """Whether to write colours: ``always``, ``never``, or ``auto`` for what the place allows.
+    """True if the output has colours: ``always``, ``never``, or ``auto`` by the environment.
 
-    https://no-color.org and https://force-color.org: a value that is not empty counts.
+    Source: https://no-color.org and https://force-color.org; only non-empty values count.
     """
     if when != "auto":
         return when == "always"
@@ -29,10 +29,10 @@ def has_color(when: str) -> bool:
 
 
 def width() -> int:
-    """Columns of the terminal, or as many as COLUMNS says; 80 where there is none."""
-    given = os.environ.get("COLUMNS", "")
-    if given.isdecimal() and int(given) > 0:
-        return int(given)
+    """Number of columns: of the variable COLUMNS, else of the terminal, else 80."""
+    variable = os.environ.get("COLUMNS", "")
+    if variable.isdecimal() and int(variable) > 0:
+        return int(variable)
     if not is_terminal():
         return 80
     try:
@@ -42,14 +42,14 @@ def width() -> int:
 
 
 def is_terminal() -> bool:
-    """True if people read standard output, and no program or file takes it."""
+    """True if standard output is a terminal."""
     return sys.stdout is not None and sys.stdout.isatty()
 
 
 def write(text: str) -> bytes:
-    """Write to standard output, in UTF-8 unless a terminal wants another encoding.
+    """Write to standard output, in UTF-8 unless a terminal requires another encoding.
 
-    A reader that goes away early (``| head``) is no error.
+    A pipe that the reader closes early (``| head``) is not an error.
 
     Returns:
         The bytes that were written.
@@ -62,7 +62,7 @@ def write(text: str) -> bytes:
     data = _for_terminal(text, sys.stdout.encoding) if is_terminal() else encode(text)
     try:
         binary = getattr(sys.stdout, "buffer", None)
-        if binary is None:  # an in-process caller has put something of its own there
+        if binary is None:  # replaced by an in-process caller
             sys.stdout.write(text)
         else:
             binary.write(data)
@@ -73,9 +73,9 @@ def write(text: str) -> bytes:
 
 
 def write_diff(text: str, when: str) -> None:
-    """Write a diff, with the colours of git if there are to be any (`has_color`).
+    """Write a diff, in the colours of git if colours are enabled (`has_color`).
 
-    In a file it stays a patch whatever FORCE_COLOR says, which CI servers set.
+    In a file it stays a patch even with FORCE_COLOR, which CI servers set.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
@@ -91,12 +91,12 @@ def _colored(line: str) -> str:
 
 
 def give_up(error: OSError) -> None:
-    """Standard output cannot be written; that nobody reads it any more is no error.
+    """Handle a failed write to standard output; a closed pipe is not an error.
 
     Raises:
-        UnwritableFile: its disk is full.
+        UnwritableFile: the disk is full.
     """
-    # What is left in the buffer must not fail a second time when Python exits.
+    # The rest of the buffer must not fail again when Python exits.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if not isinstance(error, BrokenPipeError):
         raise UnwritableFile(f"standard output: {error.strerror or error}") from error
@@ -110,11 +110,11 @@ def _for_terminal(text: str, encoding: str) -> bytes:
 
 
 def aligned(values: Iterable[float], noise: float = 0.0, width: int = 9) -> str:
-    """Numbers in columns of one width: to four digits in nine, to three in eight.
+    """Numbers in columns of equal width, with ``width - 5`` significant digits.
 
     Args:
-        noise: what is no larger is but the rounding of sums, and 0.
-        width: of a column; a number that is too long has a digit less.
+        noise: largest absolute value that is printed as 0, as a rounding error.
+        width: width of a column; a number that is too long gets one digit less.
     """
     return " ".join(_short(0.0 if abs(value) <= noise else value, width) for value in values)
 
@@ -125,20 +125,20 @@ def _short(value: float, width: int) -> str:
 
 
 def two_columns(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Lines of names and their descriptions: in two columns, or below each name if too wide.
+    """Lines with names and descriptions: in two columns, or below each name if too wide.
 
     Args:
-        rows: a row without a name belongs to the one before.
+        rows: a row without a name continues the previous row.
     """
-    every = list(rows)
-    most = max((columns(name) for name, _ in every), default=0)
-    fits = most + 1 + max((columns(reported) for _, reported in every), default=0) <= width()
-    for name, reported in every:
+    rows = list(rows)
+    widest = max((columns(name) for name, _ in rows), default=0)
+    fits = widest + 1 + max((columns(text) for _, text in rows), default=0) <= width()
+    for name, text in rows:
         if fits:
-            yield f"{name}{' ' * (most - columns(name))} {reported}".rstrip()
+            yield f"{name}{' ' * (widest - columns(name))} {text}".rstrip()
         else:
             yield from [name] if name else []
-            yield f"  {reported}".rstrip()
+            yield f"  {text}".rstrip()
 
 
 def wrapped(text: str, indent: int = 2) -> list[str]:
@@ -147,7 +147,7 @@ def wrapped(text: str, indent: int = 2) -> list[str]:
 
 
 def labelled(label: str, text: str) -> list[str]:
-    """A text behind a word, in lines no wider than the terminal."""
+    """A text after a label, in lines no wider than the terminal."""
     lines = indented(text, first=f"  {label:<10} ", rest=" " * 13)
     return lines or [f"  {label}"]
 
@@ -167,7 +167,7 @@ def indented(text: str, first: str = "  ", rest: str = "    ") -> list[str]:
 
 
 def page(lines: Iterable[str]) -> None:
-    """Write lines for people; nothing in a name steers the terminal.
+    """Write lines of text, with control characters escaped.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
@@ -176,12 +176,12 @@ def page(lines: Iterable[str]) -> None:
 
 
 def note(text: str) -> None:
-    """Say on standard error what is not part of the result."""
+    """Write a note to standard error."""
     tell(f"note: {text}")
 
 
 def tell(*texts: str) -> None:
-    """Write lines to standard error; only a terminal gets them wrapped, and `grep` whole."""
+    """Write lines to standard error; they are wrapped for a terminal only."""
     for text in map(printable, map(shown_text, texts)):
         if sys.stderr is not None:
             is_shown = sys.stderr.isatty()
@@ -189,7 +189,7 @@ def tell(*texts: str) -> None:
 
 
 def json_or_page(form: str, document: Callable[[], object], lines: Iterable[str]) -> None:
-    """Write what a command found: as JSON if that is its format, or as lines for people.
+    """Write the result of a command, as JSON or as lines of text.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
@@ -203,7 +203,7 @@ def json_or_page(form: str, document: Callable[[], object], lines: Iterable[str]
 
 
 def encode(text: str) -> bytes:
-    """UTF-8; bytes of a file name that are no text become escapes that JSON can hold."""
+    """Text in UTF-8; undecodable bytes of file names become escapes that are valid in JSON."""
     return text.encode("utf-8", "backslashreplace")
 
 

@@ -1,8 +1,7 @@
-"""A command line in a process of its own, which a library may crash and a limit may end.
+"""Runs a command line in its own process, which a library may crash and a limit may end.
 
-That is one line of an error for whoever waits, never the end of the command without a word. The
-process is forked before anything large is imported. Windows cannot fork: there the command runs as
-it is, without limits.
+The parent process then reports an error in one line. The process is forked before anything large is
+imported. Windows cannot fork: there the command runs in the same process, without limits.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import NoReturn
 
-#: Seconds in which a process that is stopped may remove what it has half written.
+#: Seconds that a stopped process has to remove incomplete files.
 _LAST_SECONDS = 2.0
-#: What a process tells last that ends by itself.
+#: The last message of a process that ends normally.
 _END = b"end\n"
 #: A line of a traceback of faulthandler.
 _FRAME = re.compile(r'File "([^"]*)", line \d+ in (\S+)')
@@ -33,7 +32,7 @@ class _Stopped(Exception):
 
 
 def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
-    """The exit code of a function that runs in a process of its own.
+    """The exit code of a function, which runs in its own process.
 
     Args:
         leave: ends that process with an exit code.
@@ -53,13 +52,13 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
     os.close(reporting)
     signal.signal(signal.SIGTERM, _stop)
     try:
-        said = _read(reports)
+        messages = _read(reports)
         status = os.waitpid(process, 0)[1]
     except (KeyboardInterrupt, _Stopped) as error:
-        os.close(ours)  # the process hears of it
+        os.close(ours)  # ends the process, see _depend_on
         _await_end(process)
         return 130 if isinstance(error, KeyboardInterrupt) else 143
-    return _code(status, said)
+    return _code(status, messages)
 
 
 def _stop(number: int, frame: object) -> NoReturn:
@@ -73,20 +72,20 @@ def _interrupt(number: int, frame: object) -> NoReturn:
 
 
 def _depend_on(lifeline: int) -> None:
-    """End with the process that waits for this one, in whatever way that one ends."""
+    """End this process when its parent ends for any reason."""
     from _thread import start_new_thread
 
     def watch() -> None:
         os.read(lifeline, 1)  # returns when the other end is closed
         os.kill(os.getpid(), signal.SIGTERM)
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the other process hears Ctrl-C
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
     signal.signal(signal.SIGTERM, _interrupt)
     start_new_thread(watch, ())
 
 
 def _read(pipe: int) -> str:
-    """All that the process tells, until it ends."""
+    """All messages of the process, until it ends."""
     parts = []
     while part := os.read(pipe, 65536):
         parts.append(part)
@@ -103,16 +102,16 @@ def _await_end(process: int) -> None:
     os.waitpid(process, 0)
 
 
-def _code(status: int, said: str) -> int:
-    """The exit code of a process that has ended; why, if it did not end by itself."""
+def _code(status: int, messages: str) -> int:
+    """The exit code of a process that has ended; prints the reason if it ended abnormally."""
     from urdfkit.cli import fail
 
-    where = _where(said)
-    if "Timeout (" in said:
-        limit = re.findall(r"^limit (.*)$", said, re.MULTILINE)[-1]
+    where = _where(messages)
+    if "Timeout (" in messages:
+        limit = re.findall(r"^limit (.*)$", messages, re.MULTILINE)[-1]
         return fail(2, f"not done after {limit}{where}; --timeout raises the limit")
     if os.WIFEXITED(status):
-        if said.endswith(_END.decode()):
+        if messages.endswith(_END.decode()):
             return os.WEXITSTATUS(status)
         return fail(2, f"a library ended the process{where}; perhaps memory ran out")
     number = os.WTERMSIG(status)
@@ -122,14 +121,14 @@ def _code(status: int, said: str) -> int:
     return fail(2, f"a library crashed ({name}){where}")
 
 
-def _where(said: str) -> str:
-    """What was reached, and the function of urdfkit in which it ended, so far as that is known."""
-    done = re.findall(r"^done (.*)$", said, re.MULTILINE)
-    found = f": {done[-1]} done" if done else ""
-    main_thread = re.split("hread 0x", said)[-1]  # faulthandler lists it last
+def _where(messages: str) -> str:
+    """The progress of the process, and the function of urdfkit in which it ended, if known."""
+    done = re.findall(r"^done (.*)$", messages, re.MULTILINE)
+    progress = f": {done[-1]} done" if done else ""
+    main_thread = re.split("hread 0x", messages)[-1]  # faulthandler lists it last
     for path, function in _FRAME.findall(main_thread):
         _, package, module = path.replace(os.sep, "/").rpartition("/urdfkit/")
         if package:
             name = module.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-            return f"{found}, in urdfkit.{name}.{function}"
-    return found
+            return f"{progress}, in urdfkit.{name}.{function}"
+    return progress

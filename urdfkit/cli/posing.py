@@ -1,4 +1,4 @@
-"""The options that set the joints of a robot, for every command that has a pose."""
+"""The options for joint positions, for all commands with a pose."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,7 +8,7 @@ from urdfkit.cli.decorators import option, with_options
 from urdfkit.lint.context import Context
 from urdfkit.physics.poses import outside_limits, pose
 
-#: Gives a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``.
+#: Adds the options ``--joint`` and ``--pose`` to a command, as ``joint`` and ``pose``.
 posed = with_options(
     option("--pose FILE", "Pose file, or an SRDF group state such as ready or arm.srdf:ready."),
     option(
@@ -20,7 +20,7 @@ posed = with_options(
 
 
 def positions(context: Context, asked: Mapping[str, Any]) -> dict[str, float]:
-    """The positions that the options give; those outside the limits are reported.
+    """The joint positions of the options; reports those outside the limits.
 
     Raises:
         UsageError: ``--joint`` has no ``=``.

@@ -73,7 +73,7 @@ class ProgressBar:
         self._is_visible = True
 
     def _rate(self) -> str:
-        """Such as ``, 85.2/s, 0:03:20 left``, with what wipes a longer text."""
+        """The rate, such as ``, 85.2/s, 0:03:20 left``, and a code that clears the line's rest."""
         done, total = self._state
         rate = done / max(time.monotonic() - self._start, 1e-9)
         if not self._rated or not done:
@@ -87,11 +87,11 @@ class ProgressBar:
             self._stream.write(text)
             self._stream.flush()
         except OSError:
-            pass  # the terminal is gone; the check matters more
+            pass  # the terminal is closed; the check continues
 
 
 def on_terminal(things: str = "", *, rated: bool = False) -> ProgressBar | None:
-    """Progress on standard error; None where no person looks at it, or no line can be wiped."""
+    """A progress bar on standard error; None if it is not a terminal, or cannot clear lines."""
     if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         return None
     return ProgressBar(sys.stderr, things, rated=rated)
@@ -99,7 +99,7 @@ def on_terminal(things: str = "", *, rated: bool = False) -> ProgressBar | None:
 
 @contextmanager
 def progress_bar(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
-    """Progress on standard error while a job lasts, if a person looks at it."""
+    """Show a progress bar on standard error during a job, if it is a terminal."""
     bar = on_terminal(things, rated=rated)
     try:
         yield limits.noting(bar)
@@ -110,7 +110,7 @@ def progress_bar(things: str = "", *, rated: bool = False) -> Iterator[Progress 
 
 @contextmanager
 def working() -> Iterator[None]:
-    """Say on standard error, if a person looks at it, that a job of unknown length goes on."""
+    """Show on standard error during a job of unknown length that it is running, on a terminal."""
     bar = on_terminal()
     if bar is None:
         yield

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from urdfkit.render import Background, CameraOptions, DrawingOptions, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
-#: Pixels of an image, of an animation, of two states side by side, and of a thumbnail.
+#: Sizes in pixels of an image, an animation, two states side by side, and a thumbnail.
 SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
-#: Meshes that are boxes in the image and named one by one.
+#: Most meshes drawn as boxes that are listed by name.
 _NAMED = 5
 
 
@@ -96,7 +96,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
 
 
 def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Scene:
-    """The robot in its pose, with everything over it that is asked for."""
+    """The image of the robot in its pose, with the requested overlays."""
     from urdfkit import render
     from urdfkit.lint.engine import check_with
     from urdfkit.lint.options import Options
@@ -135,7 +135,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
 def _animation(
     robot: Context, pose: dict[str, float], scene: Scene, values: dict[str, Any]
 ) -> None:
-    """A turn of the robot, or a sweep of one of its joints."""
+    """An animation: a turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
 
     path = values["turntable"] or values["output"]
@@ -154,7 +154,7 @@ def _animation(
 
 
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
-    """Both states side by side; and the second one."""
+    """The image of both states side by side, and the second state."""
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 

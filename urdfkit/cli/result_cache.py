@@ -1,12 +1,12 @@
-"""The results of earlier checks, which an unchanged check repeats.
+"""Cache of check results: an unchanged check replays its earlier output.
 
-An entry is a file named after the question: the command line, the working directory, the
-environment of the terminal, and the versions of urdfkit, Python and the installed packages. It
-holds what the check asked of the file system and of the environment, with the answers
-(`core/file_log.py`), and what it printed. An entry of which an answer has changed, that is
-damaged, or that answers another question is as good as none.
+An entry is a file named by a checksum of the question: the command line, the working directory, the
+terminal's variables, and the versions of urdfkit, Python and the installed packages. It contains
+the queries of the check to the file system and the environment, with their answers
+(`core/file_log.py`), and the output. An entry is ignored if an answer has changed, if it is
+damaged, or if it is for another question.
 
-This module runs before anything else is imported, and imports next to nothing.
+This module is imported first, and imports as little as possible.
 """
 
 import os
@@ -20,14 +20,14 @@ from urdfkit.core import file_log
 from urdfkit.core.regular_file import opened
 
 _STANDARD_LIBRARY = os.path.dirname(os.__file__)
-#: Variables that decide how a result is printed.
+#: Environment variables that affect the output.
 _OF_THE_TERMINAL = ("COLUMNS", "FORCE_COLOR", "NO_COLOR", "TERM", "URDFKIT_DEBUG")
 
 
 def question(words: list[str]) -> bytes | None:
-    """What a command line asks, as far as it is known before a file is read.
+    """The inputs of a command line that are known before files are read, as a cache key.
 
-    None if it cannot be answered from the cache.
+    None if its result is not cached.
     """
     if words[:1] != ["check"] or directory() is None:
         return None
@@ -43,12 +43,12 @@ def question(words: list[str]) -> bytes | None:
 
 
 def _installed(place: str) -> int:
-    """What changes with every package that is installed, removed or replaced in a place."""
+    """A number that changes with every installed, removed or replaced package in a directory."""
     try:
         time_of_change = os.stat(place).st_mtime_ns
         if place.endswith("-packages") or place.startswith(_STANDARD_LIBRARY):
             return time_of_change
-        # Other directories hold more than packages: a checkout, scripts, the working directory.
+        # Other directories do not only contain packages: a checkout, scripts, the working directory
         names = sorted(filter(_is_of_package, os.listdir(place)))
     except NotADirectoryError:  # an archive
         return time_of_change
@@ -62,7 +62,7 @@ def _is_of_package(name: str) -> bool:
 
 
 def _terminal() -> list[str]:
-    """What decides how standard output is written."""
+    """Settings that affect how standard output is written."""
     values = [f"{name}={os.environ.get(name)}" for name in _OF_THE_TERMINAL]
     if sys.stdout is None or not sys.stdout.isatty():
         return values
@@ -74,7 +74,7 @@ def _terminal() -> list[str]:
 
 
 def replay(words: list[str]) -> int | None:
-    """Repeat an earlier check and return its exit code; None if nothing is known of it."""
+    """Replay an earlier check and return its exit code; None if it is not in the cache."""
     asked = question(words)
     if asked is None or sys.stdout is None:
         return None
@@ -92,7 +92,7 @@ def replay(words: list[str]) -> int | None:
     if answers != entry.answers:
         from urdfkit.cli.result_recording import store
 
-        # Files have new times, as git gives them. The next check need not compare contents.
+        # Only times of files have changed, such as by git. Saves the next comparison of contents.
         store(entry._replace(since=now, answers=answers))
     return _write(entry)
 

@@ -1,4 +1,4 @@
-"""Entries of the cache of results as files."""
+"""Entries of the result cache, and their file format."""
 
 from __future__ import annotations
 
@@ -8,20 +8,18 @@ import zlib
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
-#: Goes up when the layout of entries changes, or what answers mean.
+#: Incremented when the file format or the meaning of answers changes.
 _LAYOUT = b"urdfkit result 2"
 
 
 class ResultEntry(Record):
-    """What is known of a check."""
+    """The cached result of a check."""
 
-    question: bytes  # that it answers
-    since: int  # nanoseconds since the epoch, when the check began
-    #: Of the file system and the environment: kind, path and answer.
-    answers: list[tuple[str, str, str]]
+    question: bytes  # the key of the entry
+    since: int  # start of the check in nanoseconds since the epoch
+    answers: list[tuple[str, str, str]]  # of the file system and environment: kind, path, answer
     code: int  # exit code
-    #: What was written, by file, in this order; an empty name is standard output.
-    outputs: list[tuple[str, bytes]]
+    outputs: list[tuple[str, bytes]]  # files and contents; an empty name is standard output
 
 
 def directory() -> str | None:
@@ -31,7 +29,7 @@ def directory() -> str | None:
 
 
 def path_of(question: bytes) -> str:
-    """The file of the entry that answers a question."""
+    """The file of the entry for a question."""
     return os.path.join(directory() or "", f"{zlib.crc32(question):08x}")
 
 
@@ -49,26 +47,26 @@ def encode(entry: ResultEntry) -> bytes:
 
 
 def decode(data: bytes) -> ResultEntry:
-    """The entry in some bytes.
+    """The entry in the bytes of a file.
 
     Raises:
-        ValueError: it is damaged, or none.
+        ValueError: the data is damaged, or not an entry.
     """
     first, _, body = data.partition(b"\n")
     if first != b"%s %08x" % (_LAYOUT, zlib.crc32(body)):
         raise ValueError("damaged")
     sizes, _, rest = body.partition(b"\n")
-    asked, size = map(int, sizes.split())
-    fields = rest[asked : asked + size].split(b"\0")
+    start, size = map(int, sizes.split())
+    fields = rest[start : start + size].split(b"\0")
     since, code, count, outputs = map(int, fields[:4])
     texts = [os.fsdecode(field) for field in fields[4:]]
     end = 3 * count
     answers = list(zip(texts[:end:3], texts[1:end:3], texts[2:end:3], strict=True))
-    at = asked + size
+    offset = start + size
     written = []
     for path, length in zip(texts[end::2], map(int, texts[end + 1 :: 2]), strict=True):
-        written.append((path, rest[at : at + length]))
-        at += length
+        written.append((path, rest[offset : offset + length]))
+        offset += length
     if len(answers) != count or len(written) != outputs:
         raise ValueError("damaged")
-    return ResultEntry(rest[:asked], since, answers, code, written)
+    return ResultEntry(rest[:start], since, answers, code, written)

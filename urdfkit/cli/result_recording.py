@@ -1,4 +1,4 @@
-"""Keeps the result of a check with all that it depends on; the counterpart of `result_cache`."""
+"""Writes the result of a check with its dependencies to the cache, for `result_cache`."""
 
 import os
 import time
@@ -10,13 +10,13 @@ from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import log_sources
 from urdfkit.errors import UnwritableFile
 
-#: Bytes of all entries; over it, the older half goes.
+#: Most bytes of all entries; above it, the older half is removed.
 MAX_BYTES = 64 * 1024 * 1024
 
-#: Bytes that are written, on average, between two looks at the sizes of all entries.
+#: Average number of bytes written between two checks of the total size.
 BYTES_BETWEEN_LOOKS = 1024 * 1024
 
-#: The command line whose result is to be kept, and when it began.
+#: The question whose result is recorded, and its start in nanoseconds since the epoch.
 _begun: tuple[bytes, int] | None = None
 
 
@@ -28,11 +28,11 @@ def begin(question: bytes) -> None:
 
 
 def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
-    """Keep the result of the check that has begun, if one has.
+    """Store the result of the recorded check; no effect without a recording.
 
     Args:
         code: exit code.
-        outputs: what was written, by file; an empty name is standard output.
+        outputs: files and contents; an empty name is standard output.
     """
     log = disk.log()
     if log is None or _begun is None:
@@ -45,13 +45,13 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
 
 
 def store(entry: ResultEntry) -> None:
-    """Write an entry; a check goes on if this fails."""
+    """Write an entry; ignores failures."""
     path = result_entry.path_of(entry.question)
     directory = os.path.dirname(path)
     try:
         os.makedirs(directory, exist_ok=True)
         data = result_entry.encode(entry)
-        # The name is a checksum: it decides as evenly as a random number.
+        # The name is a checksum, which serves as a uniform random number.
         if int(os.path.basename(path), 16) % BYTES_BETWEEN_LOOKS < len(data):
             _make_room(directory)
         atomic.write(path, data, durable=False)

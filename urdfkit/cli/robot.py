@@ -1,4 +1,4 @@
-"""The words and options of every command that is about one robot."""
+"""Arguments and options of the commands for a single robot."""
 
 from __future__ import annotations
 
@@ -38,22 +38,22 @@ if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
     from urdfkit.text.diagnostic import Problem
 
-#: Robots of a directory that an error names.
+#: Most robots of a directory that an error lists.
 _NAMED = 5
 
-#: The options of reading a robot, and the keys of their values.
+#: The options for reading a robot, and the keys of their values.
 _READING = (TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
 _KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust", "joint", "pose")
 
-#: Gives a command the options of reading a robot, without the words that name it.
+#: Adds the options for reading a robot to a command, without its FILE argument.
 read_by_options = with_options(*_READING)
 
 
 def one_robot(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command the words ``FILE [NAME:=VALUE]...`` and the options of reading it.
+    """Add the arguments ``FILE [NAME:=VALUE]...`` and the options for reading it to a command.
 
-    It takes the values of all of them, and of those of `posed`, as ``asked``, which `robot`,
-    `reading` and `positions` understand.
+    The command gets all values, and those of `posed`, as ``asked``, for the functions `robot`,
+    `reading` and `positions`.
     """
 
     @wraps(command)
@@ -66,19 +66,19 @@ def one_robot(command: Callable[..., int]) -> Callable[..., int]:
 
 
 def with_robot_and_targets(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
-    """Give a command words, and the options of reading and of judging what they name.
+    """Add arguments, the options for reading them, and ``--target`` to a command.
 
-    Their values are those that the functions of `options` take.
+    The functions of `options` take their values.
     """
     words = click.argument(options.FILES, nargs=-1, required=True, metavar=metavar)
     return with_options(words, TARGET, *_READING)
 
 
 def only_file(values: Mapping[str, Any]) -> str:
-    """The one file that a command line names.
+    """The only file of a command line.
 
     Raises:
-        UsageError: it names no file, or more than one.
+        UsageError: there is no file, or more than one.
     """
     files = options.files(values)
     if len(files) != 1:
@@ -89,7 +89,7 @@ def only_file(values: Mapping[str, Any]) -> str:
 
 
 def check_options(values: Mapping[str, Any], file: str) -> Options:
-    """How a command about one robot checks its file."""
+    """The options of a check for a command that takes one robot."""
     return Options(
         arguments=options.arguments(values),
         packages=options.packages(values),
@@ -101,35 +101,35 @@ def check_options(values: Mapping[str, Any], file: str) -> Options:
 
 
 def last_file(states: Sequence[str]) -> str:
-    """The state that is a file, whose configuration counts for all; else the current directory."""
+    """The last state that is a file, whose configuration is used; else the current directory."""
     return next((file for file in reversed(states) if os.path.exists(file)), os.curdir)
 
 
 def _robots_in(directory: str) -> str:
-    """What to name instead of a directory."""
+    """A hint to pass a robot of a directory instead of the directory."""
     try:
-        found = discover(directory, Config(), Resolver()).robots
+        robots = discover(directory, Config(), Resolver()).robots
     except UnreadableFile:
         return "pass a robot file"
-    return f"pass one of its robots: {few([shown(robot.file) for robot in found], _NAMED)}"
+    return f"pass one of its robots: {few([shown(robot.file) for robot in robots], _NAMED)}"
 
 
 class ReadOptions(Record):
-    """How a robot is read: as the command line says, else as the configuration does."""
+    """Options for reading a robot, from the command line or else the configuration."""
 
-    arguments: dict[str, str]  # for xacro
+    arguments: dict[str, str]  # xacro arguments
     packages: dict[str, str]  # directories of ROS packages by name
-    trust: bool  # let the model run any expression
+    trust: bool  # let the model run any expression and read any file
 
 
 def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
-    """How the robot in a file is read.
+    """The options for reading the robot in a file.
 
     Args:
-        asked: the values of the words and options of `one_robot`.
+        asked: the values of the arguments and options of `one_robot`.
 
     Raises:
-        ConfigError: it has several variants and none is named, or none of that name.
+        ConfigError: the robot has several variants and none is selected, or the variant is unknown.
     """
     config = options.config(asked, file) or Config()
     entry = config.entry(file, options.arguments(asked), asked["variant"])
@@ -138,24 +138,24 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
 
 
 def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context:
-    """The robot that a command line names.
+    """The robot of a command line.
 
     Args:
-        asked: the values of the words and options of `one_robot`.
-        progress: called with the number of mesh files that were read, and of all.
+        asked: the values of the arguments and options of `one_robot`.
+        progress: called with the number of mesh files read and the number of all mesh files.
 
     Raises:
-        UsageError: it names no file, or more than one.
+        UsageError: there is no file, or more than one.
         UrdfkitError: the file cannot be read.
     """
     file = only_file(asked)
-    how = reading(asked, file)
+    read_options = reading(asked, file)
     try:
         context = read(
             stdin.opened(file),
-            arguments=how.arguments,
-            packages=how.packages,
-            trust=how.trust,
+            arguments=read_options.arguments,
+            packages=read_options.packages,
+            trust=read_options.trust,
             progress=progress,
         )
     except UnreadableRobot as error:
@@ -163,9 +163,9 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
             raise
         raise first_of(error, file) from error
     require_robot(context)
-    for one in context.launched:
-        values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
-        output.note(f"read with {values} of {shown(one.launch)}")
+    for launched in context.launched:
+        values = " ".join(f"{name}:={value}" for name, value in launched.arguments.items())
+        output.note(f"read with {values} of {shown(launched.launch)}")
     for name, suggested in unknown_arguments(context, options.arguments(asked)).items():
         hint = f"; did you mean '{suggested}'?" if suggested else ""
         output.note(f"the robot has no argument '{name}'{hint}")
@@ -173,15 +173,15 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
 
 
 def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
-    """The first of many reasons: a package that is missing is often missing in every file."""
+    """The error with its first reason only: a missing package is often missing in every file."""
     problems = cast("tuple[Problem, ...]", error.problems)
-    # Other findings need not be the reason why a file cannot be read.
+    # Findings that are not errors may not be the reason.
     problems = (
         tuple(p for p in problems if rule_index.get(p.code).severity is Severity.ERROR) or problems
     )
     if not problems:
         return error
     first, others = problems[0], len(problems) - 1
-    what = f"{first.message}; {first.help}" if first.help else first.message
+    reason = f"{first.message}; {first.help}" if first.help else first.message
     more = f", which reports {counted(others, 'error')} more" if others else ""
-    return UnreadableRobot(f"{first.span}: {what}; see 'urdfkit check {file}'{more}", problems)
+    return UnreadableRobot(f"{first.span}: {reason}; see 'urdfkit check {file}'{more}", problems)

@@ -13,15 +13,15 @@ from urdfkit.text.editing.formatter import WIDTH
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
-#: Letters of a code that name its family.
+#: Number of letters of a code that are its family.
 _FAMILY = 3
 
 
 def shown_settings(chosen: Options, fail_on: Severity) -> str:
-    """The settings of a check as TOML, those of the command line included.
+    """The settings of a check as TOML, including those of the command line.
 
     Args:
-        fail_on: the mildest severity that counts.
+        fail_on: the lowest severity that makes the exit code 1.
     """
     return "".join(f"{line}\n" for line in _lines(chosen, fail_on))
 
@@ -58,14 +58,14 @@ def _lines(chosen: Options, fail_on: Severity) -> Iterator[str]:
 
 
 def _rules(resolved: Options) -> Iterator[str]:
-    """The rules that run: families of which all do, and codes."""
+    """The rules that run: families whose rules all run, and codes."""
     chosen = set(resolved.select)
     known = sorted({*rule_index.codes(), *rule_index.external()})
-    for family, codes in groupby(known, key=lambda code: code[:_FAMILY]):
-        every = list(codes)
-        whole = chosen.issuperset(every)
+    for family, group in groupby(known, key=lambda code: code[:_FAMILY]):
+        codes = list(group)
+        whole = chosen.issuperset(codes)
         yield from [family] if whole else ()
-        for code in filter(chosen.__contains__, every):
+        for code in filter(chosen.__contains__, codes):
             if resolved.previews(code) if rule_index.get(code).preview else not whole:
                 yield code
 
@@ -104,7 +104,7 @@ def _listed(texts: Iterable[str]) -> str:
 
 
 def _value(value: object) -> str:
-    """A value as TOML writes it; numbers and truth values are as in JSON."""
+    """A value in TOML; numbers and booleans are the same as in JSON."""
     return _text(value) if isinstance(value, str) else json.dumps(value)
 
 
@@ -114,6 +114,6 @@ def _key(name: str) -> str:
 
 
 def _text(text: str) -> str:
-    """A text as TOML writes it, without what steers a terminal or a CI server."""
+    """A string in TOML, with escapes for control sequences of terminals and CI servers."""
     quoted = json.dumps(text, ensure_ascii=False).replace("##", "\\u0023#")
     return "".join(char if char.isprintable() else f"\\U{ord(char):08x}" for char in quoted)

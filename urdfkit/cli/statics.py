@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 VERSION = 1
 
-#: Torques in N·m and places in m under this are rounding.
+#: Torques in N·m and lengths in m below this are rounding errors.
 NOISE = 1e-9
 
-#: More poses than this add nothing, and take minutes.
+#: Most poses; more take minutes without new results.
 MAX_SAMPLES = 1_000_000
 
 
@@ -101,7 +101,7 @@ def _statics(
 
 
 def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
-    """A table of the joints, the weakest first, and what is to be said of it."""
+    """A table of the joints, the weakest first, with notes."""
     carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
     poses = f"{found.poses} poses and a search for the worst"
     if not found.searched:
@@ -134,7 +134,7 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
 
 
 def describe(stands: Standing) -> Iterator[str]:
-    """What it stands on, and how safely."""
+    """The support polygon and the stability of the robot."""
     found = stands.stability
     if stands.links:
         yield f"stands on {', '.join(stands.links)}"
@@ -159,7 +159,7 @@ def _safety(found: Stability, verdict: str) -> str:
 
 
 def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
-    """The same for programs; N·m or N, m, rad."""
+    """The result for JSON; in N·m or N, m, rad."""
     weakest = found.weakest
     return {
         "version": VERSION,

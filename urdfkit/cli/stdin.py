@@ -7,7 +7,7 @@ from urdfkit.text.source import MAX_BYTES, STANDARD_INPUT, Source
 
 
 def opened(word: str) -> str | Source:
-    """The file that a word of the command line names; '-' is what comes in.
+    """A file of the command line, or the content of standard input for '-'.
 
     Raises:
         UnreadableFile: standard input is closed, or too large.
@@ -16,7 +16,7 @@ def opened(word: str) -> str | Source:
 
 
 def read(name: str) -> Source:
-    """Everything that comes in, as a source of this name.
+    """The content of standard input, as a source with a name.
 
     Raises:
         UnreadableFile: standard input is closed, or too large.

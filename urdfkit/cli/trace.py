@@ -1,4 +1,4 @@
-"""``urdfkit trace``: where a value comes from."""
+"""``urdfkit trace``: the origin of a value."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -16,7 +16,7 @@ from urdfkit.xacro.origin import Origin
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20
 
-#: Letters of a tag that are shown: a macro may be called with twenty arguments.
+#: Most characters of a tag that are shown: a macro call may have twenty arguments.
 _MOST = 100
 
 
@@ -43,9 +43,9 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
     from urdfkit.xacro import expand
 
     source = Source.of(stdin.opened(file))
-    how = reading({**asked, options.FILES: (file, *arguments)}, file)
-    resolver = Resolver(how.packages)
-    xacro = expand(source, resolver, how.arguments, trust=how.trust, traced=True)
+    read = reading({**asked, options.FILES: (file, *arguments)}, file)
+    resolver = Resolver(read.packages)
+    xacro = expand(source, resolver, read.arguments, trust=read.trust, traced=True)
     if xacro.document is None:
         error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
         raise first_of(error, file)
@@ -56,7 +56,7 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
 
 
 def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
-    """The lines that say where something comes from."""
+    """The lines with the origin of an element or attribute."""
     if isinstance(found, Attribute):
         yield f"{found.path} = {found.value}"
         yield f'  {found.span}  {found.name}="{found.span.text}"'
@@ -79,7 +79,7 @@ def _origin(origin: Origin, level: int) -> Iterator[str]:
 
 
 def _without_tables(inputs: tuple[Origin, ...]) -> Iterator[Origin]:
-    """The inputs without the tables that a YAML value among them was taken from."""
+    """The inputs without the tables that contain a YAML value among them."""
     from_yaml = any(origin.kind == "YAML" for origin in inputs)
     for origin in inputs:
         if not (from_yaml and origin.value.startswith(("{", "["))):

@@ -47,5 +47,5 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     try:
         serve(file, check_options(values, file), Translator(lang), port=port, opened=opened)
     except KeyboardInterrupt:
-        pass  # which is how it ends
+        pass  # the way to end it
     return 0

@@ -1,7 +1,7 @@
-"""``urdfkit check --watch``: check again whenever something that the check read changes.
+"""``urdfkit check --watch``: check again whenever an input of the check changes.
 
-What a check reads, looks for and lists is noted as for the cache of results (`core/file_log.py`),
-files that are missing included. That is what is watched, and nothing else.
+The inputs are the files and directories that the check reads, searches or lists, including missing
+files. They are logged like for the result cache (`core/file_log.py`).
 """
 
 import multiprocessing
@@ -18,12 +18,12 @@ from urdfkit.core.file_log import FileLog, present_answers
 from urdfkit.core.words import counted
 from urdfkit.errors import UrdfkitError
 
-#: Seconds between two looks at the files.
+#: Seconds between two polls of the files.
 EVERY = 0.3
 
-#: Kind, path and answer of what a check has asked, and nanoseconds since the epoch before it did.
-_Asked: TypeAlias = "tuple[list[tuple[str, str, str]], int]"
-#: Prints what is wrong with the values of a command line; its exit code.
+#: Kind, path and answer of each query of a check, and its start in nanoseconds since the epoch.
+_Queries: TypeAlias = "tuple[list[tuple[str, str, str]], int]"
+#: Runs a check with the values of a command line, and returns its exit code.
 Check: TypeAlias = "Callable[[Mapping[str, Any]], int]"
 
 
@@ -31,7 +31,7 @@ def watch(check: Check, values: Mapping[str, Any]) -> int:
     """Check until Ctrl-C.
 
     Raises:
-        UsageError: of standard input, or of a check that changes files.
+        UsageError: for standard input, or options that change files.
         KeyboardInterrupt: Ctrl-C.
     """
     if "-" in options.files(values):
@@ -44,27 +44,27 @@ def watch(check: Check, values: Mapping[str, Any]) -> int:
         answers, since = _checked(check, {**values, "watch": False})
         files = {path for kind, path, _ in answers if kind[0] == "r"}
         output.note(f"watching {counted(len(files), 'file')}; Ctrl-C ends")
-        while (again := present_answers(answers, since)) is not None:
-            answers, since = again, time.time_ns()
+        while (unchanged := present_answers(answers, since)) is not None:
+            answers, since = unchanged, time.time_ns()
             time.sleep(EVERY)
 
 
-def _checked(check: Check, values: Mapping[str, Any]) -> _Asked:
-    """Check in a process of its own, which keeps nothing from one check to the next."""
+def _checked(check: Check, values: Mapping[str, Any]) -> _Queries:
+    """Check in a new process, so that no state is kept between checks."""
     context: Any = multiprocessing.get_context("fork" if hasattr(os, "fork") else "spawn")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(target=_check, args=(check, values, sender))
     process.start()
     sender.close()
     try:
-        asked: _Asked = receiver.recv()
+        queries: _Queries = receiver.recv()
     except EOFError as error:
         process.join()
         if process.exitcode:
             raise UrdfkitError(f"the check has died (exit code {process.exitcode})") from error
         raise KeyboardInterrupt from error
     process.join()
-    return asked
+    return queries
 
 
 def _check(check: Check, values: Mapping[str, Any], sender: Connection) -> None:

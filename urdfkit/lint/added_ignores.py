@@ -1,4 +1,4 @@
-"""Comments for the findings that a project has and accepts, so that a check reports new ones."""
+"""Adds ignore comments for accepted findings, so that a check reports new ones only."""
 
 from __future__ import annotations
 
@@ -17,45 +17,46 @@ from urdfkit.workspace.resolve import Resolver
 
 
 class AddedIgnores(Record):
-    """What ignore comments do; nothing is written."""
+    """The result of adding ignore comments, which are not yet written."""
 
-    files: tuple[Rewrite, ...]  # that change
-    suppressed: tuple[Diagnostic, ...]  # what a check does not report any more
-    left: tuple[tuple[Diagnostic, str], ...]  # the others, each with the reason
+    files: tuple[Rewrite, ...]  # changed files
+    suppressed: tuple[Diagnostic, ...]  # findings that a check no longer reports
+    left: tuple[tuple[Diagnostic, str], ...]  # the other findings, each with the reason
 
 
 def add_ignores(
     findings: Iterable[Diagnostic], files: Iterable[str], options: Options, *, force: bool = False
 ) -> AddedIgnores:
-    """Put an ignore comment before the element of each finding.
+    """Add an ignore comment before the element of each finding.
 
     Args:
-        force: edit files as well that are generated, read-only or ignored by git, or that lie
-            outside the workspace of ``files``.
+        force: also edit files that are generated, read-only, ignored by git, or outside the
+            workspace of ``files``.
 
     Raises:
-        UrdfkitError: as of ``check``; or a file has changed since it was read.
+        UrdfkitError: see ``check``; or a file has changed since it was read.
     """
     files = tuple(files)
     places = _CommentFiles(Ownership(files, Resolver(options.with_config().packages)), force=force)
-    found = [(one, places.why_not(one)) for one in findings]
-    wanted = [one for one, reason in found if not reason]
-    texts = {**options.texts, **{one.path: one.after for one in places.rewritten(wanted)}}
+    reasons = [(finding, places.why_not(finding)) for finding in findings]
+    commented = [finding for finding, reason in reasons if not reason]
+    texts = {**options.texts, **{file.path: file.after for file in places.rewritten(commented)}}
     after = check_with(options._replace(texts=texts), files)
     remaining = set(map(key_of, after.diagnostics))
+    suppressed = tuple(finding for finding in commented if key_of(finding) not in remaining)
     return AddedIgnores(
-        places.rewritten(one for one in wanted if key_of(one) not in remaining),
-        tuple(one for one in wanted if key_of(one) not in remaining),
+        places.rewritten(suppressed),
+        suppressed,
         tuple(
-            (one, reason or "a comment does not reach it")
-            for one, reason in found
-            if reason or key_of(one) in remaining
+            (finding, reason or "a comment does not reach it")
+            for finding, reason in reasons
+            if reason or key_of(finding) in remaining
         ),
     )
 
 
 class _CommentFiles:
-    """Where the comments of several files can stand; a file is read once."""
+    """Places for comments in several files; each file is read once."""
 
     def __init__(self, ownership: Ownership, *, force: bool) -> None:
         self._ownership = ownership
@@ -69,7 +70,7 @@ class _CommentFiles:
         return self._files[path]
 
     def why_not(self, finding: Diagnostic) -> str:
-        """Why there can be no comment for a finding; empty if there can."""
+        """Why a finding cannot have a comment; empty if it can."""
         source, places = self._file(finding.span.source)
         if not places.has_root:
             return "the file is not XML that can be read, and takes no comment; fix it first"
@@ -80,12 +81,12 @@ class _CommentFiles:
     def rewritten(self, findings: Iterable[Diagnostic]) -> tuple[Rewrite, ...]:
         """The files with a comment before each element that has findings."""
         codes: dict[tuple[str, int], set[str]] = {}
-        for one in findings:
-            _, places = self._file(one.span.source)
-            element = places.element(one.span.start)
+        for finding in findings:
+            source = finding.span.source
+            element = self._file(source)[1].element(finding.span.start)
             assert element is not None
-            codes.setdefault((real_path(one.span.source), element), set()).add(one.code)
+            codes.setdefault((real_path(source), element), set()).add(finding.code)
         return rewrites(
-            self._files[path][1].edit(element, sorted(found))
-            for (path, element), found in codes.items()
+            self._files[path][1].edit(element, sorted(element_codes))
+            for (path, element), element_codes in codes.items()
         )

@@ -1,4 +1,4 @@
-"""One description with each set of arguments that it is checked with."""
+"""The sets of arguments that a description is checked with."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.robot_arguments import RobotArguments
 
 
-#: Sets of arguments with which a robot is checked besides its own; the UR arms have nine.
+#: Most additional sets of arguments that a robot is checked with; the UR arms have nine.
 MAX_GIVEN = 16
 
 
 def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
-    """A job with its description, once for each set of arguments that it is checked with.
+    """A job with its description, for each set of arguments that it is checked with.
 
-    A robot that cannot be expanded for want of arguments, or that uses them above their default,
-    comes with those that launch files give it. Where none gives them all, one that cannot be
-    expanded comes with the values that are found otherwise and with which it expands. One that its
-    defaults do not suffice for comes as launch files start it; any other one comes with its
-    defaults, and with those arguments of launch files that make it another robot.
+    - A robot with missing arguments, or arguments used before their default: the sets of launch
+      files. If none sets all of them and the robot does not expand: values found in other files
+      with which it expands.
+    - A robot that does not expand with its defaults: the sets of launch files.
+    - Any other robot: its defaults, and the sets of launch files that result in another robot.
     """
     context = read(job)
     if names := context.reading.arguments_to_pass:
@@ -37,29 +37,29 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     if job.shared is None:
         return [(job, context)]
     sets = _launch_sets(job, (), context)
-    job = job._replace(started=())  # what the report needs of it goes to another process
+    job = job._replace(started=())  # not needed by the report, and sent to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
     return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
 def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
-    """What launch files give to a robot, each set once; those with new values come first.
+    """The distinct sets of arguments in launch files; sets with new values are first.
 
     Args:
-        names: of the arguments that it lacks.
+        names: names of the missing arguments; sets without all of them are omitted.
     """
     sets: dict[object, RobotArguments] = {}
-    for one in (*_given(job, names, context), *job.started):
-        if one.arguments.keys() >= set(names):
-            files = (file.path for file in one.parameters)
-            sets.setdefault((frozenset(one.arguments.items()), *files), one)
-    seen: set[tuple[str, str]] = set()
+    for robot in (*_given(job, names, context), *job.started):
+        if robot.arguments.keys() >= set(names):
+            files = (file.path for file in robot.parameters)
+            sets.setdefault((frozenset(robot.arguments.items()), *files), robot)
+    known: set[tuple[str, str]] = set()
     new: list[RobotArguments] = []
     rest: list[RobotArguments] = []
-    for one in sets.values():
-        (rest if one.arguments.items() <= seen else new).append(one)
-        seen.update(one.arguments.items())
+    for robot in sets.values():
+        (rest if robot.arguments.items() <= known else new).append(robot)
+        known.update(robot.arguments.items())
     return new + rest
 
 
@@ -75,22 +75,22 @@ def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArgu
 def _with_missing(
     job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
-    """A job with each set of values that is found for the arguments that it lacks."""
+    """A job with each set of values for its missing arguments."""
     sets = _launch_sets(job, names, context)
-    offered = [{name: one.arguments[name] for name in names} for one in sets]
-    found: list[tuple[Job, Context]] = []
+    candidates = [{name: robot.arguments[name] for name in names} for robot in sets]
+    complete: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
-    for values, now in zip(offered, _started(job, sets[:MAX_GIVEN], names), strict=False):
-        pair = (now, read(now))
+    for values, variant in zip(candidates, _started(job, sets[:MAX_GIVEN], names), strict=False):
+        pair = (variant, read(variant))
         if pair[1].reading.missing_arguments:
             failed[tuple(values.values())] = pair[1]
         else:
-            found.append(pair)
-    if found:
-        found[0][1].unchecked = _unchecked(offered, found, failed)
+            complete.append(pair)
+    if complete:
+        complete[0][1].unchecked = _unchecked(candidates, complete, failed)
     elif context.reading.missing_arguments:
         return _as_found(job, read, context, names)
-    return found
+    return complete
 
 
 def _needs_more_than_defaults(context: Context) -> bool:
@@ -98,55 +98,56 @@ def _needs_more_than_defaults(context: Context) -> bool:
     reading = context.reading
     if reading.document is not None or reading.is_fragment:
         return False
-    return any(one.code == "XAC001" for one in reading.problems)
+    return any(problem.code == "XAC001" for problem in reading.problems)
 
 
 def _with_more_than_defaults(
     job: Job, read: Callable[[Job], Context], sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
-    """A job with the sets of arguments of launch files, if it expands with one of them.
+    """A job with the sets of arguments of launch files; empty if it expands with none of them.
 
-    Without a set with which it does not expand, unless a launch file starts it so.
+    Excludes sets with which it does not expand, unless the launch file itself is checked.
     """
-    given = [one for one in sets if one.arguments]
-    tried = [(now, read(now)) for now in _started(job, given[:MAX_GIVEN])]
+    given = [robot for robot in sets if robot.arguments]
+    tried = [(variant, read(variant)) for variant in _started(job, given[:MAX_GIVEN])]
     if all(context.reading.document is None for _, context in tried):
         return []
-    found = [
-        (now, context)
-        for now, context in tried
-        if context.reading.document is not None or (now.frame and not now.found)
+    checked = [
+        (variant, context)
+        for variant, context in tried
+        if context.reading.document is not None or (variant.frame and not variant.found)
     ]
-    found[0][1].unchecked = _unchecked([one.arguments for one in given[MAX_GIVEN:]], tried, {})
-    return found
+    untried = [robot.arguments for robot in given[MAX_GIVEN:]]
+    checked[0][1].unchecked = _unchecked(untried, tried, {})
+    return checked
 
 
 def _with_other_robots(
     job: Job, read: Callable[[Job], Context], context: Context, sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
-    """A job, and the sets of arguments that make it another robot or come with parameter files."""
+    """A job, also with the sets of arguments that result in another robot or parameter files."""
     own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
     base = job._replace(name="", arguments=dict(job.shared or {}))
     others: list[Job] = []
     same: dict[object, Job] = {}  # by parameter files
-    for now in _started(base, sets, ()):
-        if _changes(now.arguments, own):
-            others.append(now)
-        elif now.parameters:
-            same[tuple(file.path for file in now.parameters)] = now
-    found, texts = [(job, context)], [_text(context)] if others else []
-    tried = [(now, read(now)) for now in others[:MAX_GIVEN]]
-    for now, robot in tried:
+    for variant in _started(base, sets, ()):
+        if _changes(variant.arguments, own):
+            others.append(variant)
+        elif variant.parameters:
+            same[tuple(file.path for file in variant.parameters)] = variant
+    checked, texts = [(job, context)], [_text(context)] if others else []
+    tried = [(variant, read(variant)) for variant in others[:MAX_GIVEN]]
+    for variant, robot in tried:
         text = _text(robot)
         if text is None or text not in texts:
-            found.append((now, robot))
+            checked.append((variant, robot))
             texts.append(text)
-        elif now.parameters:
-            found.append((now.about_parameters(), robot))
-    found += ((now.about_parameters(), read(now)) for now in same.values())
-    left = [_changes(now.arguments, own) for now in others[MAX_GIVEN:]]
-    context.unchecked = _unchecked(left, [(job, context), *tried], {})
-    return found
+        elif variant.parameters:
+            checked.append((variant.about_parameters(), robot))
+    checked += ((variant.about_parameters(), read(variant)) for variant in same.values())
+    untried = [_changes(variant.arguments, own) for variant in others[MAX_GIVEN:]]
+    context.unchecked = _unchecked(untried, [(job, context), *tried], {})
+    return checked
 
 
 def _defaults(context: Context) -> Mapping[str, str]:
@@ -155,59 +156,59 @@ def _defaults(context: Context) -> Mapping[str, str]:
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
-    """The arguments that a description declares and that have another value than its own."""
+    """The arguments whose value differs from the description's own."""
     return {name: value for name, value in arguments.items() if own.get(name, value) != value}
 
 
 def _text(context: Context) -> bytes | None:
-    """The expanded text; None if there is none."""
+    """The expanded text; None if the description cannot be read."""
     return None if context.reading.document is None else context.text
 
 
 def _as_found(
     job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
-    """A job with values that nobody starts it with; empty if it expands with none of them."""
+    """A job with values found in other files; empty if it expands with none of them."""
     from urdfkit.lint.argument_values import combinations
 
     xacro = context.reading.xacro
     assert xacro is not None, "only a xacro lacks arguments"
-    found: list[tuple[Job, Context]] = []
+    expanded: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
-    more: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
     sets = list(combinations(names, xacro, context.resolver))
-    offered = [{name: value for name, (value, _) in values.items()} for values in sets]
-    for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
-        arguments, launched = {**given, **job.arguments}, _launched(job, values)
-        now = job._replace(arguments=arguments, launched=launched, assumed=_named(given))
-        pair = (now, read(now))
+    candidates = [{name: value for name, (value, _) in values.items()} for values in sets]
+    for values, assumed in list(zip(sets, candidates, strict=True))[:MAX_GIVEN]:
+        arguments, launched = {**assumed, **job.arguments}, _launched(job, values)
+        variant = job._replace(arguments=arguments, launched=launched, assumed=_named(assumed))
+        pair = (variant, read(variant))
         if pair[1].reading.document is not None:
-            found.append(pair)
+            expanded.append(pair)
         else:
-            failed[tuple(given.values())] = pair[1]
-        more += pair[1].reading.missing_arguments
-    if found:
-        found[0][1].unchecked = _unchecked(offered, found, failed)
-    if len(found) == 1:  # there is nothing to choose from
-        return [(found[0][0]._replace(assumed=""), found[0][1])]
-    if found or set(more) <= set(names):
-        return found
-    return _as_found(job, read, context, tuple(dict.fromkeys((*names, *more))))
+            failed[tuple(assumed.values())] = pair[1]
+        missing += pair[1].reading.missing_arguments
+    if expanded:
+        expanded[0][1].unchecked = _unchecked(candidates, expanded, failed)
+    if len(expanded) == 1:  # no alternative values
+        return [(expanded[0][0]._replace(assumed=""), expanded[0][1])]
+    if expanded or set(missing) <= set(names):
+        return expanded
+    return _as_found(job, read, context, tuple(dict.fromkeys((*names, *missing))))
 
 
 def _unchecked(
-    offered: list[dict[str, str]],
+    candidates: list[dict[str, str]],
     checked: Iterable[tuple[Job, Context]],
     failed: Mapping[tuple[str, ...], Context],
 ) -> tuple[UncheckedValues, ...]:
-    """The values of arguments with which no description is checked.
+    """The values of arguments that no description is checked with.
 
     Args:
         failed: descriptions that do not expand, by their values in the order of the names.
     """
     known = {item for job, _ in checked for item in job.arguments.items()}
     left: dict[tuple[str, str], dict[str, None]] = {}
-    for values in offered:
+    for values in candidates:
         context = failed.get(tuple(values.values()))
         why = f"only {MAX_GIVEN} sets of arguments are tried"
         if context is not None:
@@ -217,43 +218,45 @@ def _unchecked(
         for name, value in values.items():
             if (name, value) not in known:
                 left.setdefault((name, why), {})[value] = None
-    totals = Counter(name for name, _ in {*known, *(i for one in offered for i in one.items())})
+    pairs = {*known, *(pair for values in candidates for pair in values.items())}
+    totals = Counter(name for name, _ in pairs)
     return tuple(
-        UncheckedValues(name, tuple(values), totals[name], why)
-        for (name, why), values in left.items()
+        UncheckedValues(name, tuple(unchecked), totals[name], why)
+        for (name, why), unchecked in left.items()
     )
 
 
 def _started(
     job: Job, sets: Iterable[RobotArguments], names: Iterable[str] | None = None
 ) -> Iterator[Job]:
-    """A job with each of some sets of arguments that launch files give.
+    """A job with each of the sets of arguments of launch files.
 
     Args:
-        names: of the arguments whose origin the report gives; of all if None.
+        names: names of the arguments whose origin is reported; all if None.
     """
     known: list[dict[str, str]] = []
-    for one in sets:
-        reported = one.arguments if names is None else names
-        now = job._replace(
-            frame=one.frame,
-            arguments={**one.arguments, **job.arguments},
-            parameters=one.parameters,
+    for robot in sets:
+        reported = robot.arguments if names is None else names
+        origins = {name: (robot.arguments[name], robot.launch) for name in reported}
+        variant = job._replace(
+            frame=robot.frame,
+            arguments={**robot.arguments, **job.arguments},
+            parameters=robot.parameters,
             started=(),
-            launched=_launched(job, {name: (one.arguments[name], one.launch) for name in reported}),
-            found=job.found if one.frame is None else not one.is_whole,
-            assumed="" if one.frame else _named(one.arguments),
+            launched=_launched(job, origins),
+            found=job.found if robot.frame is None else not robot.is_whole,
+            assumed="" if robot.frame else _named(robot.arguments),
         )
-        yield now.about_parameters() if now.arguments in known else now
-        known.append(now.arguments)
+        yield variant.about_parameters() if variant.arguments in known else variant
+        known.append(variant.arguments)
 
 
 def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
-    """The values of arguments with where they are from, each place once."""
+    """The values of arguments, grouped by origin."""
     origins: dict[str, dict[str, str]] = {}
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
-    return tuple(Launched(job.path, *one) for one in origins.items())
+    return tuple(Launched(job.path, *item) for item in origins.items())
 
 
 def _named(arguments: Mapping[str, str]) -> str:
@@ -261,10 +264,10 @@ def _named(arguments: Mapping[str, str]) -> str:
 
 
 def unknown_arguments(context: Context, given: Iterable[str]) -> dict[str, str]:
-    """The given arguments that a description never mentions, each with the suggested one.
+    """The given arguments that a description does not use, each with the suggested name.
 
-    xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
-    on, and of what cannot be read not all is known: neither has any.
+    xacro accepts any argument, so that a typo has no effect and is not reported. Empty for launch
+    files, which may pass arguments on, and for unreadable descriptions.
     """
     names = tuple(given)
     if not names or context.reading.document is None:

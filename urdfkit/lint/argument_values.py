@@ -1,8 +1,8 @@
-"""Values for the xacro arguments that a description lacks, from the files around it.
+"""Values for missing xacro arguments of a description, found in other files.
 
-A robot's file may want arguments that a launch file gives. Where no launch file gives all of them,
-a value is likely that is declared for the same name, or that names a directory which a path with
-the argument leads to: ``config/$(arg ur_type)/limits.yaml``. Such values are tried, not believed.
+A robot's file may require arguments that a launch file sets. If no launch file sets all of them,
+likely values are those that are declared for the same name, and names of directories in a path with
+the argument: ``config/$(arg ur_type)/limits.yaml``. Such values are assumptions.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import Xacro
 
-#: Values of one argument that a message names.
+#: Most values of one argument that a message lists.
 _FEW = 10
 
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
-#: A path in which a whole directory is the value of an argument, or of a parameter called like it.
+#: A path in which a directory's name is the value of an argument, or a parameter of that name.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
 _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
@@ -39,15 +39,15 @@ _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 class ArgumentValues(Record):
     """The values that one argument may have."""
 
-    values: tuple[str, ...]  # in the order in which they are found
-    origin: str  # path of the launch file, xacro file or directory that they are from
+    values: tuple[str, ...]  # in the order of the search
+    origin: str  # path of the launch file, xacro file or directory of the values
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
-    """The problems of a description, with the values that are found for arguments without one.
+    """The problems of a description, with possible values of missing arguments in their help.
 
     Args:
-        xacro: its expansion.
+        xacro: the expansion of the description.
     """
     for problem in problems:
         name = problem.argument
@@ -56,19 +56,18 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
 
 def reported(found: ArgumentValues) -> str:
-    """The values of an argument, and where they are from."""
+    """A message with the origin and values of an argument."""
     verb = "has" if disk.is_directory(found.origin) else "gives"
     values = [value or "''" for value in found.values]
     return f"{shown(found.origin)} {verb} {few(values, _FEW)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
-    """The values that one argument of a description may have; None if there are none."""
+    """The possible values of an argument of a description; None if there are none."""
     robot = xacro.sources[0].path
     if sets := given(robot, (name,), resolver):
-        return ArgumentValues(
-            tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch
-        )
+        values = dict.fromkeys(each.arguments[name] for each in sets)
+        return ArgumentValues(tuple(values), sets[0].launch)
     for launch, choices in declared(robot, resolver):
         if name in choices:
             return ArgumentValues(tuple(choices[name]), launch)
@@ -78,28 +77,26 @@ def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues 
 def combinations(
     names: Collection[str], xacro: Xacro, resolver: Resolver
 ) -> Iterator[dict[str, tuple[str, str]]]:
-    """Sets of values for some arguments, each value with where it is from.
+    """Sets of values for some arguments, each value with its origin.
 
-    One argument takes each of its values, and the others then their first one. There are none
-    unless each of them has a value.
+    One argument at a time takes each of its values, while the others have their first one. Empty
+    if an argument has no possible value.
     """
-    found: dict[str, ArgumentValues] = {}
+    possible: dict[str, ArgumentValues] = {}
     for name in names:
         values = found_values(name, xacro, resolver)
         if values is None:
             return
-        found[name] = values
-    first = {name: (one.values[0], one.origin) for name, one in found.items()}
-    varied = (
-        {name: (value, one.origin)} for name, one in found.items() for value in one.values[1:]
-    )
+        possible[name] = values
+    first = {name: (each.values[0], each.origin) for name, each in possible.items()}
     yield first
-    for change in varied:
-        yield first | change
+    for name, (choices, origin) in possible.items():
+        for value in choices[1:]:
+            yield first | {name: (value, origin)}
 
 
 def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
-    """The default in a file that is included below the use of the argument, or was not reached."""
+    """The default in a file that is included after the use of the argument, or not reached."""
     for source in xacro.sources:
         for file in INCLUDE.findall(without_comments(source.data)):
             path = plain_path(file.decode("utf-8", "replace"), source, resolver)
@@ -112,22 +109,24 @@ def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues 
 
 
 def _default(name: str, path: str, resolver: Resolver) -> str | None:
-    """The default of an argument that a file declares; None if there is none."""
+    """The default of an argument in a file, without expressions; None if there is none."""
     source = resolver.readable(path)
     for tag in _DECLARATION.findall(without_comments(source.data)) if source else ():
-        words = _attributes(tag, b"name", b"default")
-        if words.get(b"name") == name and "$" not in words.get(b"default", "$"):
-            return words[b"default"]
+        attributes = _attributes(tag, b"name", b"default")
+        if attributes.get(b"name") == name and "$" not in attributes.get(b"default", "$"):
+            return attributes[b"default"]
     return None
 
 
 def _attributes(tag: bytes, *names: bytes) -> Mapping[bytes, str]:
-    found = {name: re.search(_ATTRIBUTE % name, tag) for name in names}
-    return {name: at.group(1).decode("utf-8", "replace") for name, at in found.items() if at}
+    matches = {name: re.search(_ATTRIBUTE % name, tag) for name in names}
+    return {
+        name: match.group(1).decode("utf-8", "replace") for name, match in matches.items() if match
+    }
 
 
 def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
-    """The names of the directories to which all paths with the argument lead."""
+    """The names of the directories with which all paths with the argument exist."""
     word = re.escape(name)
     common: set[str] | None = None
     origin = ""
@@ -137,13 +136,16 @@ def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValu
             directory = plain_path(head, source, resolver)
             if not directory or not resolver.allows(directory, source.path):
                 continue
-            there = set(_leading_to(rest, name, directory, resolver))
-            common, origin = (there, directory) if common is None else (common & there, origin)
+            existing = set(_containing(rest, name, directory, resolver))
+            if common is None:
+                common, origin = existing, directory
+            else:
+                common &= existing
     return ArgumentValues(tuple(sorted(common)), origin) if common else None
 
 
 def plain_path(text: str, source: Source, resolver: Resolver) -> str:
-    """A path in a file, absolute; empty if only the expansion can compute it."""
+    """The absolute path for a path in a file; empty if it contains other expressions."""
     here = os.path.dirname(os.path.abspath(source.path))
 
     def package(match: re.Match[str]) -> str:
@@ -156,8 +158,8 @@ def plain_path(text: str, source: Source, resolver: Resolver) -> str:
     return "" if "$" in text else os.path.normpath(os.path.join(here, text))
 
 
-def _leading_to(rest: str, name: str, directory: str, resolver: Resolver) -> Iterator[str]:
-    """The directories below one in which the rest of a path is there."""
+def _containing(rest: str, name: str, directory: str, resolver: Resolver) -> Iterator[str]:
+    """The subdirectories of a directory in which the rest of a path exists."""
     itself = re.compile(rf"\$\(arg\s+{re.escape(name)}\s*\)|\$\{{\s*{re.escape(name)}\s*\}}")
     for entry, is_directory in (resolver.directories.entries(directory) or {}).items():
         if is_directory and re.fullmatch(r"\w[\w.-]*", entry):

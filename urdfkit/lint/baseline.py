@@ -1,8 +1,8 @@
-"""A baseline: the findings that a project had when it began to check, and tolerates until later.
+"""A baseline: the existing findings of a project, which checks tolerate.
 
-A finding is known again by its rule, its file and the text of its line, not by the line's number
-or the numbers in its message, so that edits elsewhere do not bring it back. Where a file is no
-more, it may have been moved: what it had is tolerated in another one.
+A finding is recognised by its rule, its file and the text of its line, not by the line number or
+numbers in its message, so that edits elsewhere do not make it new. A missing file may have been
+moved: its findings are tolerated in any other file.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ VERSION = 1
 
 
 class BaselineError(UrdfkitError):
-    """The file is no baseline."""
+    """The file is not a baseline."""
 
 
 class Fingerprint(Record):
-    """What a finding is known by."""
+    """The identity of a finding in a baseline."""
 
-    path: str  # of the file, relative to the baseline's directory, with forward slashes
-    code: str  # of the rule
-    text: str  # of the line where the finding is, without indentation
+    path: str  # path of the file, relative to the baseline's directory, with forward slashes
+    code: str  # code of the rule
+    text: str  # text of the finding's line, without indentation
 
 
 def fingerprint(diagnostic: Diagnostic, directory: str) -> Fingerprint:
-    """What a finding is known by, in a baseline in a directory."""
+    """The fingerprint of a finding, for a baseline in a directory."""
     span = diagnostic.span
     path = os.path.relpath(os.path.abspath(span.source.path), os.path.abspath(directory))
     text = " ".join(span.source.line(span.line).split())
@@ -46,38 +46,38 @@ def fingerprint(diagnostic: Diagnostic, directory: str) -> Fingerprint:
 
 
 def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
-    """A short mark for every finding, for services that follow findings from run to run.
+    """A short hash of every finding, for services that track findings across runs.
 
-    Findings that cannot be distinguished are numbered in their order.
+    Findings with the same fingerprint are numbered in their order.
     """
-    seen: Counter[str] = Counter()
-    marks: list[str] = []
+    counts: Counter[str] = Counter()
+    hashes: list[str] = []
     for diagnostic in diagnostics:
         text = "\n".join(fingerprint(diagnostic, os.curdir))
-        seen[text] += 1
+        counts[text] += 1
         digest = hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
-        marks.append(f"{digest[:32]}:{seen[text]}")
-    return marks
+        hashes.append(f"{digest[:32]}:{counts[text]}")
+    return hashes
 
 
 def dump(report: Report, directory: str) -> str:
-    """The text of a baseline of a report; the same findings give the same text.
+    """The text of a baseline of a report; deterministic for the same findings.
 
-    It has what is superseded as well, for its cause is tolerated from now on.
+    Includes superseded findings, which are reported once their cause is tolerated.
     """
-    superseded = (one for group in report.superseded for one in group.findings)
-    found = {_identity(one): one for one in (*report.diagnostics, *superseded)}
-    counts = Counter(fingerprint(diagnostic, directory) for diagnostic in found.values())
+    superseded = (finding for group in report.superseded for finding in group.findings)
+    distinct = {_identity(finding): finding for finding in (*report.diagnostics, *superseded)}
+    counts = Counter(fingerprint(finding, directory) for finding in distinct.values())
     findings = [{**key._asdict(), "count": count} for key, count in sorted(counts.items())]
     document = {"version": VERSION, "findings": findings}
     return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
 
 
 def load(path: str) -> Counter[Fingerprint]:
-    """The findings in a baseline, with how often each is tolerated.
+    """The findings in a baseline, with the number of times that each is tolerated.
 
     Raises:
-        BaselineError: it cannot be read, or is no baseline.
+        BaselineError: the file cannot be read, or is not a baseline.
     """
     try:
         document = json.loads(disk.read(path))
@@ -86,11 +86,11 @@ def load(path: str) -> Counter[Fingerprint]:
                 f"{path}: a baseline of version {document['version']!r}, not {VERSION}; "
                 "write it anew with --write-baseline"
             )
-        found: Counter[Fingerprint] = Counter()
+        tolerated: Counter[Fingerprint] = Counter()
         for entry in document["findings"]:
             code = redirect(entry["code"]) or entry["code"]
-            found[Fingerprint(entry["path"], code, entry["text"])] += int(entry["count"])
-        return found
+            tolerated[Fingerprint(entry["path"], code, entry["text"])] += int(entry["count"])
+        return tolerated
     except OSError as error:
         raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
     except ValueError as error:
@@ -100,36 +100,40 @@ def load(path: str) -> Counter[Fingerprint]:
 
 
 def apply_baseline(report: Report, known: Counter[Fingerprint], directory: str) -> Report:
-    """A report without what a baseline tolerates.
+    """A report without the findings in a baseline.
 
-    A tolerated finding silences nothing: what follows from it is reported, unless the baseline has
-    that, too.
+    A tolerated finding supersedes no others: its consequences are reported, unless the baseline
+    contains them as well.
     """
     known_findings = _KnownFindings(known, directory)
-    new = [one for one in report.diagnostics if not known_findings.takes(one)]
-    stands = {_identity(one._replace(message=call.message)) for one in new for call in one.calls}
-    stands.update(map(_identity, new))
-    found = {
-        _identity(one): one
-        for group in report.superseded
-        if stands.isdisjoint(map(_identity, group.causes))
-        for one in group.findings
+    new = [finding for finding in report.diagnostics if not known_findings.takes(finding)]
+    reported = {
+        _identity(finding._replace(message=call.message))
+        for finding in new
+        for call in finding.calls
     }
-    new += [one for one in found.values() if not known_findings.takes(one)]
+    reported.update(map(_identity, new))
+    consequences = {
+        _identity(finding): finding
+        for group in report.superseded
+        if reported.isdisjoint(map(_identity, group.causes))
+        for finding in group.findings
+    }
+    new += [finding for finding in consequences.values() if not known_findings.takes(finding)]
     return report._replace(diagnostics=in_reading_order(new), tolerated=known_findings.count)
 
 
 def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
-    """The same for a finding of several robots, which merging makes one."""
+    """The identity of a finding, equal for a finding that several robots share."""
     span = diagnostic.span
     return (diagnostic.code, disk.real(span.source.path), *span[1:], diagnostic.message)
 
 
 class _KnownFindings:
-    """What a baseline still tolerates.
+    """The findings that a baseline still tolerates.
 
     Args:
-        known: the findings in it, with how often each is tolerated.
+        known: the findings in the baseline, with the number of times that each is tolerated.
     """
 
     def __init__(self, known: Counter[Fingerprint], directory: str) -> None:
@@ -142,7 +146,7 @@ class _KnownFindings:
             self._left[key._replace(path="") if key.path in gone else key] += count
 
     def takes(self, diagnostic: Diagnostic) -> bool:
-        """True if a finding is tolerated, which is then used up."""
+        """True if a finding is tolerated; removes it from the tolerated ones."""
         own = fingerprint(diagnostic, self._directory)
         key = own if self._left[own] > 0 else own._replace(path="")
         if self._left[key] <= 0:

@@ -1,4 +1,4 @@
-"""The check of one description of a plan."""
+"""Checks one description of a plan."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
-    """Reads the description of a job."""
+    """A function that reads the description of a job."""
     targets = given_targets(options)
 
     def read(job: Job) -> Context:
@@ -45,7 +45,7 @@ def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
 
 
 def given_targets(options: Options) -> Targets | None:
-    """The programs to check for; None if they are inferred from each model."""
+    """The targets to check for; None if they are detected from each model."""
     if not options.targets:
         return None
     from urdfkit.ros.targets import parse
@@ -54,11 +54,11 @@ def given_targets(options: Options) -> Targets | None:
 
 
 def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
-    """Check one of several robots, and keep nothing but the result.
+    """Check one of several robots, and free its memory.
 
-    A robot is full of references in circles. The meshes that they hold are no more than a few
-    objects to the collector, but hundreds of megabytes: it would let dozens of robots pile up.
-    They are young; to look at the old objects as well, those of the modules, takes 20 ms.
+    A robot contains reference cycles. To the garbage collector its meshes are a few objects, but
+    they take hundreds of megabytes: without a collection dozens of robots would accumulate.
+    Generation 1 suffices; a full collection takes 20 ms because of the objects of modules.
     """
     checked = check_job(job, options, resolver)
     if "numpy" in sys.modules:
@@ -76,7 +76,7 @@ def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
 
 
 def check_sets(sets: list[tuple[Job, Context]], options: Options) -> list[Checked]:
-    """Check one robot with each set of its arguments."""
+    """Check one robot with each of its argument sets."""
     checked = [(job, context, check_context(job, context, options)) for job, context in sets]
     return _with_assumed(
         [(job, _with_unknown_values(job, context, result)) for job, context, result in checked]
@@ -84,17 +84,18 @@ def check_sets(sets: list[tuple[Job, Context]], options: Options) -> list[Checke
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:
-    """A result, less severe where it depends on arguments whose values are known at run time only.
+    """A result with lower severities where arguments are known at run time only.
 
-    Launch files that ask for a gripper start the robot with one; with its defaults it has none, and
-    is in pieces. What has a fix is a typo of a name that the robot has anyway.
+    Launch files with a gripper argument start the robot with one; with its defaults the robot has
+    no gripper, and unconnected parts. A finding with a fix is a typo of an existing name, and keeps
+    its severity.
     """
     xacro = context.reading.xacro
     open_names = set(xacro.defaults) if xacro else set()
     open_names -= job.arguments.keys()
     if not open_names:
         return result
-    codes = {one.code for one in result.diagnostics}
+    codes = {diagnostic.code for diagnostic in result.diagnostics}
     codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
     if not codes:
         return result
@@ -105,32 +106,34 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
         return result
     with_defaults = (f"the default of {', '.join(names)}",)
 
-    def lowered(one: Diagnostic) -> Diagnostic:
-        if one.code not in codes or one.severity is Severity.INFO or one.fix:
-            return one
-        less = Severity.WARNING if one.severity is Severity.ERROR else Severity.INFO
-        return one._replace(severity=less, confidence=Confidence.GUESSED, variants=with_defaults)
+    def lowered(finding: Diagnostic) -> Diagnostic:
+        if finding.code not in codes or finding.severity is Severity.INFO or finding.fix:
+            return finding
+        lower = Severity.WARNING if finding.severity is Severity.ERROR else Severity.INFO
+        return finding._replace(
+            severity=lower, confidence=Confidence.GUESSED, variants=with_defaults
+        )
 
     return result._replace(diagnostics=tuple(map(lowered, result.diagnostics)))
 
 
 def _with_assumed(checked: list[Checked]) -> list[Checked]:
-    """The results of one robot, in which no error depends on values that nobody may start it with.
+    """The results of one robot, without errors that depend on assumed argument values.
 
-    An error that only assumed values show is a warning that names them, unless several sets of them
-    show it, and none does not: then it does not depend on the values.
+    An error that occurs only with assumed values becomes a warning that states them, unless it
+    occurs with all of several sets: then it does not depend on the values.
     """
     sets = [job.assumed for job, _ in checked if job.assumed]
-    found_in: dict[object, list[str]] = {}
+    sets_by_finding: dict[object, list[str]] = {}
     for job, result in checked:
-        for one in result.diagnostics:
-            found_in.setdefault(_identity(one), []).append(job.assumed)
+        for diagnostic in result.diagnostics:
+            sets_by_finding.setdefault(_identity(diagnostic), []).append(job.assumed)
 
-    def lowered(one: Diagnostic) -> Diagnostic:
-        own = tuple(dict.fromkeys(found_in[_identity(one)]))
-        if one.severity is not Severity.ERROR or "" in own or len(own) == len(sets) > 1:
-            return one
-        return one._replace(
+    def lowered(finding: Diagnostic) -> Diagnostic:
+        own = tuple(dict.fromkeys(sets_by_finding[_identity(finding)]))
+        if finding.severity is not Severity.ERROR or "" in own or len(own) == len(sets) > 1:
+            return finding
+        return finding._replace(
             severity=Severity.WARNING, confidence=Confidence.GUESSED, variants=own, fix=None
         )
 
@@ -140,8 +143,8 @@ def _with_assumed(checked: list[Checked]) -> list[Checked]:
     ]
 
 
-def _identity(one: Diagnostic) -> object:
-    return one.code, one.span.source.path, *one.span[1:], one.message
+def _identity(finding: Diagnostic) -> object:
+    return finding.code, finding.span.source.path, *finding.span[1:], finding.message
 
 
 def failed(job: Job, error: Exception) -> FileResult:
@@ -151,9 +154,9 @@ def failed(job: Job, error: Exception) -> FileResult:
 
 def check_context(job: Job, context: Context, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
-    # That a robot of a directory cannot be expanded by itself is no defect of it.
-    lacking = context.reading.missing_argument_codes if job.found else ()
-    codes = [code for code in chosen if code not in lacking]
+    # A robot found in a directory may require arguments; that is not a defect.
+    missing = context.reading.missing_argument_codes if job.found else ()
+    codes = [code for code in chosen if code not in missing]
     result = run_rules(context, codes, options)
     if not job.found and context.reading.xacro and context.reading.xacro.is_library:
         no_robot = Skipped("", context.source.path, DEFINES_NO_LINK)
@@ -167,7 +170,7 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
 
 
 def _skipped_as_one(result: FileResult, context: Context) -> FileResult:
-    """A description that cannot be read, of which no error says so, is skipped as a whole."""
+    """A result that skips the whole description if it is unreadable and no error states why."""
     errors = {
         d.code
         for d in result.diagnostics
@@ -177,5 +180,5 @@ def _skipped_as_one(result: FileResult, context: Context) -> FileResult:
         return result
     from urdfkit.lint.unchecked import why_unchecked
 
-    why, _ = why_unchecked(context.reading, context.source, context.resolver)
-    return result._replace(skipped=(Skipped("", context.source.path, why),))
+    reason, _ = why_unchecked(context.reading, context.source, context.resolver)
+    return result._replace(skipped=(Skipped("", context.source.path, reason),))

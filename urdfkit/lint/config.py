@@ -17,56 +17,53 @@ class ConfigError(UrdfkitError):
 
 
 class FileIgnore(Record):
-    """Rules that are left out for some files."""
+    """Rules that are ignored for some files."""
 
     files: tuple[str, ...]  # patterns of paths, relative to the configuration's directory
-    codes: frozenset[str]  # of the rules
-    but_errors: frozenset[str]  # of rules whose errors stay
-    reason: str  # why, for whoever reads the configuration
+    codes: frozenset[str]  # codes of the ignored rules
+    but_errors: frozenset[str]  # codes of the rules whose errors are still reported
+    reason: str  # comment for readers of the configuration
 
 
 class RobotEntry(Record):
-    """An entry point: a description that is checked, with the arguments it needs."""
+    """An entry point: a description to check, with its arguments."""
 
     file: str  # absolute path
-    name: str  # of the variant; empty if there is one only
-    arguments: dict[str, str]  # for xacro
+    name: str  # name of the variant; empty if there is only one
+    arguments: dict[str, str]  # xacro arguments
 
 
 class Config(Record):
     """The settings of a project."""
 
-    path: str = ""  # of the file; empty if there is none
-    #: select and ignore: codes of rules; ``select`` is empty for all.
-    select: frozenset[str] = frozenset()
-    ignore: frozenset[str] = frozenset()
-    fail_on: Severity = Severity.WARNING  # the mildest severity that counts
-    targets: tuple[str, ...] = ()  # names of consumers; inferred from each model if empty
-    packages: Mapping[str, str] = {}  # directories of packages by name, absolute
-    arguments: Mapping[str, str] = {}  # for every xacro
-    severities: Mapping[str, Severity] = {}  # other severities by code
-    file_ignores: tuple[FileIgnore, ...] = ()  # rules left out for some files
+    path: str = ""  # path of the file; empty if there is none
+    select: frozenset[str] = frozenset()  # codes of the rules to run; empty for all
+    ignore: frozenset[str] = frozenset()  # codes of the rules not to run
+    fail_on: Severity = Severity.WARNING  # the lowest severity that makes a check fail
+    targets: tuple[str, ...] = ()  # names of targets; detected from each model if empty
+    packages: Mapping[str, str] = {}  # absolute directories of packages by name
+    arguments: Mapping[str, str] = {}  # arguments of every xacro
+    severities: Mapping[str, Severity] = {}  # configured severities by code
+    file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[RobotEntry, ...] = ()  # the entry points; found by the include graph if empty
-    exclude: tuple[str, ...] = ()  # patterns of paths that the check of a directory leaves out
-    external_rules: tuple[str, ...] = ()  # codes of the rules of other packages that run, too
+    exclude: tuple[str, ...] = ()  # patterns of paths that the check of a directory skips
+    external_rules: tuple[str, ...] = ()  # codes of the additional rules of other packages
     preview: bool = False  # True if preview rules run
-    named: frozenset[str] = frozenset()  # codes that ``select`` names by their whole code or name
-    min_confidence: Confidence = Confidence.GUESSED  # findings that are less sure are left out
+    named: frozenset[str] = frozenset()  # codes that ``select`` contains as a whole code or name
+    min_confidence: Confidence = Confidence.GUESSED  # least confidence of reported findings
     options: Mapping[str, Mapping[str, float]] = {}  # values of options of rules, by code and name
     trust: bool = False  # True if models may run any expression and read any file
     width: int = 0  # columns of a formatted line; 0 for the default
-    #: What is odd about the configuration, and does not change what is checked.
-    warnings: tuple[str, ...] = ()
-    #: Codes of rules whose findings are left out, but their errors.
-    but_errors: frozenset[str] = frozenset()
-    limits: Limits = Limits()  # of the expansion of each description
+    warnings: tuple[str, ...] = ()  # problems of the configuration that do not affect the check
+    but_errors: frozenset[str] = frozenset()  # codes of rules of which only errors are reported
+    limits: Limits = Limits()  # limits of the expansion of each description
 
     @property
     def directory(self) -> str:
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
 
     def argument_names(self, path: str) -> frozenset[str]:
-        """The names of the arguments that ``[[robot]]`` gives to a description and its variants."""
+        """The names of the arguments of a description and its variants in ``[[robot]]``."""
         real = disk.real(path) if self.robots else ""
         own = (robot.arguments for robot in self.robots if disk.real(robot.file) == real)
         return frozenset().union(*own)
@@ -74,13 +71,14 @@ class Config(Record):
     def entries(
         self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
     ) -> tuple[RobotEntry, ...]:
-        """The variants of a description, each with all arguments that it is read with.
+        """The variants of a description, each with all of its arguments.
 
-        Those that are given win over those of the variant, and these over those of every xacro.
-        With given arguments and no name it is one description, with what its variants share.
+        Given arguments override those of the variant, which override those of every xacro. With
+        given arguments and no variant the result is one entry, with the arguments that all variants
+        share.
 
         Args:
-            variant: the name of the only one; all if empty.
+            variant: the name of one variant; all if empty.
 
         Raises:
             ConfigError: there is no variant of this name.
@@ -91,8 +89,8 @@ class Config(Record):
             names = [robot.name for robot in own if robot.name]
             own = [robot for robot in own if robot.name == variant]
             if not own:
-                there = f"there are {', '.join(names)}" if names else "it has none"
-                raise ConfigError(f"{path}: unknown variant '{variant}'; {there}")
+                known = f"there are {', '.join(names)}" if names else "it has none"
+                raise ConfigError(f"{path}: unknown variant '{variant}'; {known}")
         elif given and len(own) > 1:
             shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
             own = [RobotEntry(path, "", dict(shared))]
@@ -104,23 +102,23 @@ class Config(Record):
     def entry(
         self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
     ) -> RobotEntry:
-        """The same where one description is wanted.
+        """The only variant of a description, see ``entries``.
 
         Raises:
-            ConfigError: there are several, or none of this name.
+            ConfigError: there are several variants, or none of this name.
         """
-        found = self.entries(path, given, variant)
-        if len(found) > 1:
-            names = ", ".join(robot.name for robot in found)
+        entries = self.entries(path, given, variant)
+        if len(entries) > 1:
+            names = ", ".join(robot.name for robot in entries)
             raise ConfigError(f"{path} has several variants: select one with --variant ({names})")
-        return found[0]
+        return entries[0]
 
     def relative(self, path: str) -> str:
-        """A path as the patterns of the configuration see it."""
+        """A path relative to the configuration, as its patterns match it."""
         return os.path.relpath(os.path.abspath(path), self.directory).replace(os.sep, "/")
 
     def ignores(self, code: str, path: str, severity: Severity) -> bool:
-        """True if findings of a rule with some severity are left out for a file."""
+        """True if findings of a rule with a severity are ignored for a file."""
         is_error = severity is Severity.ERROR
         return (code in self.but_errors and not is_error) or any(
             (code in entry.codes or (code in entry.but_errors and not is_error))
@@ -131,7 +129,7 @@ class Config(Record):
 
 def matches(path: str, patterns: tuple[str, ...]) -> bool:
     """True if a path or a directory above it matches a pattern; ``*`` also matches ``/``."""
-    import fnmatch  # not needed where nothing is left out
+    import fnmatch  # not needed if no file is ignored
 
     return any(
         fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")

@@ -1,7 +1,7 @@
 """Reads the configuration of a project from pyproject.toml or urdfkit.toml.
 
-A setting that does not exist is an error with the nearest name: to ignore a typo would check
-something else than was asked for.
+An unknown setting is an error that suggests the nearest name: skipping a typo would silently check
+something else.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ def load(path: str, *, trusted: bool = True) -> Config:
     """The configuration in a file.
 
     Args:
-        path: of the file.
-        trusted: False if it comes with a robot from anywhere. What would let it run code, the
-            setting ``trust`` and modules as ``rule-packages``, is then an error, and so are
-            packages and robots outside of its workspace, and higher limits than the usual. A link
-            to a file outside of its repository is not read.
+        path: path of the file.
+        trusted: False if the file may come with a robot from an untrusted origin. Errors are then:
+            settings that could run code (``trust``, and modules in ``rule-packages``), packages and
+            robots outside of its workspace, limits above the defaults, and a symbolic link to a
+            file outside of its repository.
 
     Raises:
-        ConfigError: there is none, or it cannot be understood.
+        ConfigError: the file is missing or has no valid settings.
     """
     if not trusted and disk.is_link(path) and not _is_inside_repository(path):
         raise ConfigError(
@@ -45,7 +45,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
 
 
 def _is_inside_repository(link: str) -> bool:
-    """True if a link's target is in the repository, or else the directory, of the link."""
+    """True if a link's target is in the link's repository, or directory if there is none."""
     directory = os.path.dirname(os.path.abspath(link))
     repositories = (up for up in upwards(directory) if disk.exists(os.path.join(up, ".git")))
     repository = next(repositories, directory)
@@ -65,7 +65,7 @@ def _table(path: str) -> dict[str, Any] | None:
         import tomli as tomllib
     try:
         document: dict[str, Any] = tomllib.loads(data.decode())
-    except (ValueError, RecursionError) as error:  # the latter of brackets within brackets
+    except (ValueError, RecursionError) as error:  # RecursionError: deeply nested brackets
         raise ConfigError(f"{path}: not TOML: {error}") from error
     if own_file:
         return document
@@ -75,7 +75,7 @@ def _table(path: str) -> dict[str, Any] | None:
 
 
 def _read(reader: _SettingsReader, *, trusted: bool) -> Config:
-    external = reader.rule_packages(trusted=trusted)  # before other settings name their codes
+    external = reader.rule_packages(trusted=trusted)  # first: other settings contain their codes
     ignoring = reader.tables("per-file-ignores")
     select, named = reader.codes("select")
     ignored = reader.ignored("ignore")
@@ -119,7 +119,7 @@ def _file_ignore(reader: _SettingsReader) -> FileIgnore:
 
 
 def _robots(reader: _SettingsReader, directory: str) -> list[RobotEntry]:
-    """The variants of one entry point; every one with the common arguments too."""
+    """The variants of one entry point, each including the common arguments."""
     name = reader.take("file", str, "")
     common = reader.arguments("arguments")
     variants = reader.take("variants", dict, {})
@@ -141,7 +141,7 @@ def _robots(reader: _SettingsReader, directory: str) -> list[RobotEntry]:
 
 
 class _SettingsReader(SettingsTable):
-    """Takes urdfkit's settings out of a table."""
+    """Reads urdfkit's settings from a table."""
 
     def width(self) -> int:
         value = self.take("width", int, 0)
@@ -162,20 +162,20 @@ class _SettingsReader(SettingsTable):
             raise self.error(f"'rule-packages': {error}") from error
 
     def trust(self, *, trusted: bool) -> bool:
-        wanted: bool = self.take("trust", bool, False)
-        if wanted and not trusted:
+        value: bool = self.take("trust", bool, False)
+        if value and not trusted:
             raise self.error(
                 "'trust' must be confirmed on the command line: pass --trust or --config FILE"
             )
-        return wanted
+        return value
 
     def limits(self, *, trusted: bool) -> Limits:
-        """The limits of an expansion; higher ones than the usual take the user's word."""
-        usual = Limits()
-        chosen = {}
-        for name, most in (("seconds", usual.seconds), ("megabytes", usual.megabytes)):
+        """The limits of an expansion; values above the defaults require a trusted file."""
+        defaults = Limits()
+        limits = {}
+        for name, most in (("seconds", defaults.seconds), ("megabytes", defaults.megabytes)):
             key = f"xacro-{name}"
-            value = chosen[name] = self.take(key, int, int(most))
+            value = limits[name] = self.take(key, int, int(most))
             if isinstance(value, bool) or value < 1:
                 raise self.error(f"'{key}' must be a whole number from 1, not {value}")
             if value > most and not trusted:
@@ -183,16 +183,16 @@ class _SettingsReader(SettingsTable):
                     f"'{key}' above {most:g} must be confirmed on the command line: pass --{key} "
                     "or --config FILE"
                 )
-        return Limits(**chosen)
+        return Limits(**limits)
 
     def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
-        """The codes that a list of words means, and those that it names whole."""
+        """The codes that match a list of words, and those that match a whole code or name."""
         words = self.texts(key)
-        found = frozenset(code for word in words for code in self.matching(key, word))
-        return found, rule_index.named(words)
+        codes = frozenset(code for word in words for code in self.matching(key, word))
+        return codes, rule_index.named(words)
 
     def matching(self, key: str, word: str) -> list[str]:
-        """The codes that a word of a setting means; warns of a former code."""
+        """The codes that match a word of a setting; warns if the word is a former code."""
         self._note(key, word)
         try:
             return rule_index.matching(word)
@@ -205,7 +205,7 @@ class _SettingsReader(SettingsTable):
 
     def options(self) -> dict[str, dict[str, float]]:
         """The values of options of rules, ``[rules.CODE]``."""
-        found: dict[str, dict[str, float]] = {}
+        options: dict[str, dict[str, float]] = {}
         for word, values in self._rules_table().items():
             self._note("rules", word)
             try:
@@ -215,11 +215,11 @@ class _SettingsReader(SettingsTable):
             if not isinstance(values, dict):
                 raise self.error(f"'rules.{word}' must be a table of options, not {values!r}")
             inner = _SettingsReader(self.path, values, f"rules.{word}", trusted=True)
-            found[rule.code] = {
+            options[rule.code] = {
                 name: inner.number(name, default) for name, default in rule.options.items()
             }
             inner.finish("option")
-        return found
+        return options
 
     def _rules_table(self) -> dict[str, Any]:
         table = self.take("rules", object, {})
@@ -230,25 +230,25 @@ class _SettingsReader(SettingsTable):
         return table
 
     def ignored(self, key: str) -> rule_index.Ignored:
-        """The rules that are left out; a word that means none leaves out nothing."""
+        """The rules to ignore; warns of words that match no rule."""
         words = self.texts(key)
-        found = rule_index.ignored(words)
-        notes = [*filter(None, map(rule_index.ignore_note, words)), *map(str, found.unknown)]
+        ignored = rule_index.ignored(words)
+        notes = [*filter(None, map(rule_index.ignore_note, words)), *map(str, ignored.unknown)]
         self.warnings += (str(self.error(f"'{key}': {note}")) for note in notes)
-        return found
+        return ignored
 
     def severities(self) -> dict[str, Severity]:
         table = self.take("severity", dict, {})
-        found: dict[str, Severity] = {}
+        severities: dict[str, Severity] = {}
         for word, value in table.items():
             severity = self.as_choice(Severity, f"severity.{word}", value)
             codes = self.matching("severity", word)
             if rule_index.redirect(word) and severity is not Severity.ERROR:
-                # It was merged with others, whose errors nobody wanted to lower.
+                # The rule was merged with others, whose errors the user did not mean to lower.
                 self.warnings[-1] += ": its severity is not changed"
                 continue
-            found.update(dict.fromkeys(codes, severity))
-        return found
+            severities.update(dict.fromkeys(codes, severity))
+        return severities
 
     def targets(self) -> tuple[str, ...]:
         from urdfkit.ros.targets import UnknownTarget, parse
@@ -270,7 +270,7 @@ class _SettingsReader(SettingsTable):
         return {name: os.path.normpath(directory) for name, directory in directories.items()}
 
     def require_inside(self, key: str, path: str) -> None:
-        """See that the configuration names a path of its own workspace, or is trusted."""
+        """Raise an error for a path outside of the configuration's workspace, unless trusted."""
         if self.trusted:
             return
         from urdfkit.core.paths import is_within
@@ -286,7 +286,7 @@ class _SettingsReader(SettingsTable):
         )
 
     def arguments(self, key: str) -> dict[str, str]:
-        """Values as the command line would give them: ``true``, ``0.5``, ``left_``."""
+        """Values as text, like on the command line: ``true``, ``0.5``, ``left_``."""
         table = self.take(key, dict, {})
         for name, value in table.items():
             if not isinstance(value, (str, int, float)):

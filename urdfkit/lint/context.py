@@ -1,4 +1,4 @@
-"""One description under check; its parts are computed when a rule first asks for them."""
+"""The description to check; its parts are computed when they are first used."""
 
 from __future__ import annotations
 
@@ -45,27 +45,27 @@ __all__ = ["Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
 
 class RunState(Record):
-    """What the runner tells the rules of the check that they are part of."""
+    """State of the check that the rules are part of."""
 
     #: Configured options of rules, by code and name.
     rule_options: Mapping[str, Mapping[str, float]] = {}
-    #: Of the other rules, before suppression; for the rules about the checking.
+    #: Findings of the other rules, before suppression; for the rules about the checking.
     diagnostics: tuple[Diagnostic, ...] = ()
     chosen: frozenset[str] | None = None  # codes of all rules; None until the others have run
 
 
 class Context(DescriptionFile):
-    """What rules know of one description: the file as it was read, the robot in it, its files.
+    """Input of the rules: one description file, the robot in it, and its files.
 
     Attributes:
         parameters: the parameter files of the launch file that loads it.
-        run: of the check; set by the runner alone.
-        launched: the arguments that were not given, and where they are from; set by `loading`.
-        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
+        run: state of the check; set by the runner.
+        launched: the arguments that the user did not set, with their origin; set by `loading`.
+        unchecked: other values of its arguments, which are not checked; set by the plan.
 
     Args:
-        cache: True if measures of meshes may be kept for the next run.
-        progress: called with the number of mesh files read and of all.
+        cache: True if measures of meshes may be cached for the next run.
+        progress: called with the number of mesh files read and the number of all mesh files.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class Context(DescriptionFile):
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
-        """Where the document deviates from the grammar, by the code of the rule that reports it."""
+        """Deviations of the document from the grammar, by the code of the reporting rule."""
         root = self.document.root
         if has_srdf_tags(root) or is_list_of_joints(root):
             return {}
@@ -103,29 +103,29 @@ class Context(DescriptionFile):
         xacro = self.reading.xacro
         if xacro is None:
             calls = root.children if is_extension(root) else ()
-            return deviations(self.document, plain=True, claimed={one.tag for one in calls})
+            return deviations(self.document, plain=True, claimed={call.tag for call in calls})
         claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
 
     @cached_property
     def is_part(self) -> bool:
-        """True for a file that makes sense inside another one only, and is no robot by itself.
+        """True for a file that is used inside another one only, and is not a robot by itself.
 
-        That is a library of macros; or a description that another file includes and that lacks
-        a name, or a link that is the root of the others.
+        It is a library of macros, or a description that another file includes and that has no
+        name or no root link.
         """
         xacro, root = self.reading.xacro, self.document.root
         if (xacro is not None and xacro.is_library) or has_srdf_tags(root) or is_extension(root):
             return True
         if root.get("name") is None and self.problems("XAC003"):
-            return True  # calls that the including file answers
+            return True  # calls macros of the including file
         if root.get("name") is not None and self.tree.has_base:
             return False
         return self.is_included
 
     @cached_property
     def is_included(self) -> bool:
-        """True if another file of the package includes this one, or there are too many to know."""
+        """True if another file of the package includes this one, or may (too many files)."""
         from urdfkit.workspace.includes import is_included
 
         return is_included(self.source.path, self.resolver.packages)
@@ -146,17 +146,17 @@ class Context(DescriptionFile):
 
     @property
     def given_targets(self) -> tuple[str, ...]:
-        """The consumers that were named; none where they are to be inferred."""
+        """The targets that the user named; empty if they are detected."""
         return self._given_targets.names if self._given_targets else ()
 
     @property
     def given_facts(self) -> tuple[TargetFacts, ...]:
-        """What is known of the consumers that were named."""
+        """The facts about the targets that the user named."""
         return self._given_targets.facts if self._given_targets else ()
 
     @cached_property
     def targets(self) -> Targets:
-        """The targets that it is checked for: as given, else as detected."""
+        """The targets to check for: those that the user named, otherwise the detected ones."""
         if self._given_targets is not None:
             return self._given_targets
         return self.inferred_targets
@@ -178,45 +178,45 @@ class Context(DescriptionFile):
 
     @property
     def loads_visuals(self) -> bool:
-        """False if the given targets load no visuals, and the model does not ask them to."""
-        if not self.given_targets or not all(one.drops_visuals for one in self.targets.facts):
+        """False if the given targets load no visuals, and the model does not request visuals."""
+        if not self.given_targets or not all(facts.drops_visuals for facts in self.targets.facts):
             return True
         return self.reading.document is None or not self.mujoco.drops_visuals
 
     @cached_property
     def standing_on_primitives(self) -> Stability | None:
-        """How the robot stands with all joints at 0 and without its meshes."""
+        """Stability of the robot with all joints at 0, without its meshes."""
         from urdfkit.robot.stability import stand
 
         return stand(self, meshes=False)
 
     @cached_property
     def symmetric_joints(self) -> list[tuple[Joint, Joint]]:
-        """The moving joints of the left and of the right that are made to be mirror images."""
+        """The pairs of movable left and right joints that are meant to be symmetric."""
         from urdfkit.robot.symmetry import joint_pairs
 
         return joint_pairs(self.tree)
 
     @cached_property
     def gazebo(self) -> SdfConversion:
-        """What Gazebo makes of the model: merged, dropped and renamed links."""
+        """The conversion of the model to SDF: merged, dropped and renamed links."""
         from urdfkit.ros.gazebo.conversion import SdfConversion
 
         return SdfConversion(self.tree)
 
     def imported(self, importer: str) -> Imported:
-        """What a program makes of the model: bodies, masses and the order of its joints.
+        """The model after import into a program: bodies, masses and the order of the joints.
 
         >>> from urdfkit.lint.loading import read
         >>> robot = read("models/good/gripper.urdf").imported("mujoco")
-        >>> [(one.joint.name, one.q, one.v) for one in robot.joints]
+        >>> [(imported.joint.name, imported.q, imported.v) for imported in robot.joints]
         [('left_finger_joint', 0, 0), ('right_finger_joint', 1, 1)]
 
         Args:
             importer: a name of `urdfkit.ros.importers.facts.IMPORTERS`.
 
         Raises:
-            UnknownImporter: with the nearest.
+            UnknownImporter: the name is unknown; the message suggests the nearest.
         """
         from urdfkit.robot.assets.collision_solids import CollisionSolids
         from urdfkit.ros.importers.facts import facts_of
@@ -227,14 +227,14 @@ class Context(DescriptionFile):
 
     @cached_property
     def plugins(self) -> tuple[PluginUse, ...]:
-        """The plugins that the model gives to Gazebo."""
+        """The Gazebo plugins of the model."""
         from urdfkit.ros.gazebo.plugins import uses
 
         return uses(self.model, self.targets)
 
     @cached_property
     def names_parameters(self) -> bool:
-        """True if a launch file or a plugin names a parameter file of controllers."""
+        """True if a launch file or a plugin references a parameter file of controllers."""
         plugins = (plugin for block in self.model.gazebo for plugin in block.all("plugin"))
         return bool(self.parameters) or any(plugin.child("parameters") for plugin in plugins)
 
@@ -249,7 +249,7 @@ class Context(DescriptionFile):
 
     @cached_property
     def srdf(self) -> Srdf | None:
-        """The SRDF of the robot's package, if there is one; a part has none."""
+        """The SRDF of the robot's package; None if there is none, or for a part."""
         if self.is_part:
             return None
         from urdfkit.ros.moveit.srdf import find
@@ -258,10 +258,10 @@ class Context(DescriptionFile):
 
     @property
     def required_srdf(self) -> Srdf:
-        """The SRDF of the robot, for rules about nothing else.
+        """The SRDF of the robot, for rules about SRDFs.
 
         Raises:
-            NotApplicable: there is none.
+            NotApplicable: the robot has no SRDF.
         """
         if self.srdf is None:
             raise NotApplicable("no SRDF")
@@ -269,7 +269,7 @@ class Context(DescriptionFile):
 
     @cached_property
     def other_variant(self) -> str:
-        """What is wrong if the SRDF is for another variant of the robot; empty if it is not."""
+        """Why the SRDF belongs to another variant of the robot; empty if it does not."""
         if self.srdf is None:
             return ""
         from urdfkit.ros.moveit.srdf_variant import other_variant
@@ -277,18 +277,18 @@ class Context(DescriptionFile):
         return other_variant(self, self.srdf)
 
     def other_robot(self, path: str, arguments: Mapping[str, str]) -> Context:
-        """Another description, read in the same way; the same one each time."""
-        given = tuple(arguments.items())
-        if (path, given) not in self._other_robots:
+        """Another description, read with the same settings; cached."""
+        items = tuple(arguments.items())
+        if (path, items) not in self._other_robots:
             source = self.source if path == self.source.path else self.resolver.read(path)
-            robot = _robot(source, self.resolver, given, self.trust, self._cache)
-            self._other_robots[path, given] = robot
-        return self._other_robots[path, given]
+            robot = _robot(source, self.resolver, items, self.trust, self._cache)
+            self._other_robots[path, items] = robot
+        return self._other_robots[path, items]
 
     def names_in_robot(self, path: str) -> frozenset[str]:
         """Names of the links and joints of another description, read with the same arguments."""
-        source, given = self.resolver.read(path), tuple(sorted(self.arguments.items()))
-        return _names_in_robot(source, self.resolver, given, self.trust)
+        source, arguments = self.resolver.read(path), tuple(sorted(self.arguments.items()))
+        return _names_in_robot(source, self.resolver, arguments, self.trust)
 
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
@@ -319,16 +319,16 @@ class Context(DescriptionFile):
         """The robot in Pinocchio.
 
         Raises:
-            Unavailable: Pinocchio is not installed, or cannot hold the robot.
+            Unavailable: Pinocchio is not installed, or cannot represent the robot.
         """
         return dynamics_of(self.tree)
 
     @cached_property
     def collisions(self) -> Collisions:
-        """Which links collide with one another; coal is loaded where it is needed.
+        """The links that collide with each other; coal is loaded when it is needed.
 
         Raises:
-            Unavailable: the robot has too many bodies, or later, coal is not installed.
+            Unavailable: the robot has too many bodies; later, if coal is not installed.
         """
         need_few_bodies(self.model)
         from urdfkit.physics.collision.robot import Collisions
@@ -337,14 +337,14 @@ class Context(DescriptionFile):
 
     @cached_property
     def files(self) -> MeshFiles:
-        """The mesh files that the model names, found and sniffed."""
+        """The mesh files that the model references: their paths and detected formats."""
         from urdfkit.robot.assets.mesh_files import MeshFiles
 
         return MeshFiles(self.model, self.resolver)
 
     @cached_property
     def measured(self) -> MeasuredMeshes:
-        """The mesh files that the model names, measured.
+        """Measures of the mesh files that the model references.
 
         Raises:
             Unavailable: a library that measures them is not installed.
@@ -354,18 +354,18 @@ class Context(DescriptionFile):
         from urdfkit.mesh import measure_cache
         from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
 
-        kept = measure_cache.shared(cached=self._cache)
-        return MeasuredMeshes(self.model, self.files, kept, self._progress)
+        cache = measure_cache.shared(cached=self._cache)
+        return MeasuredMeshes(self.model, self.files, cache, self._progress)
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Of a mesh; or why there are none, as a predicate whose subject is the file."""
+        """The measures of a mesh, or a predicate about the file that states why there are none."""
         if reason := libraries.why_unmeasured():
             return f"is {reason}"
         return self.measured.measures(shape)
 
     @cached_property
     def meshes(self) -> Meshes:
-        """The triangles of those files."""
+        """The triangles of the mesh files."""
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
@@ -382,7 +382,7 @@ def _robot(
     return Context(source, resolver, dict(arguments), trust=trust, cache=cache)
 
 
-@lru_cache(maxsize=64)  # the robots of a package that share its SRDFs are read for each of them
+@lru_cache(maxsize=64)  # robots of a package that share its SRDFs are needed for each SRDF
 def _names_in_robot(
     source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
 ) -> frozenset[str]:

@@ -1,4 +1,4 @@
-"""A description as it was read: its text, expanded, and what is wrong with it."""
+"""A description file: its text, expansion and problems."""
 
 from __future__ import annotations
 
@@ -22,50 +22,54 @@ if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
 
-#: An argument is used above its default, which is a value all the same.
+#: Code of the rule about arguments that are used before their default, which is still a value.
 _TOO_EARLY = "XAC020"
 
 
 class Reading(Record):
-    """A file as it was read."""
+    """The result of reading a file."""
 
-    document: Document | None  # after expansion; None of a launch file, or if it could not be read
-    problems: tuple[Problem, ...]  # what is wrong with the text
+    document: Document | None  # after expansion; None for launch files and unreadable files
+    problems: tuple[Problem, ...]
     xacro: Xacro | None  # the expansion; None for plain XML
 
     @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
-        return tuple(dict.fromkeys(one.argument for one in self.lacking))
+        return tuple(dict.fromkeys(problem.argument for problem in self.lacking))
 
     @property
     def arguments_to_pass(self) -> tuple[str, ...]:
-        """The missing arguments, else those that xacro misses because their default comes later."""
-        early = (one.argument for one in self.problems if one.code == _TOO_EARLY)
+        """The missing arguments, otherwise those that are used before their default."""
+        early = (problem.argument for problem in self.problems if problem.code == _TOO_EARLY)
         return self.missing_arguments or tuple(dict.fromkeys(early))
 
     @property
     def lacking(self) -> list[Problem]:
-        """The problems that are nothing but arguments without a value."""
-        return [one for one in self.problems if one.argument and one.code != _TOO_EARLY]
+        """The problems that are arguments without a value."""
+        return [
+            problem for problem in self.problems if problem.argument and problem.code != _TOO_EARLY
+        ]
 
     @property
     def missing_argument_codes(self) -> frozenset[str]:
-        """The codes of the problems that are nothing but arguments without a value."""
-        return frozenset(one.code for one in self.lacking)
+        """The codes of the problems that are arguments without a value."""
+        return frozenset(problem.code for problem in self.lacking)
 
     @property
     def is_fragment(self) -> bool:
-        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
-        infos = (one.code for one in self.problems if one.severity is Severity.INFO)
-        return "XAC001" in infos
+        """True for a part of a robot that cannot be expanded alone: XAC001 is an info for it."""
+        return any(
+            problem.code == "XAC001" and problem.severity is Severity.INFO
+            for problem in self.problems
+        )
 
 
 class DescriptionFile:
     """A URDF, xacro or launch file, read with arguments.
 
     Args:
-        frame: the launch file that loads it; None if it was named itself.
+        frame: the launch file that loads it; None if the user named the file.
     """
 
     def __init__(
@@ -89,19 +93,19 @@ class DescriptionFile:
         if is_launch(self.source.path):
             return Reading(None, tuple(self.launch.problems), None)
         if not is_xacro(self.source) and not self._is_passed_to_xacro:
-            document, problems = read_xml(self.source, self._frame)
-            return Reading(document, tuple(problems), None)
+            document, xml_problems = read_xml(self.source, self._frame)
+            return Reading(document, tuple(xml_problems), None)
         from urdfkit.xacro import expand
 
         xacro = expand(
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
         )
-        found = xacro.problems
-        if any(problem.argument for problem in found):
+        problems = xacro.problems
+        if any(problem.argument for problem in problems):
             from urdfkit.lint.argument_values import with_values
 
-            found = tuple(with_values(found, xacro, self.resolver))
-        return Reading(xacro.document, found, xacro)
+            problems = tuple(with_values(problems, xacro, self.resolver))
+        return Reading(xacro.document, problems, xacro)
 
     @property
     def _is_passed_to_xacro(self) -> bool:
@@ -114,11 +118,11 @@ class DescriptionFile:
 
     @property
     def is_readable(self) -> bool:
-        """False for a description that cannot be read, on which hardly any rule can run."""
+        """False for a description that cannot be read, which few rules can check."""
         return is_launch(self.source.path) or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
-        """The problems that a rule explains, in a description or a launch file."""
+        """The problems with the code of a rule, in a description or a launch file."""
         return [problem for problem in self.reading.problems if problem.code == code]
 
     @property
@@ -143,8 +147,8 @@ class DescriptionFile:
             Unavailable: it could not be read.
         """
         if self.reading.document is None:
-            what = "xacro does not expand" if self.reading.xacro else "description cannot be read"
-            raise Unavailable(f"the {what}")
+            reason = "xacro does not expand" if self.reading.xacro else "description cannot be read"
+            raise Unavailable(f"the {reason}")
         return self.reading.document
 
     @property
@@ -160,15 +164,15 @@ class DescriptionFile:
 
     @cached_property
     def _traced(self) -> Xacro:
-        """The expansion once more, with notes of where every value comes from."""
+        """A second expansion that records the origin of every value."""
         from urdfkit.xacro import expand
 
         return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
 
     def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
-        """Where in YAML files the values stand that expressions wrote at a place of the document.
+        """Places in YAML files of the values that expressions yield at an element or attribute.
 
-        Expands a second time, if the first one read YAML files and there is an expression.
+        Expands a second time if the xacro reads YAML files and the place has an expression.
         """
         reading = self.reading
         element = at if isinstance(at, Element) else at.element
@@ -187,7 +191,7 @@ class DescriptionFile:
 
     @cached_property
     def uses(self) -> Mapping[Tag, int]:
-        """How often each tag stands in the document: those of a macro, once for each call."""
+        """Number of uses of each tag in the document; a tag in a macro has one for each call."""
         from collections import Counter
         from operator import attrgetter
 
@@ -195,10 +199,10 @@ class DescriptionFile:
 
     @cached_property
     def launch(self) -> Launch:
-        """What the launch file needs.
+        """The contents of the launch file.
 
         Raises:
-            NotApplicable: the file is no launch file.
+            NotApplicable: the file is not a launch file.
         """
         from urdfkit.ros.launch import read_launch
 

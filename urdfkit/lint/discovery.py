@@ -1,8 +1,8 @@
-"""Which files of a directory are robots: its entry points, by the include graph.
+"""Discovery of the robots in a directory: the entry points of the include graph.
 
-A xacro that another file includes is checked through that file, not alone. Includes are read from
-the text, without expanding anything, so that a change of one file leads to the robots it is part
-of in a few milliseconds per file.
+A xacro that another file includes is checked as part of that file, not alone. Includes are read
+from the text without expansion, so that the robots that use a changed file are found in a few
+milliseconds per file.
 """
 
 import os
@@ -21,49 +21,49 @@ from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
-#: Files of one directory that are looked at.
+#: Most files of one directory that are read.
 MAX_FILES = 20_000
 
-#: Of files that descriptions include.
+#: Suffixes of files that descriptions include.
 _INCLUDED = (*SUFFIXES, ".gazebo", ".trans", ".xml")
-#: Of files that hold no robot; the others are looked into.
+#: Suffixes of files that do not contain a robot; files with any other suffix are read.
 _NO_ROBOTS = frozenset(
     ".bmp .bt .c .cc .cfg .cmake .cpp .csv .dae .db3 .gif .glb .gltf .gz .h .hpp .htm .html .ipynb "
     ".jpeg .jpg .js .json .launch .lua .material .mcap .md .mp4 .msg .mtl .obj .pcd .pdf .pgm .ply "
     ".png .py .rst .rviz .sdf .sh .srdf .srv .step .stl .stp .svg .tga .toml .ttf .txt .usd .webp "
     ".world .yaml .yml .zip".split()
 )
-#: Bytes of a file in which its root is looked for.
+#: Number of bytes at the start of a file that are searched for the root element.
 _HEAD = 4096
 _MARK = b"\xef\xbb\xbf"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 
 
 def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryContents:
-    """The entry points of a directory: those of the configuration in it, else by the includes.
+    """The entry points of a directory: from the configuration, else from the include graph.
 
     Raises:
-        UnreadableFile: the directory cannot be read, or holds no description.
+        UnreadableFile: the directory cannot be read, or contains no description.
     """
     entry_points = _entry_points(directory, config, resolver)
-    found = entry_points.contents()
+    contents = entry_points.contents()
     top = os.path.abspath(directory)
     configured = tuple(robot for robot in config.robots if is_within(robot.file, top))
     if configured:
         named = {disk.real(robot.file) for robot in configured}
         reached = {path for robot in named for path in entry_points.graph.closure(robot)}
-        left = [one.file for one in found.robots if disk.real(one.file) not in reached]
+        left = [robot.file for robot in contents.robots if disk.real(robot.file) not in reached]
         return DirectoryContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
-    if not any(found):
+    if not any(contents):
         excluded = f", not counting what 'exclude' in {config.path} names" if config.exclude else ""
         raise UnreadableFile(
             f"{directory}: contains no .urdf, no .xacro with a <robot> and no launch file{excluded}"
         )
-    return found
+    return contents
 
 
 def _entry_points(directory: str, config: Config, resolver: Resolver) -> EntryPoints:
-    """Of the descriptions of a directory, and of what looks like one whatever it is called."""
+    """The entry points of a directory, including robots with an unusual suffix."""
     directories = resolver.directories
     files = descriptions(directory, config, directories)
     graph = IncludeGraph([*files, *_lookalikes(directory, config, resolver)], resolver)
@@ -72,8 +72,8 @@ def _entry_points(directory: str, config: Config, resolver: Resolver) -> EntryPo
 
 def _lookalikes(directory: str, config: Config, resolver: Resolver) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    found = filter(_may_be_lookalike, resolver.directories.walk(directory))
-    for path in filter(resolver.admits, islice(found, MAX_FILES)):
+    paths = filter(_may_be_lookalike, resolver.directories.walk(directory))
+    for path in filter(resolver.admits, islice(paths, MAX_FILES)):
         head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path
@@ -85,7 +85,7 @@ def _may_be_lookalike(path: str) -> bool:
 
 
 def launch_files(directory: str, config: Config, directories: Directories) -> Iterator[str]:
-    """The launch files below a directory that can be read, sorted."""
+    """The readable launch files below a directory, sorted."""
     return (path for path in directories.walk(directory) if _is_readable_launch(path, config))
 
 
@@ -96,12 +96,12 @@ def _is_readable_launch(path: str, config: Config) -> bool:
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
-    """The entry points that some changed files are part of, each once, and changed launch files.
+    """The entry points that use changed files, and the changed launch files.
 
-    A description is part of the robots whose includes lead to it, wherever in the repository
-    they are. Any other file (a mesh, a YAML file, a launch file) stands for every robot of its
-    package, and for those elsewhere that name it: which of them use it is known only after
-    expansion. Hidden files, such as the settings of a CI server, are part of no robot.
+    A robot uses the descriptions that it includes, directly or not, anywhere in the repository.
+    Any other file (mesh, YAML file, launch file) is assumed to be used by every robot of its
+    package, and by robots elsewhere that contain its name, as actual uses are known only after
+    expansion. Hidden files, such as the settings of a CI server, are used by no robot.
     """
     changed: dict[str, list[str]] = {}
     for file in map(os.path.abspath, files):
@@ -112,15 +112,19 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
     libraries: list[str] = []
     launches: list[str] = []
     for directory, here in sorted(changed.items()):
-        if resolver.packages.is_shared(directory):  # all of it would be walked: of home, or /tmp
+        if resolver.packages.is_shared(directory):  # too large to walk, such as home or /tmp
             files = [file for file in here if file.lower().endswith(_INCLUDED)]
             entry_points = EntryPoints(IncludeGraph(files, resolver), ())
         else:
             entry_points = _entry_points(directory, config, resolver)
-        found, graph = entry_points.contents(), entry_points.graph
+        contents, graph = entry_points.contents(), entry_points.graph
         known = [robot for robot in config.robots if is_within(robot.file, directory)]
-        # A configuration names the robots below itself; it knows nothing of those in siblings.
-        others = [r for r in found.robots if not (known and is_within(r.file, config.directory))]
+        # A configuration lists the robots below its directory only.
+        others = [
+            robot
+            for robot in contents.robots
+            if not (known and is_within(robot.file, config.directory))
+        ]
         robots += sorted(
             (
                 robot
@@ -129,15 +133,15 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
             ),
             key=lambda robot: robot[:2],
         )
-        libraries += [path for path in found.libraries if path in here]
+        libraries += [path for path in contents.libraries if path in here]
         launches += [path for path in here if _is_readable_launch(path, config)]
     return DirectoryContents(tuple(robots), tuple(libraries), launches=tuple(launches))
 
 
 def _repository(file: str, resolver: Resolver) -> str:
-    """The directory in which a file is shared: its repository, else its package, else its own."""
+    """The repository of a file, else its package, else its directory."""
     directory = os.path.dirname(file)
-    while not disk.is_directory(directory):  # the file is gone, with its directory
+    while not disk.is_directory(directory):  # the directory was removed
         directory = os.path.dirname(directory)
     for above in upwards(directory):
         if disk.exists(os.path.join(above, ".git")) and not resolver.packages.is_shared(above):
@@ -154,7 +158,7 @@ def descriptions(directory: str, config: Config, directories: Directories) -> It
     for path in directories.walk(directory):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
-        # A broken link is reported; a pipe or a device may never end.
+        # Broken links are reported; pipes and devices may be endless.
         if is_chosen and (disk.is_file(path) or not disk.exists(path)):
             count += 1
             if count > MAX_FILES:

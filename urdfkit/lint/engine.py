@@ -1,4 +1,4 @@
-"""check(): descriptions of robots make a Report."""
+"""check(): checks robot descriptions and returns a Report."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.lint.processes import Workers
 
-#: Robots for each process that make a further one worth while.
+#: Least number of robots per process.
 ROBOTS_PER_PROCESS = 10
 
 
@@ -46,7 +46,7 @@ def check(
     config: Config | None = None,
     options: Options = Options(),
 ) -> Report:
-    """Check descriptions of robots.
+    """Check robot descriptions.
 
     >>> report = check("models/good/gripper.urdf")
     >>> report.ok, len(report.crashed), report.exit_code()
@@ -58,23 +58,23 @@ def check(
 
     Args:
         files: URDF, xacro or launch files, Sources, or directories, whose entry points are checked.
-        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: directories of ROS packages by name; they win over every search.
-        select: codes, beginnings of codes or names; only these rules run. All if empty.
-        ignore: codes, beginnings of codes or names of rules that do not run.
-        targets: names of the programs to check for; inferred from each model if empty.
+        arguments: xacro arguments, like ``name:=value`` on the command line.
+        packages: directories of ROS packages by name; they override every search.
+        select: rules to run, by code, prefix of codes, or name; all if empty.
+        ignore: rules not to run, by code, prefix of codes, or name.
+        targets: names of the programs to check for; detected from each model if empty.
         trust: do not sandbox the expressions of the model, and let it read any file.
-        config: settings of the project; the other arguments win over them.
-        options: those that are rarely given; the arguments above win over its own.
+        config: settings of the project; the other arguments override them.
+        options: less common options; the arguments above override them.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
         ConfigError: a robot has no variant of this name.
-        UnknownRule: a word of ``select`` or ``ignore`` means no rule.
-        UnknownTarget: a name is no target.
+        UnknownRule: a word of ``select`` or ``ignore`` matches no rule.
+        UnknownTarget: a name is not a target.
         RuleError: a package of rules is missing or cannot be used.
     """
-    given = options.given(
+    options = options.given(
         arguments=arguments,
         packages=packages,
         select=words("select", select),
@@ -83,7 +83,7 @@ def check(
         trust=trust,
         config=config,
     )
-    return check_with(given, files)
+    return check_with(options, files)
 
 
 def check_with(
@@ -94,17 +94,17 @@ def check_with(
     workers: Workers | None = None,
     spills: bool = False,
 ) -> Report:
-    """Check descriptions of robots.
+    """Check robot descriptions.
 
     Args:
-        files: as of ``check``.
-        resolver: what an earlier check with these packages has found of packages and directories;
-            for many checks in a row, while nothing changes on disk.
-        workers: the processes of these checks; made for this one if None.
-        spills: keep the findings of very many robots on disk, for a report that is only printed.
+        files: see ``check``.
+        resolver: resolver of an earlier check with these packages, with its caches; for repeated
+            checks while nothing changes on disk.
+        workers: the processes of these checks; created for this check if None.
+        spills: store the findings of very many robots on disk, for a report that is only printed.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
     options = options.resolved()
     if resolver is None:
@@ -117,11 +117,11 @@ def check_with(
 
 
 def check_read(options: Options, context: Context) -> Report:
-    """Check a robot that was read already.
+    """Check a robot that has already been read.
 
     Args:
-        options: how; resolved, and of this robot alone (`Options.for_one`).
-        context: the robot, for the targets of the options.
+        options: resolved, and for this robot only (`Options.for_one`).
+        context: the robot, read for the targets of the options.
     """
     plan = Plan(context.resolver, options)
     job = Job(context.source.path, "", context.arguments, False, source=context.source)
@@ -132,15 +132,15 @@ def check_read(options: Options, context: Context) -> Report:
 def check_robots(
     options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
 ) -> tuple[Report, list[Context]]:
-    """Check the robots of one file, which are returned with the report.
+    """Check the robots of one file; return them with the report.
 
     Args:
-        options: how; resolved.
-        file: as of ``check``.
-        resolver: as of ``check_with``.
+        options: resolved.
+        file: see ``check``.
+        resolver: see ``check_with``.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
     robots = [as_launched(job, read) for job in plan.jobs]
@@ -151,10 +151,10 @@ def check_robots(
 def contexts(
     options: Options, files: Iterable[str | os.PathLike[str] | Source]
 ) -> Iterator[Context | None]:
-    """The descriptions that a check with the same options looks at, in the same order.
+    """The descriptions that a check with the same options reads, in the same order.
 
-    None stands for a launch file, and for a robot that another description is already, of which
-    only some rules are asked. Nothing is read before it is asked for.
+    None stands for a launch file, and for a duplicate of another description, for which only some
+    rules run. Descriptions are read one by one, as the iterator advances.
     """
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
@@ -170,8 +170,8 @@ def _checked(
         yield from check_job(jobs[0], options, resolver)
         return
     progress, options = options.progress, options._replace(progress=None)
-    for done, some in enumerate(_each(jobs, options, resolver, workers), 1):
-        yield from some
+    for done, results in enumerate(_each(jobs, options, resolver, workers), 1):
+        yield from results
         if progress is not None:
             progress(done, len(jobs))
 
@@ -196,24 +196,24 @@ def _each(
         yield check_one_of_many(job, options, resolver)
 
 
-def process_count(asked: int, robots: int) -> int:
-    """How many processes check some robots.
+def process_count(jobs: int, robots: int) -> int:
+    """The number of processes to check some robots with.
 
     Args:
-        asked: by the user; 0 for as many as are worth while.
-        robots: how many there are.
+        jobs: number that the user requests; 0 to choose it by the number of robots.
+        robots: number of robots.
     """
-    if asked:
-        return min(asked, robots)
+    if jobs:
+        return min(jobs, robots)
     return min(limits.processors(), robots // ROBOTS_PER_PROCESS)
 
 
 def _unchecked(plan: Plan, options: Options) -> Iterator[Diagnostic]:
-    """A finding for each file that looks like a robot and is none that can be checked."""
+    """A finding for each file that looks like a robot but cannot be checked."""
     code, config = rule_index.NOT_CHECKED, options.config
     for path, message, help in plan.unchecked if code in options.select else ():
         at = rules.Location(Span(Source(path, b""), 0, 0))
-        for found in diagnose(rule_index.get(code), [rules.Finding(at, message, help)]):
-            severity = config.severities.get(code, found.severity)
+        for diagnostic in diagnose(rule_index.get(code), [rules.Finding(at, message, help)]):
+            severity = config.severities.get(code, diagnostic.severity)
             if not config.ignores(code, path, severity):
-                yield found._replace(severity=severity)
+                yield diagnostic._replace(severity=severity)

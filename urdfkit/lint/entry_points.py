@@ -1,4 +1,4 @@
-"""Which descriptions of an include graph are robots, and which are libraries and parts."""
+"""Classification of the descriptions in an include graph: robots, libraries and parts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from urdfkit.lint.config import RobotEntry
 from urdfkit.lint.include_graph import INCLUDE, ROBOT, SUFFIXES, IncludeGraph, is_description
 from urdfkit.text.comments import without_comments
 
-#: A macro without an end goes on to that of the file.
+#: A macro; without an end tag it extends to the end of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
 _PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
@@ -30,22 +30,20 @@ ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
 
 
 class DirectoryContents(Record):
-    """What a directory holds."""
+    """The descriptions in a directory."""
 
     robots: tuple[RobotEntry, ...]  # the entry points, sorted by path
     libraries: tuple[str, ...]  # files of macros, properties or materials that no file includes
-    #: Descriptions that cannot be opened: links that lead nowhere, no permission.
-    closed: tuple[str, ...] = ()
-    #: Files that look like robots and are none of these, by why they are left out.
-    others: Mapping[str, str] = {}
-    launches: tuple[str, ...] = ()  # the changed launch files, if it was asked about changed files
+    closed: tuple[str, ...] = ()  # descriptions that cannot be opened: broken links, no permission
+    others: Mapping[str, str] = {}  # reasons for skipping other files that resemble robots, by path
+    launches: tuple[str, ...] = ()  # changed launch files, in the result of `affected`
 
 
 class EntryPoints:
     """The robots among the descriptions of an include graph.
 
     Args:
-        launches: paths of launch files; what they name is a robot, whatever its suffix.
+        launches: paths of launch files; files that they reference are robots with any suffix.
     """
 
     def __init__(self, graph: IncludeGraph, launches: Iterable[str]) -> None:
@@ -55,7 +53,7 @@ class EntryPoints:
     def contents(self) -> DirectoryContents:
         """The descriptions that no other file includes, and the libraries among them.
 
-        Where files include one another in a ring, one of them.
+        One file of each include cycle counts as not included.
         """
         included = {target for targets in self.graph.includes.values() for target in targets}
         roots = [
@@ -74,7 +72,7 @@ class EntryPoints:
         whole = [path for path in roots if path not in libraries]
         parts = self._parts(whole)
         outer = [path for path in whole if path not in parts]
-        if not outer:  # what nothing is a part of
+        if not outer:  # parts are skipped only if there is another robot
             parts, outer = [], whole
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
@@ -86,7 +84,7 @@ class EntryPoints:
         return DirectoryContents(named, unused, tuple(self.graph.closed), others)
 
     def _parts(self, roots: Iterable[str]) -> list[str]:
-        """The xacros that are not whole: without a name, or with their include commented out."""
+        """The xacros that are parts of robots: without a name, or in a commented-out include."""
         disabled = self.graph.disabled()
         return [
             path
@@ -100,9 +98,9 @@ class EntryPoints:
         return bool(_NAMELESS.search(without_comments(self.graph.text(disk.real(path)))))
 
     def _lacks_parent(self, path: str) -> bool:
-        """True for a file with a joint whose parent link is certainly in no file it includes.
+        """True for a file with a joint whose parent link is missing, also in its includes.
 
-        Not certain: a link whose name is an expression, and an include that is not found.
+        False if it may exist: with an expression as the name of a link, or a missing include.
         """
         files = self.graph.closure(disk.real(path))
         if not files <= self.graph.names.keys():
@@ -117,12 +115,12 @@ class EntryPoints:
         return bool(missing) and not any(b"$" in name for name in links)
 
     def _is_robot(self, path: str) -> bool:
-        """True for a file with the root ``<robot>`` that is no library."""
+        """True for a file with the root ``<robot>`` that is not a library."""
         data = without_comments(self.graph.text(path))
         return bool(ROOT.match(data)) and not self._is_library(path)
 
     def _launched(self, files: list[str]) -> list[str]:
-        """The files whose name stands in a launch file."""
+        """The files whose name is in a launch file."""
         texts = [self.graph.resolver.read(path).data for path in self._launches] if files else []
         return [
             path
@@ -131,7 +129,7 @@ class EntryPoints:
         ]
 
     def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
-        """One file of each ring of includes that no root leads to; its check reports the ring."""
+        """One file of each include cycle outside of the roots; its check reports the cycle."""
         reached = {path for root in roots for path in self.graph.closure(disk.real(root))}
         for path, name in sorted(self.graph.names.items()):
             if path not in reached and is_description(name):
@@ -139,7 +137,7 @@ class EntryPoints:
                 yield name
 
     def _within(self, robots: Iterable[str]) -> Iterator[str]:
-        """Whole robots that are included by such as cannot be expanded for want of arguments."""
+        """Complete robots that robots with missing arguments include."""
         for robot in map(disk.real, robots):
             closure = self.graph.closure(robot)
             if not self._lacking(closure):
@@ -155,7 +153,7 @@ class EntryPoints:
                     yield name
 
     def _lacking(self, files: Iterable[str]) -> set[bytes]:
-        """The arguments that some files use together, and none of them gives a default."""
+        """The arguments that files use and for which none of them has a default."""
         used: set[bytes] = set()
         known: set[bytes] = set()
         for path in self.graph.names.keys() & files:
@@ -165,7 +163,7 @@ class EntryPoints:
         return used - known
 
     def _is_library(self, path: str) -> bool:
-        """True if a file only defines things: outside of macros it makes no link and calls none."""
+        """True for a file with definitions only: no links, joints, includes or macro calls."""
         data = self.graph.text(disk.real(path))
         if not ROBOT.search(data):
             return False

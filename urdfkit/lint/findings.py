@@ -1,4 +1,4 @@
-"""The findings of one rule as diagnostics."""
+"""Conversion of the findings of a rule to diagnostics."""
 
 from collections.abc import Iterable
 
@@ -7,14 +7,14 @@ from urdfkit.text.diagnostic import Call, Diagnostic, Related
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown_text
 
-#: Characters of a message: names in it may be as long as a file.
+#: Most characters of a message: names in it may be as long as a file.
 MAX_MESSAGE = 2000
-#: Places in data files that a finding lists.
+#: Most places in data files that a finding lists.
 MAX_DATA = 10
 
 
 def bounded(finding: Finding) -> Finding:
-    """A finding with a message of some length, that names files as they are shown."""
+    """A finding with a message of bounded length and displayed paths."""
     message, help = shown_text(finding.message), shown_text(finding.help)
     if len(message) > MAX_MESSAGE:
         message = f"{message[:MAX_MESSAGE]}..."
@@ -26,12 +26,12 @@ def bounded(finding: Finding) -> Finding:
 def diagnose(
     rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
 ) -> list[Diagnostic]:
-    """Findings as diagnostics of their rule; what one macro body caused N times becomes one."""
+    """Diagnostics of a rule; findings at one place of a macro body become one diagnostic."""
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for number, finding in enumerate(findings):
         span, via = place(finding)
         key: tuple[object, ...] = (span.source.path, span.start, span.end)
-        # Only different calls of one macro are one cause; a plain place can have two defects.
+        # Findings of several macro calls have one cause; any other place can have two defects.
         is_copied = any(step.kind != "launch" for step in via)
         groups.setdefault(key if is_copied else (*key, number), []).append(finding)
     return [_fold(rule, group, targets) for group in groups.values()]
@@ -61,12 +61,12 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
 
 
 def _in_data_files(group: list[Finding]) -> list[Related]:
-    """Where the numbers stand of what one macro body caused several times."""
-    return list(dict.fromkeys(one for finding in group for one in finding.data))[:MAX_DATA]
+    """The places in data files of the numbers of findings, without duplicates."""
+    return list(dict.fromkeys(related for finding in group for related in finding.data))[:MAX_DATA]
 
 
 def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
-    """Where a finding is, and the calls that led there."""
+    """The span of a finding, and its macro calls and includes."""
     at = finding.at
     if isinstance(at, Location):
         return at.span, at.frame.steps() if at.frame else ()

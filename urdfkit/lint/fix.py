@@ -1,4 +1,4 @@
-"""fix(): applies the fixes of findings to the text, round by round, until none is left.
+"""fix(): applies the fixes of findings to the text, in rounds, until none is left.
 
 A round applies the fixes of a check to the texts in memory and checks again. Files are written
 at the end, or not at all.
@@ -38,37 +38,37 @@ def fix(
     config: Config | None = None,
     options: Options = Options(),
 ) -> Fixes:
-    """Apply the fixes of findings in descriptions of robots and in the files that they include.
+    """Apply the fixes of findings in robot descriptions and in the files that they include.
 
     >>> fixes = fix("models/gazebo_pkg/urdf/waking_robot_new.xacro", select=["JNT020"])
-    >>> [(one.code, one.span.line) for one in fixes.applied]
+    >>> [(finding.code, finding.span.line) for finding in fixes.applied]
     [('JNT020', 203), ('JNT020', 234), ('JNT020', 265)]
 
-    The fix of an info is applied only where ``select`` has its code or name, not just the beginning
-    of it. Fixes that overlap are applied one after the other. A fix that adds an error, makes a
-    description unreadable, edits what another robot uses and is right about, or leaves its finding
-    as it was, is dropped.
+    The fix of an info is applied only if ``select`` contains its whole code or name, not just a
+    prefix. Overlapping fixes are applied in separate rounds. A fix is dropped if it adds an error,
+    makes a description unreadable, edits text that another robot uses correctly, or does not
+    remove its finding.
 
     Args:
-        files: URDF, xacro or launch files, or directories, as of ``check``.
-        unsafe: apply the fixes that may change what the robot does, too.
-        force: edit files as well that are generated, read-only or ignored by git, or that lie
-            outside the workspace of ``files``.
-        generate_meshes: make a mesh for every file of one that is missing, empty or broken. What
-            the rules say of the robot with these meshes, a second run reports and fixes.
+        files: URDF, xacro or launch files, or directories, see ``check``.
+        unsafe: also apply fixes that may change the behaviour of the robot.
+        force: also edit files that are generated, read-only, ignored by git, or outside the
+            workspace of ``files``.
+        generate_meshes: generate a mesh for every mesh file that is missing, empty or broken. A
+            second run reports and fixes the findings of the robot with these meshes.
         arguments: xacro arguments by name.
         packages: directories of ROS packages by name.
         select: rules whose findings are fixed; all if empty.
-        ignore: rules whose findings are not.
+        ignore: rules whose findings are not fixed.
         targets: names of the programs to check for.
         trust: do not sandbox the expressions of the model.
         config: settings of the project.
-        options: the other ones of ``check``.
+        options: less common options, see ``check``.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
-    given = options.given(
+    options = options.given(
         arguments=arguments,
         packages=packages,
         select=words("select", select),
@@ -77,26 +77,26 @@ def fix(
         trust=trust,
         config=config,
     )
-    fixes = session(files, given, unsafe=unsafe, force=force).run()
+    fixes = session(files, options, unsafe=unsafe, force=force).run()
     if not generate_meshes:
         return fixes
-    texts = {**given.texts, **{file.path: file.after for file in fixes.files}}
-    return _with_meshes(fixes, files, given._replace(texts=texts), force=force)
+    texts = {**options.texts, **{file.path: file.after for file in fixes.files}}
+    return _with_meshes(fixes, files, options._replace(texts=texts), force=force)
 
 
 def changes(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> Fixes:
-    """What ``fix`` would write, for a diff.
+    """The changes that ``fix`` would write, for a diff.
 
-    What is left does not matter where something is fixed: the robots are not checked once more in
-    the end, and what slow rules report is missing.
+    If something is fixed, there is no final check of the robots: the remaining findings do not
+    contain those of slow rules.
 
     Args:
-        files: as of ``fix``, as the others are.
+        files: see ``fix``, also for the other arguments.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
     return session(files, options, unsafe=unsafe, force=force).run(only_files=True)
 
@@ -104,10 +104,10 @@ def changes(
 def session(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> FixSession:
-    """The rounds of ``fix``.
+    """The session that runs the rounds of ``fix``.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
     resolved = options.resolved()
     codes = {*resolved.select, *choose((), (), options.config, external_codes(options))}
@@ -119,19 +119,20 @@ def session(
 def _with_meshes(
     fixes: Fixes, files: Iterable[str | os.PathLike[str]], options: Options, *, force: bool
 ) -> Fixes:
-    """The fixes, with meshes for what is missing or broken.
+    """The fixes, with generated meshes for missing and broken files.
 
     Raises:
-        UrdfkitError: what makes meshes is not installed.
+        UrdfkitError: the libraries that generate meshes are not installed.
     """
     meshes, not_generated = _generated_meshes(files, options, force=force)
-    replaced = {reference.at.span for one in meshes for reference in one.references}
+    replaced = {reference.at.span for mesh in meshes for reference in mesh.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}
     left = tuple(
-        one
-        for one in fixes.left
-        if not rule_index.get(one.diagnostic.code).about_files
-        or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
+        unapplied
+        for unapplied in fixes.left
+        if not rule_index.get(unapplied.diagnostic.code).about_files
+        or (real_path(unapplied.diagnostic.span.source), *unapplied.diagnostic.span[1:])
+        not in places
     )
     return fixes._replace(left=left, meshes=meshes, not_generated=not_generated)
 
@@ -139,17 +140,17 @@ def _with_meshes(
 def _generated_meshes(
     files: Iterable[str | os.PathLike[str]], options: Options, *, force: bool
 ) -> GeneratedMeshes:
-    """Meshes for the files of all robots; of a file that several name, that of the last."""
+    """Meshes for the files of all robots; for a file of several robots, the mesh of the last."""
     with needing("generating meshes", "meshes"):
         from urdfkit.robot.assets import placeholder_meshes
-    found: dict[str, GeneratedMesh | NotGenerated] = {}
+    results: dict[str, GeneratedMesh | NotGenerated] = {}
     for robot in filter(None, contexts(options, files)):
         if robot.reading.document is None:
             continue
-        ours = Ownership([robot.source.path], robot.resolver)
+        ownership = Ownership([robot.source.path], robot.resolver)
         generated, not_generated = placeholder_meshes.generate_missing(robot)
-        found |= {disk.real(one.path): one for one in not_generated}
-        for one in generated:
-            may_write = force or ours.owns(one.path)
-            found[disk.real(one.path)] = one if may_write else one.not_written(OUTSIDE)
-    return placeholder_meshes.GeneratedMeshes.of(list(found.values()))
+        results |= {disk.real(failure.path): failure for failure in not_generated}
+        for mesh in generated:
+            may_write = force or ownership.owns(mesh.path)
+            results[disk.real(mesh.path)] = mesh if may_write else mesh.not_written(OUTSIDE)
+    return placeholder_meshes.GeneratedMeshes.of(list(results.values()))

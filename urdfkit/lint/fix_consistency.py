@@ -1,7 +1,7 @@
-"""Which fixes hold for every use of the text that they edit.
+"""Consistency of fixes with all uses of the text that they edit.
 
-The body of a macro and the block of a property are written once and stand in the document as
-often as they are used. An edit there changes all uses, so all of them must ask for it.
+The body of a macro and the block of a property are written once, and are in the document as often
+as they are used. An edit there changes all uses, so all of them must propose it.
 """
 
 from collections.abc import Mapping
@@ -11,23 +11,23 @@ from urdfkit.text.document import Attribute, Element, Tag
 
 
 def without_inconsistent_fixes(findings: list[Finding], uses: Mapping[Tag, int]) -> list[Finding]:
-    """The findings, those without their fix whose place is used elsewhere without that fix.
+    """The findings; without their fix if another use of the same text does not propose it.
 
     Args:
-        uses: how often each tag stands in the document that they are about.
+        uses: number of uses of each tag in the document.
     """
-    in_favour: dict[tuple[object, ...], set[int]] = {}
+    proposers: dict[tuple[object, ...], set[int]] = {}
     for finding in findings:
         element = _element(finding)
         if finding.fix is not None and element is not None:
-            in_favour.setdefault(_proposal(finding, element), set()).add(id(element))
-    if not in_favour:
+            proposers.setdefault(_proposal(finding, element), set()).add(id(element))
+    if not proposers:
         return findings
     return [
         finding
         if finding.fix is None
         or (element := _element(finding)) is None
-        or len(in_favour[_proposal(finding, element)]) == uses[element.tag_at]
+        or len(proposers[_proposal(finding, element)]) == uses[element.tag_at]
         else finding._replace(fix=None)
         for finding in findings
     ]
@@ -41,5 +41,5 @@ def _proposal(finding: Finding, element: Element) -> tuple[object, ...]:
 
 
 def _element(finding: Finding) -> Element | None:
-    """The element that a finding is at; None for a place that is no element of the document."""
+    """The element of a finding; None for a place outside of all elements."""
     return finding.node.element if isinstance(finding.node, Attribute) else finding.node

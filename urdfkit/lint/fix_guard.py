@@ -1,4 +1,4 @@
-"""Why a fix is dropped: it causes a regression in some robot, or has no effect."""
+"""Reasons to drop a fix: it causes a regression in some robot, or has no effect."""
 
 import os
 from bisect import bisect_left
@@ -21,16 +21,16 @@ from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-#: A finding in any round: its code, its file and its message, since places move.
+#: Identity of a finding across rounds: code, file and message, but no place, since edits move it.
 FindingKey = tuple[str, str, str]
 
-#: An edit, known in every robot that includes its file: real path, first and last byte, new text.
+#: Identity of an edit across robots: real path, first and last byte, new text.
 Place = tuple[str, int, int, str]
 
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Context | None]]
 
-#: What takes long to compute. The rules that need it have no fix.
+#: Needs that take long to compute. The rules with these needs have no fix.
 SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
@@ -39,13 +39,14 @@ def regression(
 ) -> str:
     """Why the fixes between two checks of the same robots are dropped; empty if they are kept.
 
-    Only what both versions can see is compared. Errors of rules that could not look before were
-    there, but hidden, and so were those of elements that the document did not have before.
+    Errors of rules that were skipped before, and of elements that did not exist before, were hidden
+    and do not count as new.
 
     Args:
         before: the check without the fixes.
-        old: the contexts of the first, which are read only where an error is new.
-        may_reveal: the robot was broken anyway, so that hidden errors may come to light.
+        after: the check with the fixes.
+        old, new: the contexts of these checks, which are read only if an error is new.
+        may_reveal: True if the robot was broken before, so that fixes may reveal hidden errors.
     """
     if lost := _rules(after.skipped) - _rules(before.skipped):
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
@@ -56,14 +57,14 @@ def regression(
     return ""
 
 
-def _rules(without_result: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
-    return {(one.path, one.code) for one in without_result}
+def _rules(failures: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
+    return {(failure.path, failure.code) for failure in failures}
 
 
 def _added_error(
     before: Report, after: Report, old: Robots, new: Robots, *, may_reveal: bool
 ) -> str:
-    """The code of an error that is new, and could have been seen before; empty if there is none."""
+    """The code of a new error that was not hidden before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
     added = [
         {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
@@ -76,7 +77,7 @@ def _added_error(
     for codes, errors, then, now in zip_longest(added, after.errors, old(), new()):
         revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
         visible: Counter[str] = Counter(codes) - _codes(
-            one for one in errors or () if _is_at(one, revealed)
+            error for error in errors or () if _is_at(error, revealed)
         )
         if visible:
             return min(visible)
@@ -84,11 +85,11 @@ def _added_error(
 
 
 def _codes(diagnostics: Iterable[Diagnostic]) -> Counter[str]:
-    return Counter(one.code for one in diagnostics)
+    return Counter(diagnostic.code for diagnostic in diagnostics)
 
 
 def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
-    """True if a finding is about elements with these paths only, or about their attributes."""
+    """True if all elements of a finding have these paths, or are attributes of them."""
     places = [call.element for call in diagnostic.calls]
     return bool(places) and all(
         place in paths or place.rpartition("@")[0] in paths for place in places
@@ -96,21 +97,21 @@ def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
 
 
 def _revealed(before: Context, after: Context) -> frozenset[str]:
-    """The paths of the elements that a document has only after a fix.
+    """The paths of the elements that a document contains only after a fix.
 
-    An element with a new name in the place of one with the old is the same one.
+    A renamed element is not new.
     """
     if before.reading.document is None or after.reading.document is None:
         return frozenset()
     old = {element.path: element for element in before.document.root.walk()}
     new = {element.path: element for element in after.document.root.walk()}
     renamed = {_kind(element) for path, element in old.items() if path not in new}
-    found: set[str] = set()
+    revealed: set[str] = set()
     for path, element in new.items():  # parents first
-        is_below = element.parent is not None and element.parent.path in found
+        is_below = element.parent is not None and element.parent.path in revealed
         if is_below or (path not in old and _kind(element) not in renamed):
-            found.add(path)
-    return frozenset(found)
+            revealed.add(path)
+    return frozenset(revealed)
 
 
 def _kind(element: Element) -> tuple[str, str]:
@@ -118,30 +119,30 @@ def _kind(element: Element) -> tuple[str, str]:
 
 
 def ineffective(before: Report, after: Report, applied: list[Diagnostic]) -> str:
-    """Says so if a fix left its finding as it was; it would be applied for ever.
+    """The reason to drop fixes that do not remove their findings; empty if they do.
 
-    Elements that a fix of the same round has brought to light may have the same finding.
+    Such a fix would be applied again in each round. New elements may have the same finding.
     """
     expected = Counter(chain.from_iterable(map(_places, before.diagnostics)))
-    fixed = [place for one in applied for place in _places(one)]
+    fixed = [place for diagnostic in applied for place in _places(diagnostic)]
     expected.subtract(fixed)
-    now = Counter(chain.from_iterable(map(_places, after.diagnostics)))
-    stays = any(now[place] > expected[place] for place in fixed)
-    return "skipped: it does not remove the finding" if stays else ""
+    actual = Counter(chain.from_iterable(map(_places, after.diagnostics)))
+    remains = any(actual[place] > expected[place] for place in fixed)
+    return "skipped: it does not remove the finding" if remains else ""
 
 
 def _places(diagnostic: Diagnostic) -> list[tuple[FindingKey, str]]:
-    """A finding at each of its elements."""
+    """The key of a finding with each of its elements."""
     elements = [call.element for call in diagnostic.calls] or [""]
     return [(key_of(diagnostic), element) for element in elements]
 
 
 class Checker:
-    """Checks robots with some texts in the place of those on disk.
+    """Checks robots with texts in memory that replace files on disk.
 
     Args:
-        options: of ``check``.
-        codes: of all rules that fixes are to answer or must not offend.
+        options: see ``check``.
+        codes: codes of all rules whose findings are fixed, or must not be added by a fix.
     """
 
     def __init__(
@@ -155,21 +156,21 @@ class Checker:
         self.workers = Workers()
 
     def report(self, texts: Mapping[str, bytes]) -> Report:
-        """What is reported to people: the rules that they asked for."""
+        """The report for the user, of the selected rules."""
         return check_with(self._with_texts(texts), self._files, self.resolver, workers=self.workers)
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
-        """What fixes start from and are judged by, without the rules that cannot matter."""
+        """The report that fixes are taken from and compared with; without slow rules."""
         return self._check(self._files, texts, self._codes, only_errors=SLOW)
 
     def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
-        """Whether robots that were not asked for have errors."""
+        """The report on the errors of robots other than the checked ones."""
         return self._check(files, texts, self._errors)
 
     def proposals(
         self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
     ) -> tuple[tuple[Edit, ...], ...]:
-        """The edits that some rules propose for each of some robots."""
+        """The edits that rules propose, for each robot."""
         return self._check(files, texts, codes).proposals
 
     def robots(
@@ -186,11 +187,11 @@ class Checker:
         *,
         only_errors: frozenset[Need] = frozenset(),
     ) -> Report:
-        # The others are not among the codes; of these the errors are.
+        # Ignored rules are not among the codes, but the errors of a former code are.
         former = tuple(filter(rule_index.redirect, self._options.ignore))
-        now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
-        now = now._replace(only_errors=only_errors)
-        return check_with(now, files, self.resolver, workers=self.workers)
+        options = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
+        options = options._replace(only_errors=only_errors)
+        return check_with(options, files, self.resolver, workers=self.workers)
 
     def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
         return self._options._replace(texts={**self._options.texts, **texts})
@@ -199,23 +200,27 @@ class Checker:
     def _errors(self) -> list[str]:
         """The rules that may report errors."""
         severities = self.config.severities
-        found = map(rule_index.get, self._codes)
-        return [rule.code for rule in found if rule.may_report_errors(severities.get(rule.code))]
+        rules = map(rule_index.get, self._codes)
+        return [rule.code for rule in rules if rule.may_report_errors(severities.get(rule.code))]
 
 
 class RegressionGuard:
-    """Looks at what fixes may break in other robots of the workspace that include a file."""
+    """Detects regressions in other robots of the workspace that include an edited file."""
 
     def __init__(self, checker: Checker) -> None:
         self._checker = checker
-        self._found: dict[frozenset[str], list[str]] = {}
+        self._other_robots: dict[frozenset[str], list[str]] = {}
 
     def conflicts(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
     ) -> set[FindingKey]:
-        """The findings whose fix edits what another robot uses without asking for the edit."""
+        """The findings whose fix edits text of another robot that does not propose the edit."""
         chosen = tuple(chosen)
-        edits = {key_of(one): [place_of(e) for e in one.fix.edits] for one in chosen if one.fix}
+        edits = {
+            key_of(finding): [place_of(edit) for edit in finding.fix.edits]
+            for finding in chosen
+            if finding.fix
+        }
         files = {place[0] for places in edits.values() for place in places}
         others = self._others(files, report.files)
         if not others and len(report.proposals) < 2:
@@ -223,19 +228,21 @@ class RegressionGuard:
         robots, proposals = self._checker.robots(texts), report.proposals
         if others:
             robots = chain(robots, self._checker.robots(texts, others))
-            codes = {one.code for one in chosen}
+            codes = {finding.code for finding in chosen}
             proposals += self._checker.proposals(texts, others, codes)
-        found: set[FindingKey] = set()
-        for context, proposed in zip(robots, proposals, strict=True):
-            asked = set(map(place_of, proposed))
-            missing = {key: set(places) - asked for key, places in edits.items()}
+        conflicts: set[FindingKey] = set()
+        for context, proposal in zip(robots, proposals, strict=True):
+            proposed = set(map(place_of, proposal))
+            missing = {key: set(places) - proposed for key, places in edits.items()}
             if context is None or not any(missing.values()):
                 continue
             tags = _tags(context, files)
-            found |= {
-                key for key, places in missing.items() if any(_is_used(one, tags) for one in places)
+            conflicts |= {
+                key
+                for key, places in missing.items()
+                if any(_is_used(place, tags) for place in places)
             }
-        return found
+        return conflicts
 
     def regression(
         self,
@@ -245,77 +252,77 @@ class RegressionGuard:
         *,
         may_reveal: bool,
     ) -> str:
-        """Why the change from some texts to others is dropped; empty if it is kept.
+        """Why a change of texts is dropped; empty if it is kept.
 
         Args:
-            before: texts in the place of those on disk.
-            may_reveal: as of ``regression``.
+            before, after: texts that replace files on disk, by path.
+            may_reveal: see ``regression``.
         """
         checker = self._checker
         others = self._others((p for p, text in after.items() if before.get(p) != text), known)
         if not others:
             return ""
-        now = checker.guard_others(after, others)
-        if not (any(now.errors) or now.skipped or now.crashed):
+        report = checker.guard_others(after, others)
+        if not (any(report.errors) or report.skipped or report.crashed):
             return ""
         return regression(
             checker.guard_others(before, others),
-            now,
+            report,
             lambda: checker.robots(before, others),
             lambda: checker.robots(after, others),
             may_reveal=may_reveal,
         )
 
     def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
-        """Robots that changed files are part of, and that were not asked for."""
+        """Robots that use changed files and are not among the known ones."""
         files = frozenset(changed)
-        if files not in self._found:
+        if files not in self._other_robots:
             from urdfkit.lint.discovery import affected  # not needed to count fixes
 
             try:
-                found = affected(files, self._checker.config, self._checker.resolver).robots
-            except UnreadableFile:  # a directory with too many files to look at
-                found = ()
-            asked = set(map(disk.real, known))
-            others = dict.fromkeys(os.path.relpath(robot.file) for robot in found)
-            self._found[files] = [f for f in others if disk.real(f) not in asked]
-        return self._found[files]
+                robots = affected(files, self._checker.config, self._checker.resolver).robots
+            except UnreadableFile:  # a directory with too many files
+                robots = ()
+            real = set(map(disk.real, known))
+            paths = dict.fromkeys(os.path.relpath(robot.file) for robot in robots)
+            self._other_robots[files] = [path for path in paths if disk.real(path) not in real]
+        return self._other_robots[files]
 
 
 def _tags(context: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]:
-    """First and last byte of the start tags that a robot uses of some files, in their order."""
+    """First and last byte of the start tags in some files that a robot uses, sorted, by path."""
     if context.reading.document is None:
         return {}
     real = {source.path: disk.real(source.path) for source in context.document.sources}
-    found: dict[str, set[tuple[int, int]]] = {}
+    tags: dict[str, set[tuple[int, int]]] = {}
     for element in context.document.root.walk():
         path = real.get(element.tag_at.source.path, "")
         if path in files:
-            found.setdefault(path, set()).add(element.span[1:])
-    return {path: sorted(tags) for path, tags in found.items()}
+            tags.setdefault(path, set()).add(element.span[1:])
+    return {path: sorted(spans) for path, spans in tags.items()}
 
 
 def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
-    """True if an edit changes a start tag; one between tags concerns nobody."""
+    """True if an edit changes a start tag; edits between tags do not affect other robots."""
     path, start, end, _ = place
-    here = tags.get(path, [])
-    first = max(0, bisect_left(here, (start, 0)) - 1)
+    spans = tags.get(path, [])
+    first = max(0, bisect_left(spans, (start, 0)) - 1)
     return any(
         tag_start < end and start < tag_end
-        for tag_start, tag_end in here[first : bisect_left(here, (end, 0))]
+        for tag_start, tag_end in spans[first : bisect_left(spans, (end, 0))]
     )
 
 
 def key_of(diagnostic: Diagnostic) -> FindingKey:
-    """Identifies a finding in any round."""
+    """The identity of a finding across rounds."""
     return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
 
 
 def place_of(edit: Edit) -> Place:
-    """Identifies an edit, whatever its file is called."""
+    """The identity of an edit, independent of links to its file."""
     return (real_path(edit.span.source), *edit.span[1:], edit.text)
 
 
 def real_path(source: Source) -> str:
-    """The path of the file of a source, whatever it is called."""
+    """The real path of the file of a source."""
     return disk.real(source.path)

@@ -1,4 +1,4 @@
-"""Reasons why findings are not fixed, as far as they are known before a fix is tried."""
+"""Reasons why findings are not fixed that are known before a fix is tried."""
 
 from __future__ import annotations
 
@@ -16,20 +16,19 @@ from urdfkit.workspace.resolve import Resolver
 
 
 class UnappliedFix(Record):
-    """A finding that is not fixed, and why."""
+    """A finding that is not fixed, and the reason."""
 
-    diagnostic: Diagnostic  # as the last check found it
-    #: Why its fix was not applied, ``unsafe``, ``info`` or a sentence; empty if it has none.
-    reason: str
+    diagnostic: Diagnostic  # of the last check
+    reason: str  # ``unsafe``, ``info`` or a sentence; empty if the finding has no fix
 
 
 class FixReasons:
-    """Why fixes are not applied, as far as it is known before they are tried.
+    """Reasons why fixes are not applied that are known before they are tried.
 
     Args:
-        files: the descriptions that were checked; fixes may edit what is in their workspaces.
+        files: the checked descriptions; fixes may edit files in their workspaces.
         named: codes of the rules whose infos are to be fixed.
-        unsafe, force: as of ``fix``.
+        unsafe, force: see ``fix``.
     """
 
     def __init__(
@@ -46,23 +45,24 @@ class FixReasons:
         self._named = frozenset(named)
         self._unsafe = unsafe
         self._protected: dict[Source, str] = {}
-        #: The files that fixes edit, as they are before any fix, by real path.
+        #: The edited files before any fix, by real path.
         self.originals: dict[str, Rewrite] = {}
 
     def of_report(self, report: Report) -> tuple[UnappliedFix, ...]:
-        """The findings of a report that was made of the files as they are."""
-        return tuple(UnappliedFix(one, self.of(one, {})) for one in report.diagnostics)
+        """The findings of a report on the unchanged files."""
+        return tuple(UnappliedFix(finding, self.of(finding, {})) for finding in report.diagnostics)
 
     def of(self, diagnostic: Diagnostic, texts: Mapping[str, bytes]) -> str:
         """Why the fix of a finding is not applied; empty if it may be, or there is none.
 
         Args:
-            texts: what files hold after earlier fixes, by real path.
+            texts: contents of files after earlier fixes, by real path.
         """
         if diagnostic.fix is None:
             return ""
         sources = (edit.span.source for edit in diagnostic.fix.edits)
-        if reason := next(filter(None, (self._why_protected(one, texts) for one in sources)), ""):
+        reasons = (self._why_protected(source, texts) for source in sources)
+        if reason := next(filter(None, reasons), ""):
             return reason
         if diagnostic.severity is Severity.INFO and diagnostic.code not in self._named:
             return "info"
@@ -91,11 +91,11 @@ class FixReasons:
 
 
 def encoded_as(source: Source, text: bytes, original: bytes) -> bytes | None:
-    """A text in the encoding of a source; None if that lacks a character, or is no encoding.
+    """A text in the encoding of a source; None if it cannot be encoded, or for a bad encoding.
 
     Args:
         text: in UTF-8.
-        original: the bytes of the file that the source was read from.
+        original: the bytes of the source's file.
     """
     try:
         return encoded(text, source.encoding, original)

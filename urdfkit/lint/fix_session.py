@@ -1,4 +1,4 @@
-"""The rounds of a fix: fixes are applied to texts in memory, checked, and kept or dropped."""
+"""Rounds of a fix session: apply fixes to texts in memory, check, keep or drop them."""
 
 from __future__ import annotations
 
@@ -31,22 +31,22 @@ if TYPE_CHECKING:
 
 
 MAX_ROUNDS = 10
-#: Robots, or variants of one, share the text and not the finding.
+#: For text that several robots or variants share, of which not all have the finding.
 _CONFLICTING = "skipped: another robot uses this text and is correct as it is"
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
 
 
 class Fixes(Record):
-    """The outcome of fixing some descriptions; nothing is written before ``write``.
+    """The result of ``fix``; nothing is written before ``write``.
 
     Attributes:
-        files: that change, sorted by path.
-        applied: the findings that were fixed, as the check of their round found them.
-        left: what the last check still found.
-        report: of the last check.
-        meshes: that were made for missing and broken files.
-        not_generated: missing and broken files for which none could be generated.
+        files: changed files, sorted by path.
+        applied: the fixed findings, from the check of their round.
+        left: findings of the last check.
+        report: report of the last check.
+        meshes: meshes generated for missing and broken files.
+        not_generated: missing and broken files for which no mesh could be generated.
     """
 
     files: tuple[Rewrite, ...]
@@ -72,17 +72,18 @@ class Fixes(Record):
 
 
 class FixSession:
-    """The texts as they are after some rounds.
+    """Runs the rounds of ``fix`` on texts in memory.
 
     Args:
-        asked: codes of the rules whose findings are to be fixed.
-        unsafe, force: as of ``fix``.
+        codes: codes of the rules whose findings are to be fixed.
+        named: codes of the rules whose infos are to be fixed.
+        unsafe, force: see ``fix``.
     """
 
     def __init__(
         self,
         checker: Checker,
-        asked: Iterable[str],
+        codes: Iterable[str],
         named: Iterable[str],
         *,
         unsafe: bool,
@@ -90,7 +91,7 @@ class FixSession:
     ) -> None:
         self._checker = checker
         self._guard = RegressionGuard(checker)
-        self._asked = frozenset(asked)
+        self._codes = frozenset(codes)
         self._named = frozenset(named)
         self._unsafe = unsafe
         self._force = force
@@ -100,13 +101,13 @@ class FixSession:
         self._applied: list[Diagnostic] = []
 
     def run(self, *, only_files: bool = False) -> Fixes:
-        """Apply what can be applied.
+        """Apply the fixes that cause no regression.
 
-        Other robots that include the files are checked once, at the end; only if that shows a
-        regression, they are checked with every step, to find the fix that causes it.
+        Other robots that include the files are checked once, at the end. Only if that shows a
+        regression, they are checked at every step, to find the fix that causes it.
 
         Args:
-            only_files: as ``changes`` needs it.
+            only_files: True to omit the final check if something was fixed, see ``changes``.
         """
         try:
             return self._run(only_files=only_files)
@@ -125,11 +126,11 @@ class FixSession:
             for real, original in self._reasons.originals.items()
             if self._texts.get(real, original.before) != original.before
         ]
-        left = tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
+        left = tuple(UnappliedFix(finding, self._reason(finding)) for finding in report.diagnostics)
         return Fixes(tuple(sorted(changed)), tuple(self._applied), left, report)
 
     def _fix(self, *, is_careful: bool) -> Report:
-        """Round after round, as long as there is something to fix; the last report."""
+        """Run rounds until there is nothing to fix; the last report."""
         report = self._checker.guard({})
         self._reasons = self._reasons_for(report.files)
         for _ in range(MAX_ROUNDS):
@@ -145,66 +146,65 @@ class FixSession:
         )
 
     def _chosen(self, report: Report) -> list[Diagnostic]:
-        """The findings to fix in one round: of fixes that overlap, the first."""
+        """The findings to fix in one round; only the first of those with overlapping fixes."""
         ready = [
-            one
-            for one in report.diagnostics
-            if one.fix and one.code in self._asked and not self._reason(one)
+            finding
+            for finding in report.diagnostics
+            if finding.fix and finding.code in self._codes and not self._reason(finding)
         ]
-        settled = [one for one in ready if not _waits(rule_index.get(one.code))]
+        independent = [finding for finding in ready if not _waits(rule_index.get(finding.code))]
         chosen: list[Diagnostic] = []
-        taken: dict[str, list[_Piece]] = {}
-        for diagnostic in settled or ready:
-            edits = [(real_path(e.span.source), _piece(e)) for e in _edits(diagnostic)]
-            if all(_fits(piece, taken.get(path, [])) for path, piece in edits):
-                chosen.append(diagnostic)
+        chosen_pieces: dict[str, list[_Piece]] = {}
+        for finding in independent or ready:
+            edits = [(real_path(edit.span.source), _piece(edit)) for edit in _edits(finding)]
+            if all(_fits(piece, chosen_pieces.get(path, [])) for path, piece in edits):
+                chosen.append(finding)
                 for path, piece in edits:
-                    insort(taken.setdefault(path, []), piece)
+                    insort(chosen_pieces.setdefault(path, []), piece)
         return chosen
 
     def _reason(self, diagnostic: Diagnostic) -> str:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
-        return self._reasons.of(diagnostic, self._texts) or self._dropped.get(
-            key_of(diagnostic), ""
-        )
+        reason = self._reasons.of(diagnostic, self._texts)
+        return reason or self._dropped.get(key_of(diagnostic), "")
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
-        """Apply all fixes without a regression; the report on the texts after them."""
+        """Apply the fixes that cause no regression; the report on the resulting texts."""
         conflicting = self._guard.conflicts(chosen, self._texts, report)
         self._dropped.update(dict.fromkeys(conflicting, _CONFLICTING))
-        chosen = [one for one in chosen if key_of(one) not in conflicting]
-        kept: list[Diagnostic] = []
+        chosen = [finding for finding in chosen if key_of(finding) not in conflicting]
+        applied: list[Diagnostic] = []
         texts, latest = self._texts, report
         batches = [chosen] if chosen else []
         while batches:
             batch = batches.pop()
-            trial = {**self._texts, **self._edited([*kept, *batch])}
+            trial = {**self._texts, **self._edited([*applied, *batch])}
             after = self._checker.guard(trial)
-            is_broken = all(one.severity is Severity.ERROR for one in batch)
+            is_broken = all(finding.severity is Severity.ERROR for finding in batch)
             reason = regression(
                 latest, after, *map(self._robots, (texts, trial)), may_reveal=is_broken
-            ) or ineffective(report, after, [*kept, *batch])
+            ) or ineffective(report, after, [*applied, *batch])
             if is_careful:
                 reason = reason or self._guard.regression(
                     texts, trial, report.files, may_reveal=is_broken
                 )
             if not reason:
-                kept += batch
+                applied += batch
                 texts, latest = trial, after
-            elif len(batch) > 1:  # which one does it?
+            elif len(batch) > 1:  # bisect to find the cause
                 middle = len(batch) // 2
                 batches += [batch[middle:], batch[:middle]]
             else:
                 self._dropped[key_of(batch[0])] = reason
         self._texts = texts
-        self._applied += kept
+        self._applied += applied
         return latest
 
     def _robots(self, texts: Mapping[str, bytes]) -> Robots:
         return lambda: self._checker.robots(texts)
 
     def _edited(self, diagnostics: Iterable[Diagnostic]) -> dict[str, bytes]:
-        """The bytes of the files that some fixes edit, after them."""
+        """The contents of the files that fixes edit, after the edits, by real path."""
         edits: dict[str, dict[_Piece, Edit]] = {}
         for diagnostic in diagnostics:
             for edit in _edits(diagnostic):
@@ -220,16 +220,16 @@ class FixSession:
 
 
 def _waits(rule: Rule) -> bool:
-    """True of a rule whose fixes follow from what the others write.
+    """True for a rule whose fixes depend on the fixes of other rules.
 
-    A tensor comes from the shapes of its link, which are turned, moved and scaled; a link that is
-    missing may be one whose name stands in a misspelt attribute.
+    An inertia tensor is computed from the shapes of its link, whose poses and scales other fixes
+    change; a missing link may be one whose name is in a misspelt attribute.
     """
     return rule.computes_fix or rule.reports_missing
 
 
 def _fits(piece: _Piece, others: list[_Piece]) -> bool:
-    """True if an edit can be made together with others, which are sorted; the same one is one."""
+    """True if an edit overlaps none of others, which are sorted, or equals one of them."""
     start, end, _ = piece
     after = bisect_left(others, (start, -1, ""))
     for other in others[max(0, after - 1) : after + 2]:

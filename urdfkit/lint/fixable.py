@@ -1,4 +1,4 @@
-"""How many findings of a report can be fixed, and why the others cannot."""
+"""Number of findings of a report that can be fixed, and reasons for the others."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from urdfkit.workspace.resolve import Resolver
 
 
 def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[str]]) -> Fixable:
-    """What ``fix`` would do about the findings of a check with the same options.
+    """The number of findings that ``fix`` would fix, for a check with the same options.
 
-    Safe fixes are tried, as ``fix`` does; how many of the others hold is known only then.
+    Safe fixes are tried like in ``fix``. Unsafe fixes are counted without a trial.
 
     Raises:
-        UrdfkitError: as of ``check``.
+        UrdfkitError: see ``check``.
     """
     resolver = Resolver(options.with_config().packages, texts=options.texts)
     fix_reasons = FixReasons(report.files, resolver, rule_index.named(options.select))
     left = fix_reasons.of_report(report)
-    if not any(one.diagnostic.fix and not one.reason for one in left):
+    if not any(unapplied.diagnostic.fix and not unapplied.reason for unapplied in left):
         return counted(left)
     from urdfkit.lint.fix import session  # most reports have no safe fix
 
@@ -33,12 +33,13 @@ def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[
 
 
 def counted(left: Iterable[UnappliedFix]) -> Fixable:
-    """What could be done about findings that are left."""
-    with_fix = [one for one in left if one.diagnostic.fix]
-    reasons = Counter(one.reason for one in with_fix)
+    """The counts of unapplied fixes by reason."""
+    with_fix = [unapplied for unapplied in left if unapplied.diagnostic.fix]
+    reasons = Counter(unapplied.reason for unapplied in with_fix)
+    infos = {unapplied.diagnostic.code for unapplied in with_fix if unapplied.reason == "info"}
     return Fixable(
         reasons.pop("", 0),
         reasons.pop("unsafe", 0),
-        tuple(sorted({one.diagnostic.code for one in with_fix if one.reason == "info"})),
+        tuple(sorted(infos)),
         tuple(sorted(item for item in reasons.items() if item[0] != "info")),
     )

@@ -1,4 +1,4 @@
-"""format_files(): descriptions formatted, file by file."""
+"""format_files(): formats descriptions file by file."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from urdfkit.workspace.resolve import Resolver
 
 
 class Formatted(Record):
-    """The outcome of formatting some files; nothing is written before ``write``.
+    """The result of formatting files; nothing is written before ``write``.
 
     Attributes:
-        files: that change.
-        unchanged: paths of files that are formatted already.
-        skipped: paths of files that are left alone, each with the reason.
-        failed: paths of files that were named and cannot be formatted, each with the reason.
+        files: changed files.
+        unchanged: paths of files that are already formatted.
+        skipped: paths of files that are not formatted, each with the reason.
+        failed: paths of named files that cannot be formatted, each with the reason.
     """
 
     files: tuple[Rewrite, ...]
@@ -55,20 +55,20 @@ def format_files(
     check: bool = False,
     config: Config | None = None,
 ) -> Formatted:
-    """Format URDF and xacro files; what they say stays the same.
+    """Format URDF and xacro files without changing their content.
 
     >>> format_files("models/good/gripper.urdf").unchanged
     ('models/good/gripper.urdf',)
 
     Args:
-        files: descriptions, or directories, of which all descriptions are formatted.
-        width: columns of a line; as the configuration says, or 100, if it is 0.
-        force: format files as well that are generated, read-only or that git ignores.
-        check: nothing will be written, so that read-only files count as well.
-        config: of the project; it may exclude files.
+        files: descriptions, or directories, whose descriptions are all formatted.
+        width: columns of a line; if 0, the value of the configuration, or else 100.
+        force: also format files that are generated, read-only or ignored by git.
+        check: also include read-only files, as nothing will be written.
+        config: configuration of the project; it may exclude files.
 
     Raises:
-        UnreadableFile: a file or directory cannot be read, or a directory holds no description.
+        UnreadableFile: a file or directory cannot be read, or a directory has no description.
     """
     changed: list[Rewrite] = []
     unchanged: list[str] = []
@@ -96,34 +96,33 @@ def format_files(
 def _why_skipped(path: str, directory: str, *, force: bool) -> str:
     """Why a file is not formatted; empty if it may be."""
     ownership = Ownership([os.path.join(directory, "x") if directory else path], Resolver())
-    if directory and not ownership.owns(path):  # a link: it is not even read
+    if directory and not ownership.owns(path):  # a link to the outside is not read
         return OUTSIDE
     return "" if force else ownership.why_protected(Source.read(path))
 
 
 def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, str]]:
-    """The paths to format, each once, and the directory that they were found in, if any."""
-    seen: set[str] = set()
-    for given in files:
-        file = os.fspath(given)
+    """The distinct paths to format, each with the directory that it was found in, if any."""
+    known: set[str] = set()
+    for file in (os.fspath(path) for path in files):
         is_directory = disk.is_directory(file)
         for path in _below(file, config) if is_directory else (file,):
             real = disk.real(path)
-            if real not in seen:
-                seen.add(real)
+            if real not in known:
+                known.add(real)
                 yield path, file if is_directory else ""
 
 
 def _below(directory: str, config: Config) -> list[str]:
     below = descriptions(directory, config, Directories())
-    found = [path for path in map(shown, below) if _is_robot(path)]
-    if not found:
+    robots = [path for path in map(shown, below) if _is_robot(path)]
+    if not robots:
         raise UnreadableFile(f"{directory}: contains no .urdf and no .xacro with a <robot>")
-    return found
+    return robots
 
 
 def _is_robot(path: str) -> bool:
-    """True for a file of a directory that is a description, as far as its text shows."""
+    """True if a file contains ``<robot``."""
     return b"<robot" in (on_disk(path) or b"")
 
 

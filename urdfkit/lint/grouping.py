@@ -1,7 +1,7 @@
-"""Many findings of one cause, shown as one.
+"""Groups findings with a common cause into one.
 
-People read them so, in a terminal, a pull request or a page. A program gets each by itself: an
-editor marks every place, and a baseline must know the thirty-first as new.
+Reports for people (terminal, pull request, HTML) show groups. Programs get single findings: an
+editor marks every place, and a baseline must recognise an additional finding as new.
 """
 
 from collections.abc import Iterator, Sequence
@@ -9,31 +9,31 @@ from collections.abc import Iterator, Sequence
 from urdfkit.core.words import more_like_this
 from urdfkit.text.diagnostic import Diagnostic, Fix, Related
 
-#: Findings that are alike and still shown one by one.
+#: Largest group whose findings are shown separately.
 MAX_SINGLE = 2
-#: Of the others, those whose places are shown.
+#: Most places of further findings of a group that are shown.
 MAX_NOTES = 20
-#: Rules whose findings in several files have one cause outside of them: a package is not found.
+#: Rules whose findings in several files have one cause: a missing package.
 _ACROSS_FILES = frozenset(("XAC011",))
 
 
 def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Findings, with those of a file that are alike in the place of the first of them."""
+    """Findings, with each group in a file replaced by one finding at the place of its first."""
     return tuple(_as_one(group) if len(group) > 1 else group[0] for group in groups(diagnostics))
 
 
 def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
-    """The findings that are shown as one, in the order of the first of each."""
-    alike: dict[object, list[Diagnostic]] = {}
-    for number, one in enumerate(diagnostics):
+    """The findings that are shown as one, in the order of the first finding of each group."""
+    by_key: dict[object, list[Diagnostic]] = {}
+    for number, finding in enumerate(diagnostics):
         key: object = number
-        if one.group_key:
-            path = "" if one.code in _ACROSS_FILES else one.span.source.path
-            key = (one.code, one.severity, one.group_key, path, one.variants)
-        alike.setdefault(key, []).append(one)
-    for group in alike.values():
+        if finding.group_key:
+            path = "" if finding.code in _ACROSS_FILES else finding.span.source.path
+            key = (finding.code, finding.severity, finding.group_key, path, finding.variants)
+        by_key.setdefault(key, []).append(finding)
+    for group in by_key.values():
         most = 1 if group[0].code in _ACROSS_FILES else MAX_SINGLE
-        yield from [group] if len(group) > most else ([one] for one in group)
+        yield from [group] if len(group) > most else ([finding] for finding in group)
 
 
 def _as_one(group: list[Diagnostic]) -> Diagnostic:
@@ -41,28 +41,28 @@ def _as_one(group: list[Diagnostic]) -> Diagnostic:
     return first._replace(
         message=first.message + more_like_this(len(others)),
         related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
-        fix=_together([one.fix for one in group]),
+        fix=_combined([finding.fix for finding in group]),
     )
 
 
 def _note(other: Diagnostic, first: Diagnostic) -> Related:
-    """The note about another one: its help, too, if that is its own."""
+    """The note about a further finding of a group, with its help if it differs."""
     if other.code in _ACROSS_FILES:
         return Related(other.span, without_search(other.message))
-    own = other.help if other.help != first.help else ""
-    return Related(other.span, f"{other.message}: {own}" if own else other.message)
+    help = other.help if other.help != first.help else ""
+    return Related(other.span, f"{other.message}: {help}" if help else other.message)
 
 
 def without_search(message: str) -> str:
-    """A message without the places that were searched, which is long and the same in others."""
+    """A message without the searched places, which are long and the same for the whole group."""
     return message.partition("; searched: ")[0].partition("; tried ")[0]
 
 
-def _together(fixes: list[Fix | None]) -> Fix | None:
-    """The fixes of all as one; none if one of them has none."""
-    known = [fix for fix in fixes if fix is not None]
-    if not known or len(known) < len(fixes):
+def _combined(fixes: list[Fix | None]) -> Fix | None:
+    """One fix with the edits of all; None if a finding has no fix."""
+    present = [fix for fix in fixes if fix is not None]
+    if not present or len(present) < len(fixes):
         return None
-    edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
-    title = known[0].title + more_like_this(len(known) - 1)
-    return Fix(title, tuple(edits), all(fix.safe for fix in known))
+    edits = dict.fromkeys(edit for fix in present for edit in fix.edits)  # fixes may share edits
+    title = present[0].title + more_like_this(len(present) - 1)
+    return Fix(title, tuple(edits), all(fix.safe for fix in present))

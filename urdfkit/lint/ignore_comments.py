@@ -1,8 +1,8 @@
-"""Ignore comments in a model: findings that its authors have seen and accept.
+"""Ignore comments in a model, for findings that its authors accept.
 
-``<!-- urdfkit: ignore[INE006, MSH] reason -->`` holds for the element that follows it, with
-everything in it. Before the root element it holds for the whole file. A finding in a macro is
-suppressed for all calls by a comment in the macro, and for one call by a comment at the call.
+``<!-- urdfkit: ignore[INE006, MSH] reason -->`` applies to the next element and its descendants.
+Before the root element it applies to the whole file. A finding in a macro is suppressed for all
+calls by a comment in the macro, and for one call by a comment at the call.
 """
 
 from __future__ import annotations
@@ -25,52 +25,50 @@ _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 class Ignore(Record):
     """One ignore comment."""
 
-    span: Span  # of the comment
-    #: As written, each with its place; beginnings of codes and names count too.
-    codes: tuple[tuple[str, Span], ...]
+    span: Span  # span of the comment
+    codes: tuple[tuple[str, Span], ...]  # codes, prefixes of codes, or names, as written
     reason: str  # as written
-    #: start and end: bytes of the source that it holds for.
-    start: int
-    end: int
+    start: int  # first byte of the source that it applies to
+    end: int  # end of these bytes
 
 
 def ignores(source: Source) -> tuple[Ignore, ...]:
-    """The ignore comments of a file; none of a file that is not well formed."""
+    """The ignore comments of a file; empty if the file is not well formed."""
     if b"urdfkit" not in source.data:
         return ()
-    found_comments = [
-        (Span(source, *comment.span()), said)
+    matches = [
+        (Span(source, *comment.span()), match)
         for comment in comments(source.data)
-        if (said := _IGNORE.fullmatch(source.data, *comment.span(1)))
+        if (match := _IGNORE.fullmatch(source.data, *comment.span(1)))
     ]
-    if not found_comments:
+    if not matches:
         return ()
     elements = _elements(source)
-    found = []
-    for span, said in found_comments:
+    ignores = []
+    for span, match in matches:
         following = bisect_left(elements, (span.end,))
         if following < len(elements):
             codes = tuple(
                 (code.group().decode(), Span(source, *code.span()))
-                for code in _CODE.finditer(source.data, *said.span(1))
+                for code in _CODE.finditer(source.data, *match.span(1))
             )
-            reason = said.group(2).strip().decode("utf-8", "replace")
-            found.append(Ignore(span, codes, reason, *elements[following]))
-    return tuple(found)
+            reason = match.group(2).strip().decode("utf-8", "replace")
+            ignores.append(Ignore(span, codes, reason, *elements[following]))
+    return tuple(ignores)
 
 
 class CommentPlaces:
-    """Where ignore comments can stand in a file.
+    """Places for ignore comments in a file.
 
     Args:
-        source: of XML; in another one, or one that is not well formed, they stand nowhere.
+        source: XML file; if it is not well formed, there are no places.
     """
 
     def __init__(self, source: Source) -> None:
         self._source = source
         elements = _elements(source)
         self.has_root = bool(elements)
-        self._elements = elements[1:]  # before the root it would be for the whole file
+        self._elements = elements[1:]  # a comment before the root applies to the whole file
         self._known = {comment.start: comment for comment in ignores(source) if comment.codes}
 
     def element(self, offset: int) -> int | None:
@@ -79,7 +77,7 @@ class CommentPlaces:
         return around[-1] if around else None
 
     def edit(self, start: int, codes: Iterable[str]) -> Edit:
-        """Ignore rules in the element that begins at a byte, in its comment if it has one."""
+        """An edit that ignores rules in the element at a byte, in its comment if it has one."""
         if known := self._known.get(start):
             end = known.codes[-1][1].end
             return Edit(Span(self._source, end, end), "".join(f", {code}" for code in codes))

@@ -1,4 +1,4 @@
-"""Which xacro includes which file; read from the texts, nothing is expanded."""
+"""The graph of xacro includes, read from the texts without expansion."""
 
 import os
 import re
@@ -12,7 +12,7 @@ from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
 SUFFIXES = (".urdf", ".xacro")
-#: Of xacros that describe something else than a robot.
+#: Suffixes of xacros that do not describe a robot.
 OTHER_MODELS = (".srdf.xacro", ".sdf.xacro")
 INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _DISABLED = re.compile(rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
@@ -21,14 +21,14 @@ _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 
 
 class IncludeGraph:
-    """Who includes whom among some files."""
+    """The graph of the includes among some files."""
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self.resolver = resolver
-        #: Those with an include. Of thousands of others none is kept: the few questions about one
-        #: read it again.
+        #: Texts of the files with an include, by real path. The others, which may be thousands,
+        #: are read again when needed.
         self._including: dict[str, bytes] = {}
-        #: The paths of the descriptions among them, as given, by real path.
+        #: The given paths of the descriptions, by real path.
         self.names: dict[str, str] = {}
         self.closed: list[str] = []  # paths of descriptions that cannot be read
         for path in files:
@@ -37,14 +37,14 @@ class IncludeGraph:
             except UnreadableFile:
                 self.closed += [path] if is_description(path) else []
                 continue
-            # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
+            # A .urdf is included even if it is empty or a Git LFS pointer.
             if ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
-                if real not in self.names or is_description(path):  # whose link may be called so
+                if real not in self.names or is_description(path):  # prefers links with a suffix
                     self.names[real] = path
                 if b"xacro:include" in source.data:
                     self._including[real] = source.data
-        #: The real paths of the files that each xacro includes, by its own.
+        #: The real paths of the files that each xacro includes, by its real path.
         self.includes = {path: self._includes(path) for path in self._including}
 
     def text(self, path: str) -> bytes:
@@ -55,27 +55,27 @@ class IncludeGraph:
         return self.targets(INCLUDE.findall(without_comments(self._including[path])), path)
 
     def disabled(self) -> set[str]:
-        """The files that only an include in a comment names."""
-        found: set[str] = set()
+        """The files of includes in comments."""
+        files: set[str] = set()
         for path, data in self._including.items():
             text = b"".join(comment[1] for comment in comments(data))
-            found |= self.targets(_DISABLED.findall(text), path)
-        return found
+            files |= self.targets(_DISABLED.findall(text), path)
+        return files
 
     def targets(self, names: Iterable[bytes], path: str) -> frozenset[str]:
-        """The files that the includes of a file may mean."""
-        found: set[str] = set()
+        """The files that the includes of a file may refer to."""
+        files: set[str] = set()
         for name in names:
-            found.update(self._meant(name.decode("utf-8", "replace"), self.names[path]))
-        return frozenset(found - {path})
+            files.update(self._candidates(name.decode("utf-8", "replace"), self.names[path]))
+        return frozenset(files - {path})
 
-    def _meant(self, name: str, near: str) -> Iterator[str]:
-        """The files that an include may mean; by name where its directory is an expression."""
+    def _candidates(self, name: str, near: str) -> Iterator[str]:
+        """The files that an include may refer to; by name if its directory is an expression."""
         text = re.sub(FIND, lambda match: self._package(match.group(1), near), name)
         text = text.replace("$(dirname)", os.path.dirname(os.path.abspath(near)))
         if "$" not in text and not set("*?[") & set(text):
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
-            if "\0" not in path:  # which no file has in its name
+            if "\0" not in path:  # invalid in paths
                 yield disk.real(self._existing(path))
             return
         yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
@@ -101,7 +101,7 @@ class IncludeGraph:
             return f"$(find {name})"
 
     def concerns(self, root: str, file: str) -> bool:
-        """True if a changed file may be part of a robot."""
+        """True if a robot may use a changed file."""
         closure = self.closure(disk.real(root))
         if disk.real(file) in closure:
             return True
@@ -115,19 +115,19 @@ class IncludeGraph:
         return any(name in self.text(path) for path in closure if path in self.names)
 
     def closure(self, path: str) -> set[str]:
-        """A file and everything that it includes, directly or not."""
-        found = {path}
+        """A file and all files that it includes, directly or not."""
+        files = {path}
         queue = [path]
         while queue:
             for target in self.includes.get(queue.pop(), ()):
-                if target not in found:
-                    found.add(target)
+                if target not in files:
+                    files.add(target)
                     queue.append(target)
-        return found
+        return files
 
 
 def is_description(name: str) -> bool:
-    """True for the names that URDF and xacro files have."""
+    """True for file names of URDF and xacro files."""
     name = name.lower()  # SolidWorks writes .URDF
     return name.endswith(SUFFIXES) and not name.endswith(OTHER_MODELS)
 

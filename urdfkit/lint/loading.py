@@ -1,4 +1,4 @@
-"""read(), load() and expand(): one description, without any rule."""
+"""read(), load() and expand(): read one description without running rules."""
 
 from __future__ import annotations
 
@@ -31,23 +31,23 @@ def read(
     cache: bool = True,
     progress: Progress | None = None,
 ) -> Context:
-    """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
+    """Read a URDF or xacro file; the parts of the result are computed when they are first used.
 
     >>> robot = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
     >>> [root.name for root in robot.tree.roots]
     ['mount']
 
     Args:
-        file: URDF or xacro; which of the two is decided by content.
-        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: directories of ROS packages by name; they win over every search.
+        file: URDF or xacro; the format is detected from the content.
+        arguments: xacro arguments, like ``name:=value`` on the command line.
+        packages: directories of ROS packages by name; they override every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
-        cache: keep what is measured of mesh files for the next run.
-        progress: called with the number of mesh files read and of all, when they are asked for.
+        cache: cache the measures of mesh files for the next run.
+        progress: called with the number of mesh files read and the number of all mesh files.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it is not XML, or does not expand; with every reason.
+        UnreadableRobot: the file is not XML, or does not expand; lists every reason.
     """
     source, resolver = Source.of(file), Resolver(packages)
     context = context_of(source, resolver, arguments, trust=trust, cache=cache, progress=progress)
@@ -66,16 +66,16 @@ def context_of(
     targets: Targets | None = None,
     progress: Progress | None = None,
 ) -> Context:
-    """The one robot of a file, with values for arguments that it lacks as ``check`` finds them.
+    """The robot of a file; missing arguments get the values that ``check`` finds.
 
-    Where several sets of values are found, it is left as it is.
+    If ``check`` finds several sets of values, missing arguments stay without a value.
 
     Raises:
         UnreadableRobot: the file is a launch file that describes no robot, or more than one.
     """
-    given = dict(arguments or {})
+    values = dict(arguments or {})
     if is_launch(source.path):
-        source, given = _described(source, resolver, given)
+        source, values = _described(source, resolver, values)
 
     def described(job: Job) -> Context:
         return Context(
@@ -88,9 +88,9 @@ def context_of(
             progress=progress,
         )
 
-    (job, context), *others = as_launched(Job(source.path, "", given, False), described)
+    (job, context), *others = as_launched(Job(source.path, "", values, False), described)
     if others:
-        return described(Job(source.path, "", given, False))
+        return described(Job(source.path, "", values, False))
     context.launched = job.launched
     return context
 
@@ -102,7 +102,7 @@ def load(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
 ) -> RobotModel:
-    """The robot in a URDF or xacro file; every value knows its place in the file.
+    """Load the robot in a URDF or xacro file; every value has its source location.
 
     >>> robot = load("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
     >>> robot.name, len(robot.links), robot.degrees_of_freedom
@@ -112,17 +112,18 @@ def load(
     5.0 N·m, written at models/good/mobile_base/urdf/mobile_base.urdf.xacro:52:22
 
     Lengths are in m, angles in rad, masses in kg. Values that cannot be read are None;
-    ``urdfkit.check`` says why.
+    ``urdfkit.check`` reports the reason.
 
     Args:
-        file: URDF or xacro; which of the two is decided by content.
-        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: directories of ROS packages by name; they win over every search.
+        file: URDF or xacro; the format is detected from the content.
+        arguments: xacro arguments, like ``name:=value`` on the command line.
+        packages: directories of ROS packages by name; they override every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it is not XML, does not expand, or is no robot; with every reason.
+        UnreadableRobot: the file is not XML, does not expand, or is not a robot; lists every
+            reason.
     """
     context = read(file, arguments=arguments, packages=packages, trust=trust)
     require_robot(context)
@@ -130,10 +131,10 @@ def load(
 
 
 def require_robot(context: Context) -> None:
-    """See that a file is a description of a robot, and no SDF, mesh or world.
+    """Reject a file that is not a robot description, such as an SDF, mesh or world file.
 
     Raises:
-        UnreadableRobot: its root is another, and there is no link.
+        UnreadableRobot: the root element is not ``<robot>``, and there is no link.
     """
     root = context.document.root
     if context.model.links or root.tag == "robot":
@@ -152,7 +153,7 @@ def expand(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
 ) -> Xacro:
-    """A xacro file expanded as the ``xacro`` command does, without ROS.
+    """Expand a xacro file like the ``xacro`` command, without ROS.
 
     >>> xacro = expand("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
     >>> xacro.text().count("<link")
@@ -162,13 +163,13 @@ def expand(
 
     Args:
         file: the xacro file.
-        arguments: as ``name:=value`` gives them on the command line.
-        packages: directories of ROS packages by name; they win over every search.
+        arguments: xacro arguments, like ``name:=value`` on the command line.
+        packages: directories of ROS packages by name; they override every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it does not expand; with every reason.
+        UnreadableRobot: the file does not expand; lists every reason.
     """
     from urdfkit.xacro import expand as expand_source
 
@@ -185,21 +186,21 @@ def _described(
     """The robot that a launch file describes, and its xacro arguments.
 
     Raises:
-        UnreadableRobot: it describes none, or more than one.
+        UnreadableRobot: the launch file describes no robot, or more than one.
     """
     from urdfkit.ros.launch import read_launch
 
-    found = [(d.path, d.arguments) for d in read_launch(source, resolver, arguments).descriptions]
-    if not found:
+    robots = [(d.path, d.arguments) for d in read_launch(source, resolver, arguments).descriptions]
+    if not robots:
         raise UnreadableRobot(
             f"{source.path} is a launch file and describes no robot that can be known without "
             "running it; pass the robot file"
         )
-    path, given = found[0]
-    if any(other != found[0] for other in found):
-        names = ", ".join(dict.fromkeys(path for path, _ in found))
+    path, values = robots[0]
+    if any(robot != robots[0] for robot in robots):
+        names = ", ".join(dict.fromkeys(path for path, _ in robots))
         raise UnreadableRobot(f"{source.path} describes several robots; pass one of {names}")
-    return resolver.read(path), given
+    return resolver.read(path), values
 
 
 def _unreadable(source: Source, problems: Iterable[Problem]) -> UnreadableRobot:

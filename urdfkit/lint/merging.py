@@ -1,4 +1,4 @@
-"""The results of all descriptions of a check as one Report."""
+"""Merges the results of all descriptions of a check into one Report."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from urdfkit.text.source import shown
 if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
-#: A description, and what the rules say about it.
+#: A description and its result.
 Checked = tuple[Job, FileResult]
 
 
@@ -28,13 +28,13 @@ def merged_report(
 
     Args:
         checked: the descriptions with their results, in the order of the plan.
-        spills: of very many robots, keep the findings on disk, and in the report nothing that only
-            fixes need: no errors and no proposals.
+        spills: store the findings of very many robots on disk, and omit ``errors`` and
+            ``proposals``, which only fixes need, from the report.
     """
     merger = _Merger(plan, spills=spills)
-    # That a robot is not checked as a launch file starts it is nothing to report if it is checked
-    # otherwise: what a launch file gives it is not always known without running it. Nor is it that
-    # one of a directory lacks arguments by itself, which a launch file there gives it.
+    # A skipped description is not reported if it was also checked in another way. The arguments of
+    # a launch file may be unknown without running it, and a robot found in a directory may require
+    # arguments that a launch file there sets.
     skipped: list[Checked] = []
     for job, result in checked:
         is_unchecked = job.found and not all(map(_is_checked, result.diagnostics))
@@ -43,42 +43,43 @@ def merged_report(
         else:
             merger.add(job, result)
     for job, result in skipped:
-        kept, reasons = result.diagnostics, result.skipped
         if disk.real(job.path) in merger.read:
-            kept, reasons = () if job.frame else tuple(filter(_is_checked, kept)), ()
-        merger.add(job, result._replace(diagnostics=kept, skipped=reasons))
+            diagnostics = () if job.frame else tuple(filter(_is_checked, result.diagnostics))
+            merger.add(job, result._replace(diagnostics=diagnostics, skipped=()))
+        else:
+            merger.add(job, result)
     merger.findings.add("", "", unchecked)
     return merger.report()
 
 
 def _is_skipped(result: FileResult) -> bool:
-    """True of a description that was skipped as a whole."""
+    """True if the whole description was skipped."""
     return any(not skip.code for skip in result.skipped)
 
 
-def _is_checked(one: Diagnostic) -> bool:
-    return one.code != NOT_CHECKED
+def _is_checked(diagnostic: Diagnostic) -> bool:
+    return diagnostic.code != NOT_CHECKED
 
 
 class _Merger:
-    """Gathers the results of descriptions, and keeps no more of them than the report needs."""
+    """Collects the parts of the results that the report needs."""
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
-        self.findings = FindingStore(spills=spills)  # all of them
-        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
+        self.findings = FindingStore(spills=spills)
+        self.read: set[str] = set()  # real paths of the descriptions that were not skipped
         self._plan = plan
         self._spills = spills
         self._skipped = list(plan.skipped)
         self._crashed = list(plan.crashed)
         self._ran: set[str] = set()
         self._targets: list[tuple[str, Targets]] = []
-        self._same_targets: dict[Targets, Targets] = {}  # most robots have those of others
+        self._same_targets: dict[Targets, Targets] = {}  # most robots share equal targets
         self._suppressed = 0
         self._errors: list[tuple[Diagnostic, ...]] = []
         self._proposals: list[tuple[Edit, ...]] = []
         self._launched: list[Launched] = []
-        self._unknown: dict[str, Mapping[str, str]] = {}  # as of one result
-        self._silenced: list[Superseded] = []
+        self._unknown: dict[str, Mapping[str, str]] = {}  # like FileResult.unknown_arguments
+        self._superseded: list[Superseded] = []
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
@@ -96,14 +97,15 @@ class _Merger:
             names = self._unknown.setdefault(entry, new)
             self._unknown[entry] = {name: names[name] for name in names if name in new}
         if result.superseded.findings:
-            self._silenced.append(result.superseded)
+            self._superseded.append(result.superseded)
         if not self._spills:
             self._add_for_fixes(result)
 
     def _add_for_fixes(self, result: FileResult) -> None:
-        every = (*result.diagnostics, *result.superseded.findings)
-        self._errors.append(tuple(one for one in every if one.severity is Severity.ERROR))
-        fixes = [one.fix for one in result.diagnostics if one.fix]
+        findings = (*result.diagnostics, *result.superseded.findings)
+        errors = (finding for finding in findings if finding.severity is Severity.ERROR)
+        self._errors.append(tuple(errors))
+        fixes = [finding.fix for finding in result.diagnostics if finding.fix]
         self._proposals.append(tuple(edit for fix in fixes for edit in fix.edits))
 
     def report(self) -> Report:
@@ -120,17 +122,18 @@ class _Merger:
             launched=tuple(self._launched),
             unknown_arguments=tuple(self._unknown.pop("", {}).items()),
             unknown_in_config=tuple(
-                (entry, *one) for entry, names in self._unknown.items() for one in names.items()
+                (entry, *item) for entry, names in self._unknown.items() for item in names.items()
             ),
-            superseded=tuple(self._silenced),
+            superseded=tuple(self._superseded),
         )
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    found = tuple(diagnostics)
-    names = {path: shown(path) for path in {one.span.source.path for one in found}}
+    findings = tuple(diagnostics)
+    names = {path: shown(path) for path in {finding.span.source.path for finding in findings}}
 
-    def order(one: Diagnostic) -> tuple[str, int, str, str]:
-        return (names[one.span.source.path], one.span.start, one.code, one.message)
+    def order(finding: Diagnostic) -> tuple[str, int, str, str]:
+        name = names[finding.span.source.path]
+        return (name, finding.span.start, finding.code, finding.message)
 
-    return tuple(sorted(found, key=order))
+    return tuple(sorted(findings, key=order))

@@ -1,4 +1,4 @@
-"""From one Gazebo to another: what can be renamed, and what a person must decide."""
+"""Migration of a model to another Gazebo: automatic renames, and edits to make by hand."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from urdfkit.text.source import Source
 
 
 class Migration(Record):
-    """What a migration needs."""
+    """The result of a migration, which is not yet written."""
 
-    texts: dict[Source, bytes]  # the new bytes of every file that changes, by its Source
-    left: tuple[Diagnostic, ...]  # what has no pure rename, for a person
+    texts: dict[Source, bytes]  # new contents of the changed files, by Source
+    left: tuple[Diagnostic, ...]  # findings without a pure rename, to be edited by hand
     renamed: tuple[Diagnostic, ...]  # findings that the new texts fix
-    unread: dict[str, str]  # descriptions that nothing is known of, each with the reason
+    unread: dict[str, str]  # skipped descriptions, each with the reason
 
     def diff(self) -> str:
-        """The changes as a unified diff, which ``patch -p0`` takes."""
-        return "".join(diff(one.path, one.data, text) for one, text in self.texts.items())
+        """The changes as a unified diff for ``patch -p0``."""
+        return "".join(diff(file.path, file.data, text) for file, text in self.texts.items())
 
 
 def migrate(
@@ -35,7 +35,7 @@ def migrate(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
 ) -> Migration:
-    """What a model needs to run in another Gazebo; nothing is written.
+    """The changes of a model that another Gazebo requires; nothing is written.
 
     Args:
         target: one of ``urdfkit.ros.targets.GAZEBO``.
@@ -44,14 +44,14 @@ def migrate(
 
     Raises:
         UnreadableFile: the file cannot be read.
-        UnknownTarget: there is no such target.
+        UnknownTarget: the target is unknown.
     """
     report = check(
         path,
         arguments=arguments,
         packages=packages,
         select=[rule.code for rule in all_rules() if rule.migrates],
-        ignore=(NOT_CHECKED,),  # which `unread` says
+        ignore=(NOT_CHECKED,),  # reported as `unread`
         targets=(target,),
         trust=trust,
     )
@@ -67,12 +67,12 @@ def migrate(
         for edit in diagnostic.fix.edits:
             edits.setdefault(edit.span.source, []).append(edit)
     texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
-    unread = {one.path: one.reason for one in report.skipped if one.reason != DEFINES_NO_LINK}
+    unread = {skip.path: skip.reason for skip in report.skipped if skip.reason != DEFINES_NO_LINK}
     return Migration(texts, tuple(left), tuple(renamed), unread)
 
 
 def _overlaps(diagnostic: Diagnostic, edits: dict[Source, list[Edit]]) -> bool:
-    """True if a fix changes what another one changes, too."""
+    """True if a fix overlaps other edits."""
     assert diagnostic.fix is not None
     return any(
         edit.span.start < other.span.end and other.span.start < edit.span.end

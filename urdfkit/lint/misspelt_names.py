@@ -1,4 +1,4 @@
-"""Whether a name is misspelt where it is used, or where it is defined."""
+"""Corrections of names that are misspelt in their definition, not in their uses."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -11,10 +11,10 @@ from urdfkit.text.editing.edits import fix_value, from_macro
 
 
 def corrected_definition(context: Context, defined: Link | Joint | None, name: str) -> Fix | None:
-    """Rename what no other place calls by its name, where several agree on another one.
+    """A fix that renames an unreferenced link or joint to a name that several places reference.
 
     Args:
-        defined: the link or joint that an unknown name is like; None if there is none.
+        defined: the link or joint whose name resembles the unknown name; None if there is none.
         name: the unknown name.
     """
     if defined is None or from_macro(defined.at):
@@ -26,7 +26,7 @@ def corrected_definition(context: Context, defined: Link | Joint | None, name: s
 
 
 def _names(context: Context, kind: str) -> Iterator[str]:
-    """The names by which links, or joints, are called; each as often as it is written."""
+    """All references to link or joint names, with repetitions."""
     model = context.model
     for joint in model.joints:
         if kind == "link":
@@ -39,6 +39,6 @@ def _names(context: Context, kind: str) -> Iterator[str]:
         yield from (element.get("name") or "" for element, _ in driven_joints(model.transmissions))
     yield from (block.get("reference") or "" for block in model.gazebo)
     for plugin in context.plugins:
-        yield from (one.name for one in plugin.references() if one.kind == kind)
-    if context.srdf:  # it repeats a name, which counts once
+        yield from (reference.name for reference in plugin.references() if reference.kind == kind)
+    if context.srdf:  # counts a name once, as an SRDF repeats names
         yield from {name.value for other, name in context.srdf.references() if other == kind}

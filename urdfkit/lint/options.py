@@ -1,4 +1,4 @@
-"""The options of a check: one record, which is passed on whole."""
+"""The options of a check, as one record."""
 
 from __future__ import annotations
 
@@ -16,33 +16,32 @@ if TYPE_CHECKING:
 
 
 class Options(Record):
-    """How descriptions are checked.
+    """Options of a check.
 
     Attributes:
-        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: directories of ROS packages by name; they win over every search.
-        select: codes, beginnings of codes or names; only these rules run. All if empty.
-        ignore: codes, beginnings of codes or names of rules that do not run.
-        targets: names of the programs to check for; inferred from each model if empty.
+        arguments: xacro arguments, like ``name:=value`` on the command line.
+        packages: directories of ROS packages by name; they override every search.
+        select: rules to run, by code, prefix of codes, or name; all if empty.
+        ignore: rules not to run, by code, prefix of codes, or name.
+        targets: names of the programs to check for; detected from each model if empty.
         trust: do not sandbox the expressions of the model, and let it read any file.
-        config: settings of the project; the other options win over them.
-        rules: packages of rules that run, too: names under which they are installed (entry
-            points of the group ``urdfkit.lint.rules``), or of modules, which are imported.
-        preview: run preview rules, too: all, or those of these codes; without it, those that
-            ``select`` names by their whole code or name.
-        min_confidence: leave out findings that are less sure: ``measured``, ``inferred`` or
+        config: settings of the project; the other options override them.
+        rules: additional packages of rules: names of installed entry points of the group
+            ``urdfkit.lint.rules``, or names of modules to import.
+        preview: True to run all preview rules, or their codes; if False, only those run that
+            ``select`` contains by whole code or name.
+        min_confidence: least confidence of reported findings: ``measured``, ``inferred`` or
             ``guessed``.
-        variant: the name of the only one, of those in the configuration, that is checked.
-        changed: the files are changed files of any kind; the robots that they are part of are
-            checked, each once.
-        jobs: processes that check at the same time; 0 for as many as are worth while.
-        as_launched: check robots also with the arguments that launch files start them with.
-        cache: keep the measures of mesh files for the next run.
-        only_errors: of the rules that need one of these, only those that may report errors run.
-        texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
-        progress: called with the number of descriptions done and of all; of a single one, with
-            those of its mesh files.
-        is_cancelled: asked before each rule; the check raises `Cancelled` once it is true.
+        variant: name of the only variant in the configuration to check; all if empty.
+        changed: True if the files are changed files of any kind, to check all robots that use them.
+        jobs: number of processes; 0 to choose it by the number of robots.
+        as_launched: also check robots with the arguments that launch files pass.
+        cache: cache the measures of mesh files for the next run.
+        only_errors: needs; rules with one of them run only if they may report errors.
+        texts: contents that replace files on disk, by path, such as an editor's buffers.
+        progress: called with the number of descriptions done and the number of all; for a single
+            description, with those of its mesh files.
+        is_cancelled: called before each rule; if it returns True, the check raises `Cancelled`.
     """
 
     arguments: Mapping[str, str] = {}
@@ -66,11 +65,11 @@ class Options(Record):
     is_cancelled: Callable[[], bool] | None = None
 
     def given(self, **named: Any) -> Options:
-        """The options with those of a call that are not empty."""
+        """The options, overridden by the arguments that are not empty."""
         return self._replace(**{name: value for name, value in named.items() if value})
 
     def with_config(self) -> Options:
-        """The options with what the configuration adds to them."""
+        """The options with the packages, targets and trust of the configuration."""
         config = self.config
         return self._replace(
             packages={**config.packages, **self.packages},
@@ -79,17 +78,17 @@ class Options(Record):
         )
 
     def for_one(self, arguments: Mapping[str, str]) -> Options:
-        """Those for one robot with all of its arguments; of options with the configuration."""
+        """The options for one robot with all of its arguments; call it after ``with_config``."""
         return self._replace(
             arguments=arguments, config=self.config._replace(robots=()), variant=""
         )
 
     def resolved(self) -> Options:
-        """The options with codes for words: ``select`` has those of all rules that run.
+        """The options with the configuration, and the codes of all rules that run in ``select``.
 
         Raises:
-            UnknownRule: a word of ``select`` or ``ignore`` means no rule.
-            UnknownTarget: a name is no target.
+            UnknownRule: a word of ``select`` or ``ignore`` matches no rule.
+            UnknownTarget: a name is not a target.
             RuleError: a package of rules is missing or cannot be used.
         """
         external = external_codes(self)
@@ -107,28 +106,28 @@ class Options(Record):
         )
 
     def previews(self, code: str) -> bool:
-        """True if a preview rule runs; of resolved options."""
+        """True if a preview rule runs; call it after ``resolved``."""
         return self.preview is True or (self.preview is not False and code in self.preview)
 
 
-def words(name: str, given: Iterable[str]) -> tuple[str, ...]:
-    """The words of an argument; one text is none, though it can be iterated over.
+def words(name: str, values: Iterable[str]) -> tuple[str, ...]:
+    """The words of an argument; rejects a single string, which is an iterable of characters.
 
     Raises:
-        TypeError: the words are one text.
+        TypeError: the argument is a string.
     """
-    if isinstance(given, str):
-        raise TypeError(f"{name} must be a list of words, such as [{given!r}]")
-    return tuple(given)
+    if isinstance(values, str):
+        raise TypeError(f"{name} must be a list of words, such as [{values!r}]")
+    return tuple(values)
 
 
 def external_codes(options: Options) -> tuple[str, ...]:
-    """The codes of the rules of other packages that run, which are known from now on."""
+    """Register the additional packages of rules; the codes of their rules."""
     return (*options.config.external_rules, *added_rules(options.rules))
 
 
 def added_rules(packages: Iterable[str]) -> list[str]:
-    """The codes of packages of rules, which are known from now on."""
+    """Register packages of rules; the codes of their rules."""
     names = tuple(packages)
     if not names:
         return []
@@ -140,11 +139,11 @@ def added_rules(packages: Iterable[str]) -> list[str]:
 def _overridden(
     config: Config, select: Collection[str], ignore: Collection[str], min_confidence: str
 ) -> Config:
-    """A configuration with what the options of a check say of its findings."""
-    # What the call selects is reported, whatever the configuration leaves out.
+    """A configuration, overridden by the options of a check about its findings."""
+    # Selected rules are reported even if the configuration ignores them.
     selected = {code for word in select for code in rule_index.matching(word)}
-    kept = config.but_errors - selected
-    config = config._replace(but_errors=kept | rule_index.ignored(ignore).but_errors)
+    but_errors = (config.but_errors - selected) | rule_index.ignored(ignore).but_errors
+    config = config._replace(but_errors=but_errors)
     if min_confidence:
         config = config._replace(min_confidence=Confidence(min_confidence))
     return config
@@ -156,27 +155,25 @@ def choose(
     config: Config = Config(),
     external: Iterable[str] = (),
 ) -> list[str]:
-    """The codes that one of ``select`` means and none of ``ignore``.
+    """The codes that match ``select`` and do not match ``ignore``.
 
-    ``CFG003`` is one of them unless it is ignored: of a robot that is not checked, no selection
-    of rules finds anything.
+    ``CFG003`` is included unless it is ignored: it reports robots that cannot be checked.
 
     Args:
-        select: codes, beginnings of codes or names; all of urdfkit's and ``external`` if empty.
-        ignore: codes, beginnings of codes or names.
+        select: codes, prefixes of codes, or names; all of urdfkit's and ``external`` if empty.
+        ignore: codes, prefixes of codes, or names.
 
     Raises:
-        UnknownRule: one of the words means no rule. To ignore a typo would check with other
-            rules than were asked for, and say nothing.
+        UnknownRule: a word matches no rule; skipping a typo would silently run other rules.
     """
     selected = {code for word in select for code in rule_index.matching(word)}
-    left_out = rule_index.ignored(ignore)
-    if left_out.unknown:
-        raise left_out.unknown[0]
-    # What the call selects runs, whatever the configuration leaves out.
-    ignored = left_out.codes | (config.ignore - selected)
+    ignored = rule_index.ignored(ignore)
+    if ignored.unknown:
+        raise ignored.unknown[0]
+    # Selected rules run even if the configuration ignores them.
+    excluded = ignored.codes | (config.ignore - selected)
     chosen = selected or config.select or {*rule_index.codes(), *external}
-    return sorted((chosen | {rule_index.NOT_CHECKED}) - ignored)
+    return sorted((chosen | {rule_index.NOT_CHECKED}) - excluded)
 
 
 def previewed(

@@ -1,4 +1,4 @@
-"""Which descriptions a check is about: those that files and directories stand for."""
+"""The descriptions to check for the files and directories that a user passes."""
 
 from __future__ import annotations
 
@@ -23,42 +23,42 @@ if TYPE_CHECKING:
     from urdfkit.text.document import CallFrame
 
 
-#: The families with rules that compare a robot with the parameter files of its controllers.
+#: Families of rules that compare a robot with the parameter files of its controllers.
 _READ_PARAMETERS = ("controllers", "drives", "ros2_control")
 
 
 class Job(Record):
     """One description to check."""
 
-    path: str  # of the file
-    name: str  # of the variant; empty if there is one only
-    arguments: dict[str, str]  # for xacro
-    found: bool  # True if it was found in a directory, not named
-    frame: CallFrame | None = None  # the launch file that loads it, if one does
-    parameters: tuple[FileUse, ...] = ()  # the files of parameters that this launch file loads
-    #: The arguments that hold also where a launch file starts it; None if it is checked as it is.
+    path: str  # path of the file
+    name: str  # name of the variant; empty if there is only one
+    arguments: dict[str, str]  # xacro arguments
+    found: bool  # True if it was found in a directory, False if the user named it
+    frame: CallFrame | None = None  # the launch file that loads it; None if there is none
+    parameters: tuple[FileUse, ...] = ()  # the parameter files that this launch file loads
+    #: Arguments that override those of launch files; None if it is not checked with those.
     shared: dict[str, str] | None = None
-    #: What the launch files of a checked directory start it with.
+    #: The arguments from the launch files of a checked directory.
     started: tuple[RobotArguments, ...] = ()
-    #: The arguments that it lacks by itself, and where their values are from.
+    #: The arguments without a default, with the origin of their values.
     launched: tuple[Launched, ...] = ()
-    #: Those of them that no launch file starts this robot with, as ``name=value``; else empty.
+    #: Argument values that no launch file passes to this robot, as ``name=value``; may be empty.
     assumed: str = ""
-    codes: frozenset[str] = frozenset()  # of the rules that are asked; all if empty
-    #: The text, if it was read already. That of a robot in a directory is read when its turn comes:
-    #: there may be thousands.
+    codes: frozenset[str] = frozenset()  # codes of the rules to run; all if empty
+    #: The text, if it was already read. A robot in a directory is read when it is checked: there
+    #: may be thousands.
     source: Source | None = None
 
     def text(self, resolver: Resolver) -> Source:
         """The text of the file.
 
         Raises:
-            UnreadableFile: it is gone.
+            UnreadableFile: the file no longer exists.
         """
         return self.source or resolver.read(self.path)
 
     def about_parameters(self) -> Job:
-        """The job of a robot that is checked otherwise, and whose parameter files are new."""
+        """The job with only the rules about parameter files, for a robot with another job."""
         from urdfkit.lint import rule_index
 
         codes = frozenset().union(*map(rule_index.of_family, _READ_PARAMETERS))
@@ -68,7 +68,7 @@ class Job(Record):
 def planned(
     files: Iterable[str | os.PathLike[str] | Source], resolver: Resolver, options: Options
 ) -> Plan:
-    """The descriptions to check for what a user names.
+    """The descriptions to check for the files that a user passes.
 
     Args:
         files: URDF, xacro or launch files, Sources, or directories.
@@ -90,7 +90,7 @@ def planned(
 
 
 class Plan:
-    """Which descriptions to check, with which arguments."""
+    """The descriptions to check, with their arguments."""
 
     def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
@@ -104,14 +104,15 @@ class Plan:
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
-        #: Why nothing of a file, or of a directory with it, is checked, and what to do about it.
+        #: Files that are not checked: path, message and help.
         self.unchecked: list[tuple[str, str, str]] = []
-        #: What the launch files of directories start, by real path.
+        #: Displayed path and arguments of the robots that launch files of directories start, by
+        #: real path.
         self._started: dict[str, tuple[str, list[RobotArguments]]] = {}
-        self._named: set[str] = set()  # the paths of robots that are checked as these start them
+        self._named: set[str] = set()  # paths of the robots checked with launch arguments
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
-        """A file, with its variants if the configuration has some, or a directory."""
+        """Add a file with its variants in the configuration, or a directory."""
         if isinstance(file, Source):
             self.resolver.admit(file.path)
             self._add_source(file)
@@ -124,22 +125,22 @@ class Plan:
             try:
                 self._add_found(discover(directory, config, self.resolver), directory)
             except UnreadableFile:
-                if not launches:  # of robots that lie elsewhere
+                if not launches:  # launch files may start robots of other directories
                     raise
             except UrdfkitError:
                 raise
-            except Exception as error:  # a bug in urdfkit must not hide what else was named
+            except Exception as error:  # a bug in urdfkit must not prevent the other checks
                 self.crashed.append(crash("", directory, error))
             for path in launches:
                 try:
                     self._add_launch(self.resolver.read(_spelt(path, directory)), found=True)
-                except UnreadableFile:  # a link that leads outside
+                except UnreadableFile:  # a link to a file outside of the directory
                     self._add_closed(path)
         else:
             self._add_source(self.resolver.admit_and_read(os.fspath(file)))
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
-        """The entry points that some changed files are part of."""
+        """Add the entry points that use changed files."""
         from urdfkit.lint.discovery import affected
 
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
@@ -151,7 +152,7 @@ class Plan:
             self._add_launch(self.resolver.read(_spelt(path, paths[0])), found=True)
 
     def _add_found(self, found: DirectoryContents, given: str = "") -> None:
-        """The entry points of a directory, or of what was given otherwise."""
+        """Add the entry points of a directory, or of changed files."""
         robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
         if found.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
@@ -165,26 +166,26 @@ class Plan:
             self._add_closed(path)
 
     def _add_closed(self, path: str) -> None:
-        """A file of a directory that is called like a robot and cannot be opened."""
+        """Add a file of a directory that has a robot's suffix but cannot be opened."""
         help = "check the symbolic link and the file permissions"
         self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
         self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
 
     def note_without_robot(self, given: Iterable[str]) -> None:
-        """Leave a note if directories hold no robot: a report on launch files is no verdict."""
+        """Add a finding if directories contain no robot, even if launch files are checked."""
         directories = list(filter(disk.is_directory, given))
         launches = [job.path for job in self.jobs if is_launch(job.path)]
         if not directories or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
             return
         if launches:
-            what = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
+            contents = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
             help = "check the package of the robot, too, or pass --package NAME=DIRECTORY"
         else:
-            what = "".join(f"{shown(one.path)} {one.reason}" for one in self.skipped[:1])
+            contents = "".join(f"{shown(skip.path)} {skip.reason}" for skip in self.skipped[:1])
             help = "name a robot to check; urdfkit check --show-files lists the files"
         named = ", ".join(f"'{shown(directory)}'" for directory in directories)
         first = [*launches, *(skip.path for skip in self.skipped), *directories][0]
-        self.unchecked.append((first, f"no robot checked in {named}: {what}", help))
+        self.unchecked.append((first, f"no robot checked in {named}: {contents}", help))
 
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):
@@ -195,10 +196,10 @@ class Plan:
             self.jobs.append(job if self.arguments else self._also_started(job))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
-        """A launch file, and the robots that it describes.
+        """Add a launch file, and the robots that it describes.
 
         Args:
-            found: it was found in a directory, whose robots are checked anyway.
+            found: True if it was found in a directory, whose robots are checked anyway.
         """
         from urdfkit.ros.launch import read_launch
         from urdfkit.ros.launch.robot_arguments import started
@@ -208,24 +209,24 @@ class Plan:
             launch = read_launch(source, self.resolver, self.arguments)
         except UrdfkitError:
             raise
-        except Exception:  # a bug in urdfkit, which the check of the launch file meets and reports
+        except Exception:  # a bug in urdfkit, which the check of the launch file reports
             return
-        for path, one in started(launch, source.path):
+        for path, robot in started(launch, source.path):
             if not found:
-                self.jobs.append(self._as_started(_spelt(path, source.path), one))
+                self.jobs.append(self._as_started(_spelt(path, source.path), robot))
             elif not matches(self.config.relative(path), self.config.exclude):
                 real = disk.real(path)
-                self._started.setdefault(real, (_spelt(path, source.path), []))[1].append(one)
+                self._started.setdefault(real, (_spelt(path, source.path), []))[1].append(robot)
 
-    def _as_started(self, path: str, one: RobotArguments) -> Job:
-        """A robot as a launch file starts it."""
-        arguments = {**self.config.arguments, **one.arguments}
-        return Job(path, "", arguments, not one.is_whole, one.frame, one.parameters)
+    def _as_started(self, path: str, robot: RobotArguments) -> Job:
+        """The job of a robot with the arguments of a launch file."""
+        arguments = {**self.config.arguments, **robot.arguments}
+        return Job(path, "", arguments, not robot.is_whole, robot.frame, robot.parameters)
 
     def _also_started(self, job: Job) -> Job:
-        """A robot that is checked as launch files start it, too; of its variants, the first.
+        """The job, also with the arguments of launch files; only for the first of its variants.
 
-        A variant that the user chose is checked alone.
+        A variant that the user selected is checked alone.
         """
         if self.variant or job.path in self._named or not self._as_launched:
             return job
@@ -233,42 +234,42 @@ class Plan:
         return job._replace(shared={**self.config.arguments, **self.arguments})
 
     def add_started(self) -> None:
-        """Add what the launch files of directories start, once all robots are known."""
+        """Add the arguments of launch files in directories, after all robots were added."""
         if not self._started:
             return
-        for place, job in enumerate(self.jobs):
+        for index, job in enumerate(self.jobs):
             _, sets = self._started.pop(disk.real(job.path), ("", []))
-            self.jobs[place] = job._replace(started=tuple(sets))
+            self.jobs[index] = job._replace(started=tuple(sets))
         for real, (path, sets) in self._started.items():
             self.jobs += self._elsewhere(path, sets, passed_over=self._was_passed_over(real))
 
     def _elsewhere(
         self, path: str, sets: list[RobotArguments], *, passed_over: bool
     ) -> Iterable[Job]:
-        """The jobs of a robot that is none of a directory, but that launch files there start.
+        """The jobs of a robot outside of the checked directories that launch files there start.
 
-        Without arguments it is checked in its own directory, unless that was passed over.
+        A robot without arguments is checked with its own directory, unless discovery skipped it.
         """
-        others = [one for one in sets if one.arguments or passed_over]
-        if others:
-            job = self._as_started(path, others[0])
+        distinct = [robot for robot in sets if robot.arguments or passed_over]
+        if distinct:
+            job = self._as_started(path, distinct[0])
             return [job._replace(shared=dict(self.config.arguments), started=tuple(sets))]
-        with_files = (one for one in sets if one.parameters)
-        return [self._as_started(path, one).about_parameters() for one in with_files]
+        with_files = (robot for robot in sets if robot.parameters)
+        return [self._as_started(path, robot).about_parameters() for robot in with_files]
 
     def _was_passed_over(self, robot: str) -> bool:
-        """True if discovery skipped a robot, which now is not: what starts it is known."""
+        """Remove a robot with a launch file from the skipped files; True if it was one of them."""
         if self.config.robots:
             return False
         skipped, self.skipped = self.skipped, []
-        self.skipped += (one for one in skipped if disk.real(one.path) != robot)
+        self.skipped += (skip for skip in skipped if disk.real(skip.path) != robot)
         return len(self.skipped) < len(skipped)
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
-        every = {**self.config.arguments, **arguments, **self.arguments}
-        self.jobs.append(self._also_started(Job(path, name, every, True)))
+        merged = {**self.config.arguments, **arguments, **self.arguments}
+        self.jobs.append(self._also_started(Job(path, name, merged, True)))
 
 
 def _spelt(path: str, given: str) -> str:
-    """A path as a user would type it who typed another one."""
+    """A path that is absolute or relative like a given path of the user."""
     return shown(os.path.abspath(path)) if os.path.isabs(given) else os.path.relpath(path)

@@ -1,4 +1,4 @@
-"""Checks by several processes, each of which a robot may kill."""
+"""Checks in several processes, which a robot may crash."""
 
 from __future__ import annotations
 
@@ -21,35 +21,35 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
 
-#: What a process must know: rules of other packages, options, whether it notes what it depends
-#: on, and what files the user named.
+#: Initial data of a process: rules of other packages, options, True to log dependencies, and the
+#: files that the user named.
 Known: TypeAlias = "tuple[Mapping[str, str], Options, bool, tuple[str, ...]]"
-#: The results of some robots, and what they depend on if that is noted.
+#: The results of some robots, and the log of their dependencies.
 Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
-#: Robots that go to a process at a time.
+#: Most robots that are sent to a process at a time.
 MAX_BATCH = 16
 
 
 class Workers:
-    """Processes for checks in a row, which keep what they have found of packages and meshes."""
+    """Processes for repeated checks, which keep their caches of packages and meshes."""
 
     def __init__(self) -> None:
         self._pool: ProcessPoolExecutor | None = None
-        self._begun: object = None  # what all of them know
+        self._begun: object = None  # their initial data
 
     def pool(self, count: int, known: Known) -> ProcessPoolExecutor:
-        """The processes, which may be those of an earlier check."""
+        """The processes; reused from an earlier check with the same data."""
         external, options, is_noting, admitted = known
         begun = (external, options.packages, options.config, options.trust, is_noting, admitted)
         if self._pool is None or self._begun != begun:
             self.end()
             for code in options.select:
-                rule_index.get(code)  # imported once: processes that are forked share the modules
+                rule_index.get(code)  # imported once, as forked processes share the modules
             self._pool, self._begun = _pool(count, known), begun
         return self._pool
 
     def end(self) -> None:
-        """End the processes, which are made anew where they are needed once more."""
+        """End the processes; later checks start new ones."""
         if self._pool is not None:
             self._pool.shutdown()
             self._pool = None
@@ -58,10 +58,10 @@ class Workers:
 def in_processes(
     jobs: list[Job], known: Known, count: int, workers: Workers
 ) -> Iterator[list[Checked]]:
-    """The results of some jobs in their order, by several processes.
+    """The results of jobs in their order, computed by several processes.
 
-    A process that dies takes the others of its pool with it. What they had not done is checked
-    again one by one, which shows the robot that it dies of.
+    If a process dies, its pool ends. Its unfinished jobs are then checked one by one, to find the
+    robot that crashes the process.
     """
     from collections import deque
     from concurrent.futures.process import BrokenProcessPool
@@ -92,10 +92,10 @@ def _in_order(
     waiting: deque[tuple[list[Job], Future[Batch]]],
     most: int,
 ) -> Iterator[list[Checked]]:
-    """The results of some batches; what is not done stays in ``batches`` and ``waiting``.
+    """The results of batches; unfinished ones stay in ``batches`` and ``waiting``.
 
     Args:
-        most: that wait at a time, for results must not pile up.
+        most: largest number of waiting batches, which limits the memory of results.
     """
     while batches or waiting:
         while batches and len(waiting) < most:
@@ -107,7 +107,7 @@ def _in_order(
 
 
 def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
-    """The results of some jobs, each of which may kill its process."""
+    """The results of jobs that may crash their process."""
     from concurrent.futures.process import BrokenProcessPool
 
     done = 0
@@ -125,7 +125,7 @@ def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
 
 
 def _wait_for_ctrl_c() -> None:
-    """The processes may have heard it first; then it is raised here."""
+    """Wait for a KeyboardInterrupt, as the processes may receive Ctrl-C first."""
     import time
 
     time.sleep(1)
@@ -137,17 +137,17 @@ def _pool(count: int, known: Known) -> ProcessPoolExecutor:
     return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
 
 
-#: Of a process of a pool: what it has found of packages and directories.
+#: Resolver of a process of a pool, with its caches of packages and directories.
 _own: Resolver
 
 
 def _begin(
     external: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
 ) -> None:
-    """A process begins, which knows no rules of other packages and has noted nothing."""
+    """Initialise a process of a pool."""
     import signal
 
-    # Ctrl-C reaches every process of the terminal; only the first one has something to say.
+    # Ctrl-C reaches every process of the terminal; only the main process handles it.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
@@ -169,7 +169,7 @@ def _check_batch(jobs: list[Job], options: Options) -> Batch:
 
 
 def _noted(batch: Batch) -> list[list[Checked]]:
-    """The results of a batch; what they depend on is noted in this process, too."""
+    """The results of a batch; adds their dependencies to the log of this process."""
     checked, log = batch
     own = disk.log()
     if own is not None and log is not None:

@@ -1,4 +1,4 @@
-"""The outcome of a check: findings, what was skipped, what failed."""
+"""The result of a check: findings, skipped rules and failed rules."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
 
-#: Why nothing but the text of a file of macros is checked.
+#: Why only the text of a file of macros is checked.
 DEFINES_NO_LINK = "defines no link; check a robot that uses it"
 
 
 class Skipped(Record):
-    """A rule that did not run, and why."""
+    """A rule that did not run, and the reason; without a code, a skipped description."""
 
     code: str
     path: str
@@ -29,18 +29,17 @@ class Skipped(Record):
 
 
 class Launched(Record):
-    """A robot that was checked with values for arguments that it lacks by itself."""
+    """A robot that was checked with values for its arguments without a default."""
 
-    path: str  # of the robot
-    #: Of the launch file that gives them, or of the xacro file or directory they are from.
-    launch: str
-    arguments: dict[str, str]  # those that the robot lacks by itself
+    path: str  # path of the robot
+    launch: str  # path of the launch file, xacro file or directory that the values are from
+    arguments: dict[str, str]  # values of the arguments without a default
 
 
 class Crashed(Record):
-    """A rule that failed: a bug in urdfkit, never of the robot.
+    """A rule that failed: a bug in urdfkit, not a defect of the robot.
 
-    The code is empty where what failed is a part of the check that is no rule.
+    The code is empty if another part of the check failed.
     """
 
     code: str
@@ -50,10 +49,10 @@ class Crashed(Record):
 
 
 def crash(code: str, path: str, error: Exception) -> Crashed:
-    """What a failure that is being handled says; the code is empty where it is no rule's.
+    """The record of an exception that is being handled; the code is empty outside of rules.
 
     Raises:
-        NotEnoughMemory: it fails for nothing else.
+        NotEnoughMemory: the cause is a lack of memory.
     """
     if limits.lacks_memory(error):
         raise NotEnoughMemory(f"{shown(path)}: not enough memory") from error
@@ -63,44 +62,43 @@ def crash(code: str, path: str, error: Exception) -> Crashed:
 
 
 class Fixable(Record):
-    """What ``urdfkit fix`` would do about the findings of a report."""
+    """The number of findings of a report that ``urdfkit fix`` would fix."""
 
-    safe: int  # how many it fixes
-    unsafe: int  # how many more it may fix with ``--unsafe-fixes``
-    infos: tuple[str, ...]  # the codes of infos that it fixes where they are selected
-    #: Why others are left though they carry a fix, each with their number.
-    left: tuple[tuple[str, int], ...]
+    safe: int  # number of findings that it fixes
+    unsafe: int  # number of further findings that it may fix with ``--unsafe-fixes``
+    infos: tuple[str, ...]  # codes of the infos that it fixes if they are selected
+    left: tuple[tuple[str, int], ...]  # reasons why other fixes are not applied, and their number
 
 
 class Superseded(Record):
-    """Findings that follow from others, which are reported in their place."""
+    """Findings that are consequences of others, which are reported instead."""
 
-    causes: tuple[Diagnostic, ...]  # the others, without what merging adds to them
-    findings: tuple[Diagnostic, ...]  # what is not reported
+    causes: tuple[Diagnostic, ...]  # the reported findings, before merging
+    findings: tuple[Diagnostic, ...]  # the consequences, which are not reported
 
 
 class Report(Record):
-    """The outcome of a check.
+    """The result of a check.
 
     Attributes:
-        files: that were checked, as the user named them.
-        diagnostics: sorted by file, place and code.
+        files: the checked files, by the paths that the user passed.
+        diagnostics: findings sorted by file, place and code.
         skipped: rules that did not run.
         crashed: rules that failed.
-        rules: the codes that ran.
-        targets: per file, the programs that severities depend on.
-        tolerated: how many findings a baseline holds.
-        suppressed: how many findings ignore comments or the configuration leave out.
-        errors: those of each description, in the order of the check; what several have in common
-            is one diagnostic, but an error of each.
-        proposals: the edits that the fixes of each description ask for.
-        launched: the robots that have their arguments from launch files, or from elsewhere.
-        unknown_arguments: those given that no description mentions, each with the one that was
-            meant, or nothing.
-        unknown_in_config: the same of arguments in the configuration, each after the words
-            that say which robot has none.
-        fixable: what ``urdfkit fix`` would do; None if it was not computed.
-        superseded: what is not reported because its cause is, of each description that has some.
+        rules: codes of the rules that ran.
+        targets: per file, the targets that severities depend on.
+        tolerated: number of findings in the baseline.
+        suppressed: number of findings that ignore comments or the configuration suppress.
+        errors: errors of each description, in the order of the check; a diagnostic that several
+            descriptions share is an error of each.
+        proposals: edits of the fixes of each description.
+        launched: the robots whose missing arguments got values from launch files or other sources.
+        unknown_arguments: arguments that no description declares, each with the suggested name,
+            or an empty string.
+        unknown_in_config: the same for arguments in the configuration, each after a clause that
+            states the robot.
+        fixable: number of fixes that ``urdfkit fix`` would apply; None if it was not computed.
+        superseded: findings that are not reported because their cause is, by description.
     """
 
     files: tuple[str, ...]
@@ -120,18 +118,18 @@ class Report(Record):
     superseded: tuple[Superseded, ...] = ()
 
     def count(self, severity: Severity) -> int:
-        """How many diagnostics have this severity."""
+        """The number of diagnostics with a severity."""
         if isinstance(self.diagnostics, StoredFindings):
             return self.diagnostics.counts[severity]
         return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
 
     @property
     def argument_typos(self) -> tuple[str, ...]:
-        """The arguments that no description has, in words: a robot is not the one that is meant."""
-        unknown = (("No robot here has an", *one) for one in self.unknown_arguments)
+        """Messages about arguments that no description declares."""
+        unknown = (("No robot here has an", *item) for item in self.unknown_arguments)
         return tuple(
-            f"{which} argument '{name}'" + (f"; did you mean '{meant}'?" if meant else "")
-            for which, name, meant in (*unknown, *self.unknown_in_config)
+            f"{clause} argument '{name}'" + (f"; did you mean '{nearest}'?" if nearest else "")
+            for clause, name, nearest in (*unknown, *self.unknown_in_config)
         )
 
     @property
@@ -143,13 +141,14 @@ class Report(Record):
         """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug in urdfkit."""
         if self.crashed:
             return 3
-        return int(any(self.count(one) for one in Severity if one.rank <= fail_on.rank))
+        severities = (severity for severity in Severity if severity.rank <= fail_on.rank)
+        return int(any(map(self.count, severities)))
 
 
 class UncheckedValues(Record):
-    """Values of an argument with which a robot is not checked, though files give them."""
+    """Values of an argument in launch files with which a robot is not checked."""
 
-    name: str  # of the argument
-    values: tuple[str, ...]  # of it
-    total: int  # how many values it has
-    why: str  # they are left out
+    name: str  # name of the argument
+    values: tuple[str, ...]  # values that are not checked
+    total: int  # number of all values
+    why: str  # reason for not checking them

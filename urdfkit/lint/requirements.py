@@ -1,4 +1,4 @@
-"""What the rules about dynamics and collisions need, and are skipped without."""
+"""Requirements of the rules about dynamics and collisions, which are otherwise skipped."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
     from urdfkit.robot.tree import KinematicTree
 
-#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+#: Most collision bodies that are compared; a humanoid with decomposed meshes has half as many.
 MAX_BODIES = 2000
 
 
@@ -21,7 +21,7 @@ def need_coal() -> None:
     """Import coal.
 
     Raises:
-        Unavailable: it is not installed.
+        Unavailable: coal is not installed.
     """
     try:
         import_module("coal")
@@ -32,10 +32,10 @@ def need_coal() -> None:
 
 
 def need_pinocchio() -> None:
-    """Find Pinocchio.
+    """Require Pinocchio without importing it.
 
     Raises:
-        Unavailable: it is not installed.
+        Unavailable: Pinocchio is not installed.
     """
     if libraries.find("pinocchio") is None:
         raise Unavailable(_without_pinocchio("no module 'pinocchio'"))
@@ -45,7 +45,7 @@ def dynamics_of(tree: KinematicTree) -> Dynamics:
     """A robot in Pinocchio.
 
     Raises:
-        Unavailable: Pinocchio is not installed, or cannot hold the robot.
+        Unavailable: Pinocchio is not installed, or cannot represent the robot.
     """
     try:
         from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
@@ -58,10 +58,10 @@ def dynamics_of(tree: KinematicTree) -> Dynamics:
 
 
 def need_few_bodies(model: RobotModel) -> None:
-    """Count the collision bodies of a robot.
+    """Reject a robot with too many collision bodies to compare.
 
     Raises:
-        Unavailable: there are too many to compare them.
+        Unavailable: the robot has more than `MAX_BODIES`.
     """
     bodies = sum(len(link.collisions) for link in model.links)
     if bodies > MAX_BODIES:
@@ -69,7 +69,7 @@ def need_few_bodies(model: RobotModel) -> None:
 
 
 def _without_pinocchio(why: object) -> str:
-    """The reason where Pinocchio cannot be imported."""
+    """The message if Pinocchio cannot be imported."""
     from urdfkit.core.installation import install_command
 
     return f"Pinocchio is not installed ({why}): {install_command('dynamics')}"

@@ -1,11 +1,11 @@
-"""Running the examples that every rule carries: BAD, GOOD and FIXED.
+"""Tests of the examples of rules: BAD, GOOD and FIXED.
 
-A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
-text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
-next to the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them;
-``DIRECTORY`` stands for the directory that holds them all. Rules of other packages are tested with
-the same functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``;
-``TARGETS`` are the consumers that it is checked for where they are not detected.
+A rule's file defines ``BAD`` and ``GOOD``, and ``FIXED`` if its findings have a fix: robots as
+text, either whole or the content of ``<robot name="example">``. ``FILES`` contains the files next
+to the robot, by relative path, ``FIXED_FILES`` those that fixes change, after the fixes;
+``DIRECTORY`` stands for their directory. ``NAME`` is the file name of the example, by default
+``example.urdf``; ``TARGETS`` are the targets to check for, by default the detected ones. The same
+functions test the rules of other packages.
 """
 
 import os
@@ -24,10 +24,10 @@ from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-#: In an example, the absolute path of the directory of the robot.
+#: Placeholder in examples for the absolute path of the robot's directory.
 DIRECTORY = "/home/student/arm_description"
 
-#: What an example may begin with that is only the inside of a robot.
+#: Start of an example that is the content of a robot.
 _PIECE = re.compile(r"\s*<(link|joint|material|gazebo|transmission|ros2_control)\b")
 
 
@@ -39,7 +39,7 @@ def whole_robot(text: str) -> str:
 
 @contextmanager
 def laid_out(rule: Rule, text: str) -> Iterator[Source]:
-    """An example in a directory of its own, with the other files of its rule."""
+    """An example in a temporary directory, with the other files of its rule."""
     module = sys.modules[rule.module]
     files: Mapping[str, bytes] = getattr(module, "FILES", {})
     example = _file_name(rule)
@@ -67,16 +67,16 @@ def context_of(rule: Rule, source: Source) -> Context:
 
 
 def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
-    """What one rule says about one of its examples."""
+    """The findings of a rule in one of its examples."""
     with laid_out(rule, text) as source:
         return diagnose(rule, list(rule.check(context_of(rule, source))))
 
 
 def assert_examples(rule: Rule) -> None:
-    """Fail unless BAD is reported, GOOD is not, and the fixes of BAD give FIXED.
+    """Fail unless BAD is reported, GOOD is not, and the fixes of BAD result in FIXED.
 
     Raises:
-        AssertionError: what an example gives, and what it should.
+        AssertionError: with the actual and the expected result of an example.
     """
     bad, good = _example(rule, "BAD"), _example(rule, "GOOD")
     if not diagnose_example(rule, bad):
@@ -97,7 +97,7 @@ def assert_examples(rule: Rule) -> None:
 
 
 def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
-    """The files of an example that one rule's fixes change, by relative path; "" is the robot."""
+    """The files that the fixes of an example change, by relative path; "" is the robot."""
     with laid_out(rule, text) as source:
         found = diagnose(rule, list(rule.check(context_of(rule, source))))
         directory = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
@@ -114,13 +114,13 @@ def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
 
 
 def _file_name(rule: Rule) -> str:
-    """The name of the file of an example, perhaps in a directory."""
+    """The file name of an example, possibly with a directory."""
     name: str = getattr(sys.modules[rule.module], "NAME", "example.urdf")
     return name
 
 
 def _edited(edits: Iterable[Edit]) -> str:
-    """The text of a source after edits of it."""
+    """The text of a source after its edits."""
     edits = tuple(edits)
     return apply_edits(edits[0].span.source.data, edits).decode()
 

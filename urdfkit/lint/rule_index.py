@@ -1,7 +1,7 @@
-"""Which rules there are, by code, name and family.
+"""Index of all rules by code, name and family.
 
-The names of the files in ``urdfkit/checks`` are the index: nothing else has to be edited for a new
-rule, and a rule is imported only when it may have something to report.
+The index is built from the file names in ``urdfkit/checks``: nothing else has to be edited for a
+new rule, and a rule is imported only when it may apply.
 """
 
 from __future__ import annotations
@@ -20,14 +20,13 @@ from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Rule, code_of, name_of
 
-#: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
-#: it is ignored by name.
+#: The rule about robots that cannot be checked: it runs whatever is selected, unless it is ignored.
 NOT_CHECKED = "CFG003"
 
-#: The rules that say why a robot does not expand, whatever their severity.
+#: The rules that report why a robot does not expand, at any severity.
 NOT_EXPANDED = frozenset(("XAC001", "XAC011"))
 
-#: Families of urdfkit's own rules, and what they are about; other packages take other letters.
+#: Families of urdfkit's own rules, with their subject; other packages use other prefixes.
 FAMILIES = {
     "CFG": "urdfkit itself",
     "COL": "collisions",
@@ -53,17 +52,17 @@ FAMILIES = {
 #: The directory with a directory for each family of rules.
 _CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
 
-#: The module of every rule that is known, by code: urdfkit's own first.
+#: The modules of all known rules, by code: urdfkit's own first.
 _modules: dict[str, str] = {}
 _external: set[str] = set()
 _redirects: dict[str, str] = {}
 
 
 def _known() -> dict[str, str]:
-    """The module of every rule, by code; read from the file names, nothing is imported."""
+    """The modules of all rules, by code; read from the file names, without imports."""
     if not _modules:
         families = (name for name in os.listdir(_CHECKS) if name.isidentifier() and name[0] != "_")
-        _modules.update(sorted(found for family in families for found in _in_family(family)))
+        _modules.update(sorted(item for family in families for item in _in_family(family)))
     return _modules
 
 
@@ -91,25 +90,25 @@ def of_family(family: str) -> frozenset[str]:
 
 
 def applicable(family: str, codes: list[str], context: Context) -> list[str]:
-    """Those rules of a family that may have something to report of a description.
+    """The rules of a family that may apply to a description.
 
-    The ``__init__.py`` of the family has ``applies(context)``, and where something names the rules
-    that report it, ``codes(context)``: those that have something to report.
+    The ``__init__.py`` of a family defines ``applies(context)``, and optionally
+    ``codes(context)``: the codes of the rules that have findings, if that is known beforehand.
     """
     if not family:
         return codes
     module = import_module(f"urdfkit.checks.{family}")
     if not module.applies(context):
         return []
-    found = module.codes(context) if hasattr(module, "codes") else codes
-    return [code for code in codes if code in found]
+    applicable_codes = module.codes(context) if hasattr(module, "codes") else codes
+    return [code for code in codes if code in applicable_codes]
 
 
 def register(modules: Mapping[str, str]) -> None:
-    """Make rules of another package known: the full names of their modules by code.
+    """Add the rules of another package: the full names of their modules by code.
 
     Raises:
-        RuleError: a code belongs to urdfkit, or to a rule of a third package.
+        RuleError: a code belongs to urdfkit or to another package.
     """
     known = _known()
     for code, module in modules.items():
@@ -132,19 +131,19 @@ def get(code: str) -> Rule:
     """The rule of a code.
 
     Raises:
-        KeyError: there is none.
-        RuleError: the module of another package holds no such rule.
+        KeyError: the code is unknown.
+        RuleError: the module of another package does not define the rule.
     """
     module = _known()[code]
     if code in _external:
         return _external_rule(code, module)
-    found = _module(module).check
-    assert isinstance(found, Rule)
-    return found
+    rule = _module(module).check
+    assert isinstance(rule, Rule)
+    return rule
 
 
 def _module(name: str) -> ModuleType:
-    """The module of a rule of urdfkit; its file is known, which spares Python the search."""
+    """The module of a rule of urdfkit, loaded from its known path, which is faster."""
     if name not in sys.modules:
         package, _, stem = name.rpartition(".")
         path = os.path.join(_CHECKS, *name.split(".")[2:]) + ".py"
@@ -157,65 +156,66 @@ def _module(name: str) -> ModuleType:
 
 def _external_rule(code: str, module: str) -> Rule:
     try:
-        found = getattr(import_module(module), "check", None)
+        rule = getattr(import_module(module), "check", None)
     except Exception as error:
         raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
-    if not isinstance(found, Rule) or found.module != module:
-        raise RuleError(f"{module}: it must hold a function 'check' with @rule(...) for {code}")
-    return found
+    if not isinstance(rule, Rule) or rule.module != module:
+        raise RuleError(f"{module}: it must define a function 'check' with @rule(...) for {code}")
+    return rule
 
 
 def find_rule(word: str) -> Rule:
-    r"""The rule of a code or a name, now or formerly, in small or capital letters.
+    r"""The rule of a current or former code or name, ignoring case.
 
     >>> rule = find_rule("no-link")
     >>> rule.code, rule.severity.value, rule.explanation.partition("\n")[0]
     ('TRE001', 'error', 'The robot has no link.')
 
     Raises:
-        UnknownRule: there is none, or two have that name; the message says which, or the nearest.
+        UnknownRule: no rule matches, or two have that name; the message lists both, or suggests
+            the nearest name.
     """
-    found = _exactly(word)
-    if not found:
+    codes = _exactly(word)
+    if not codes:
         raise UnknownRule(word, _hint(word, [*_modules, *names()]))
-    if len(found) > 1:
-        raise UnknownRule(word, f" alone: {' and '.join(found)} have that name")
-    return get(found[0])
+    if len(codes) > 1:
+        raise UnknownRule(word, f" alone: {' and '.join(codes)} have that name")
+    return get(codes[0])
 
 
 def matching(word: str) -> list[str]:
-    """The codes that begin with a word, or those of the rules with that name, now or formerly.
+    """The codes with a prefix, or of the rules with a current or former code or name.
 
     Raises:
-        UnknownRule: there is none, or no longer; the message has the nearest.
+        UnknownRule: no rule matches, or it was removed; the message suggests the nearest name.
     """
-    found = codes_of(word)
-    if not found:
+    codes = codes_of(word)
+    if not codes:
         families = {code[:3] for code in _modules}
         raise UnknownRule(word, _hint(word, [*families, *_modules, *names()]))
-    return found
+    return codes
 
 
 def codes_of(word: str) -> list[str]:
-    """The same without a suggestion; empty if there is none.
+    """The codes that ``matching`` returns; empty if no rule matches.
 
     Raises:
-        UnknownRule: there is none any more.
+        UnknownRule: the rule was removed.
     """
-    found = [code for code in _known() if word and code.startswith(word.upper())]
-    return found or _exactly(word)
+    codes = [code for code in _known() if word and code.startswith(word.upper())]
+    return codes or _exactly(word)
 
 
 def named(words: Iterable[str]) -> frozenset[str]:
-    """The codes that some words mean by a whole code or name, not by the beginning of a code."""
+    """The codes that match a whole code or name among the words, not a prefix."""
     return frozenset(code for word in words for code in _exactly(word))
 
 
 def _exactly(word: str) -> list[str]:
-    """The codes of the rules with a code or name, now or formerly; empty if there is none.
+    """The codes of the rules with a current or former code or name; empty if there is none.
 
     Raises:
-        UnknownRule: there is none any more.
+        UnknownRule: the rule was removed.
     """
     if word.upper() in _known():
         return [word.upper()]
@@ -226,20 +226,20 @@ def _exactly(word: str) -> list[str]:
 
 
 def redirect(word: str) -> str | None:
-    """The code of the rule that a former code or name stands for; None for any other word.
+    """The current code for a former code or name; None for any other word.
 
     Empty for a rule that was removed.
     """
     if word.upper() in _known():
         return None
-    found = redirects()
-    return found.get(word.upper(), found.get(word.lower()))
+    current = redirects()
+    return current.get(word.upper(), current.get(word.lower()))
 
 
 def redirects() -> dict[str, str]:
-    """The codes that former codes and names stand for; empty for rules that were removed."""
+    """The current codes by former codes and names; empty strings for removed rules."""
     if not _redirects:
-        from json import load  # configurations name few rules that are no more
+        from json import load  # former codes are rare
 
         with open(os.path.join(_CHECKS, "redirects.json"), encoding="utf-8") as file:
             former = load(file)
@@ -248,41 +248,42 @@ def redirects() -> dict[str, str]:
 
 
 def note(word: str) -> str:
-    """That a rule has another code or name now; empty if it has not."""
+    """A message for a former code or name; empty for other words."""
     code = redirect(word)
     return f"{word} is now {code}" if code else ""
 
 
 def ignore_note(word: str) -> str:
-    """The same of a word that leaves a rule out."""
-    found = note(word)
-    return f"{found}, whose errors it does not ignore" if found else ""
+    """A message for a former code or name that is ignored; empty for other words."""
+    message = note(word)
+    return f"{message}, whose errors it does not ignore" if message else ""
 
 
 class Ignored(Record):
-    """The rules that some words leave out."""
+    """The rules to ignore."""
 
-    codes: frozenset[str]  # of the rules whose findings are all left out
-    #: Of those that former codes and names stand for. They were merged with other rules, which
-    #: nobody wanted to ignore: their errors stay.
+    codes: frozenset[str]  # codes of the rules whose findings are all ignored
+    #: Codes that replace former codes and names. These rules were merged with others, whose errors
+    #: are still reported.
     but_errors: frozenset[str]
-    unknown: tuple[UnknownRule, ...]  # why the other words mean no rule
+    unknown: tuple[UnknownRule, ...]  # errors for the words that match no rule
 
 
 def ignored(words: Iterable[str]) -> Ignored:
-    """The rules that some words leave out.
+    """The rules to ignore.
 
-    A rule that is to be left out and does not exist, such as one of another version or of a
-    package that is not installed, changes nothing about the check.
+    Unknown rules, such as those of another version or of a package that is not installed, do not
+    affect the check.
     """
-    found: dict[bool, set[str]] = {True: set(), False: set()}
+    codes: set[str] = set()
+    but_errors: set[str] = set()
     unknown: list[UnknownRule] = []
     for word in words:
         try:
-            found[redirect(word) is not None].update(matching(word))
+            (codes if redirect(word) is None else but_errors).update(matching(word))
         except UnknownRule as error:
             unknown.append(error)
-    return Ignored(frozenset(found[False]), frozenset(found[True]), tuple(unknown))
+    return Ignored(frozenset(codes), frozenset(but_errors), tuple(unknown))
 
 
 def _hint(word: str, known: list[str]) -> str:
@@ -290,16 +291,16 @@ def _hint(word: str, known: list[str]) -> str:
 
 
 def names() -> dict[str, list[str]]:
-    """The codes of all rules by name; read from the file names, nothing is imported.
+    """The codes of all rules by name; read from the file names, without imports.
 
-    A name may serve two families: a package can be missing for xacro and for a mesh.
+    Rules of two families may have the same name: a package can be missing for xacro and for a mesh.
     """
-    found: dict[str, list[str]] = {}
+    codes_by_name: dict[str, list[str]] = {}
     for code, module in _known().items():
-        found.setdefault(name_of(module), []).append(code)
-    return found
+        codes_by_name.setdefault(name_of(module), []).append(code)
+    return codes_by_name
 
 
 def all_rules() -> list[Rule]:
-    """Every rule that is known, by code; those of other packages come last."""
+    """All known rules, sorted by code; those of other packages are last."""
     return [get(code) for code in _known()]

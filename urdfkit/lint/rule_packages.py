@@ -1,9 +1,8 @@
-"""Rules of other packages, and where they are found.
+"""Search for packages of rules.
 
-A package of rules is named by the entry point of the group ``urdfkit.lint.rules`` under which it is
-installed, or by a module. Nothing is looked up unless somebody names one: to ask Python for its
-entry points costs as much as checking a robot, and a report should not depend on what else
-happens to be installed.
+A package of rules is named by its entry point in the group ``urdfkit.lint.rules``, or by a module.
+Only named packages are loaded: reading the entry points takes as long as checking a robot, and a
+report should not depend on unrelated installed packages.
 """
 
 import os
@@ -28,18 +27,17 @@ def installed() -> dict[str, str]:
 
 
 def add(names: Iterable[str], *, modules: bool, directory: str = "") -> list[str]:
-    """Make the rules of some packages known to this process.
+    """Register the rules of packages in this process.
 
     Args:
-        names: of entry points; or of modules, each a rule or a package that holds rules.
-        modules: whether modules may be named. To import one runs its code.
+        names: names of entry points; or of modules, each a rule or a package of rules.
+        modules: True if modules are allowed. Importing a module runs its code.
 
     Returns:
         The codes of the rules.
 
     Raises:
-        RuleError: there is no such package or it holds no rule; or a module is named and may
-            not be.
+        RuleError: a package does not exist or contains no rule; or a module is not allowed.
     """
     codes: list[str] = []
     for name in names:
@@ -50,9 +48,9 @@ def add(names: Iterable[str], *, modules: bool, directory: str = "") -> list[str
             if directory and os.path.abspath(directory) not in sys.path:
                 sys.path.append(os.path.abspath(directory))
             module = name
-        found = _rules_of(module)
-        rule_index.register(found)
-        codes += found
+        modules_by_code = _rules_of(module)
+        rule_index.register(modules_by_code)
+        codes += modules_by_code
     return codes
 
 
@@ -68,14 +66,14 @@ def _rules_of(name: str) -> dict[str, str]:
 
     try:
         spec = find_spec(name)
-    except Exception as error:  # a package above it may fail in any way
+    except Exception as error:  # the import of a parent package may fail in any way
         raise RuleError(f"rule package '{name}': {type(error).__name__}: {error}") from error
     if spec is None:
         hint = did_you_mean(name, installed())
         raise RuleError(f"no rule package '{name}', neither installed nor as a module{hint}")
-    inside = spec.submodule_search_locations
-    names = [name] if inside is None else [f"{name}.{one.name}" for one in iter_modules(inside)]
-    found = {code: module for module in sorted(names) if (code := rules.code_of(module))}
-    if not found:
+    paths = spec.submodule_search_locations
+    names = [name] if paths is None else [f"{name}.{info.name}" for info in iter_modules(paths)]
+    by_code = {code: module for module in sorted(names) if (code := rules.code_of(module))}
+    if not by_code:
         raise RuleError(f"rule package '{name}': no module named abc123_some_defect in it")
-    return found
+    return by_code

@@ -1,9 +1,9 @@
-"""Rules: how one is declared, and what it finds.
+"""Declaration of rules, and their findings.
 
 A rule is one file in ``urdfkit/checks``, named ``<code>_<name>.py``. Its docstring is the
 explanation that users read, with the sources of its facts, and its ``check`` yields Findings. The
-file name is the catalogue: nothing else has to be edited, and a rule is imported only when it may
-have something to say.
+file name registers the rule: nothing else has to be edited. A rule is imported only when it may
+apply to a description.
 """
 
 from __future__ import annotations
@@ -23,75 +23,72 @@ from urdfkit.text.source import Span
 if TYPE_CHECKING:
     from urdfkit.robot.model import Placed
 
-#: All that the file of a rule needs, but what its subject matter is.
+#: Imported by the file of a rule, next to the modules of its subject.
 __all__ = [
     "FIRST_VERSION", "NAMES", "Check", "Confidence", "Context", "Finding", "Findings", "Fix",
     "Location", "Need", "Related", "Rule", "Severity", "code_of", "name_of", "reported", "rule",
 ]  # fmt: skip
 
-#: The version of urdfkit that brought every rule that names no other.
+#: The version of urdfkit that introduced all rules without a ``since``.
 FIRST_VERSION = "0.1"
 
 
 class Need(Enum):
-    """What a rule needs of a Context besides the source text."""
+    """Parts of a Context that a rule needs in addition to the source text."""
 
     XACRO = "xacro"  # the expansion: macros, properties, arguments
     MODEL = "model"  # the expanded document and the robot in it
-    FILES = "files"  # the files that the model names
-    MESHES = "meshes"  # the triangles in them, measured
-    GAZEBO = "gazebo"  # what Gazebo makes of the model
+    FILES = "files"  # the files that the model references
+    MESHES = "meshes"  # measures of their triangles
+    GAZEBO = "gazebo"  # the model after conversion to SDF
     LAUNCH = "launch"  # the launch file
-    SRDF = "srdf"  # MoveIt's file of the model
-    DYNAMICS = "dynamics"  # the robot in Pinocchio, or what Pinocchio says of it
-    COLLISIONS = "collisions"  # which links overlap, by coal
+    SRDF = "srdf"  # the SRDF of the model, for MoveIt
+    DYNAMICS = "dynamics"  # the robot in Pinocchio, or results of Pinocchio
+    COLLISIONS = "collisions"  # the links that overlap, computed by coal
 
 
 class Location(Record):
-    """A place that is no element of the expanded document, with the calls that led there."""
+    """A place that is not an element of the expanded document, with its macro calls."""
 
     span: Span
     frame: CallFrame | None = None
 
 
 class Finding(Record):
-    """What a rule says. The engine adds code, severity and the way through the macros."""
+    """A finding of a rule. The engine adds code, severity and the macro calls."""
 
-    #: The element, attribute, value or place that a person must edit.
+    #: The element, attribute, value or place to edit.
     at: Element | Attribute | Placed[object] | Location
     message: str  # who (``link 'arm'``), the measured value with its unit, the bound
     help: str = ""  # what to do; the rule's own help if empty
     fix: Fix | None = None  # as text edits
     related: tuple[Related, ...] = ()  # other places that explain it
-    confidence: Confidence = Confidence.MEASURED  # how sure it is
-    weight: float = 0.0  # the larger, the worse; orders the calls of one macro
-    #: The same for findings of one cause that robots have in numbers: more than a few of them are
-    #: shown as one.
+    confidence: Confidence = Confidence.MEASURED
+    weight: float = 0.0  # larger is worse; orders the calls of one macro
+    #: Equal for findings with the same cause; more than a few of them are shown as one.
     group_key: str = ""
-    severity: Severity | None = None  # where it is not that of the rule, whatever the targets
-    #: Those for which it has this severity; empty if it does not depend on them.
+    severity: Severity | None = None  # overrides the severity of the rule, for all targets
+    #: Targets for which the finding has this severity; empty if it does not depend on them.
     targets: tuple[str, ...] = ()
-    #: Where the numbers stand that expressions took out of data files; the judge finds it.
+    #: Places in data files of the numbers that expressions read; set by the runner.
     data: tuple[Related, ...] = ()
 
     @property
     def node(self) -> Element | Attribute | None:
-        """The element or attribute that it is at; None for a place that is none."""
+        """The element or attribute of the finding; None for any other place."""
         if isinstance(self.at, Location):
             return None
         return self.at if isinstance(self.at, (Element, Attribute)) else self.at.at
 
 
-#: What a rule yields.
 Findings = Iterator[Finding]
 
 
 def reported(context: Context, code: str) -> Findings:
-    """The findings of a rule that only reports problems of reading."""
+    """The findings of a rule that only reports problems with reading the description."""
     for problem in context.problems(code):
-        at = Location(problem.span, problem.frame)
         yield Finding(
-            at,
+            Location(problem.span, problem.frame),
             problem.message,
             problem.help,
             problem.fix,
@@ -102,13 +99,13 @@ def reported(context: Context, code: str) -> Findings:
 
 Check = Callable[[Context], Findings]
 
-#: The attributes that name links and joints.
+#: Attributes whose value is the name of a link or joint.
 NAMES = ("name", "link", "joint", "reference")
 
-#: Bytes of a file that a page shows whole.
+#: Size in bytes up to which a page shows a whole file.
 _SHORT = 500
 
-#: Ends the explanation in the docstring of a rule; a line for each source follows.
+#: Separates the explanation in the docstring of a rule from its sources, one per line.
 _SOURCES = "\n\nSources:\n"
 
 
@@ -117,27 +114,27 @@ class Rule(Record):
 
     Attributes:
         code: three letters of the family and three digits.
-        name: of the defect, in kebab case.
-        severity: unless configured otherwise.
-        needs: of a Context.
+        name: name of the defect, in kebab case.
+        severity: default severity.
+        needs: parts of a Context that the rule needs.
         check: yields the findings.
-        help: what to do, where a finding does not say it.
-        fixable: True if findings may carry a fix.
-        module: that holds it; its docstring explains the rule and lists its sources.
+        help: instruction for findings without a help of their own.
+        fixable: True if findings may have a fix.
+        module: module of the rule; its docstring explains the rule and lists its sources.
         by_target: severities for single targets, where they differ.
-        preview: True for a rule that may still change; it runs only where it is asked for.
-        since: the version of urdfkit that brought it.
+        preview: True for a rule that may still change; it runs only if it is selected.
+        since: the version of urdfkit that introduced the rule.
         options: numbers that a configuration may change, with their defaults.
-        hides_parts: attributes of which a finding means that links or joints are missing; an
-            empty name for all findings.
-        reports_missing: True for a rule that reports what is missing. Where a rule that hides
-            parts has found the cause, its findings are consequences. Its fixes wait, too.
+        hides_parts: attributes; a finding at one of them means that links or joints are missing.
+            An empty name stands for all findings.
+        reports_missing: True for a rule that reports missing parts. If a rule that hides parts
+            reports the cause, its findings are consequences. Its fixes are applied last.
         depends_on_arguments: True for a rule about the parts and files that xacro arguments choose.
-            It is less severe where their values are known at run time only.
-        computes_fix: True for fixes that compute from other values of the robot; they wait until
-            those are fixed.
-        migrates: True for a rule that reports what another generation of Gazebo does not have.
-        about_files: True for a rule about mesh files, which a generated mesh answers.
+            Its findings are less severe if the values are known at run time only.
+        computes_fix: True for fixes that are computed from other values of the robot; they are
+            applied after the fixes of those values.
+        migrates: True for a rule that reports features that another Gazebo generation lacks.
+        about_files: True for a rule about mesh files, whose findings a generated mesh resolves.
     """
 
     code: str
@@ -160,18 +157,22 @@ class Rule(Record):
     about_files: bool = False
 
     def option(self, context: Context, name: str) -> float:
-        """The value of an option: as configured, else its default."""
+        """The configured value of an option, otherwise its default."""
         return context.run.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def may_report_errors(self, configured: Severity | None) -> bool:
-        """True if a finding may be an error, with the severity that the configuration gives it."""
+        """True if a finding may be an error.
+
+        Args:
+            configured: severity of the rule in the configuration; None if it has none.
+        """
         severities = (configured,) if configured else (self.severity, *self.by_target.values())
         return Severity.ERROR in severities
 
     def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
-        """The severity for some targets, and those of them that suffer most.
+        """The worst severity for some targets, and the targets that have it.
 
-        A rule without a severity of its own for any of them keeps its general one.
+        If none of the targets has a severity of its own: the default severity, and no targets.
         """
         affected = {name: self.by_target[name] for name in targets if name in self.by_target}
         if not affected:
@@ -181,8 +182,8 @@ class Rule(Record):
 
     @property
     def severities(self) -> dict[str, Severity]:
-        """For single targets, where they differ: as declared, and as the facts about them say."""
-        from urdfkit.ros.targets import TARGETS, facts_of  # reads a file for each
+        """Severities for single targets, where they differ; declared or from the target's facts."""
+        from urdfkit.ros.targets import TARGETS, facts_of  # reads a file for each target
 
         stated = {name: facts_of(name).severities.get(self.code) for name in TARGETS}
         return {
@@ -192,12 +193,12 @@ class Rule(Record):
 
     @property
     def explanation(self) -> str:
-        """What the rule finds, why it matters and what to do, for people."""
+        """Explanation for users: what the rule finds, why it matters and what to do."""
         return self._documentation.partition(_SOURCES)[0]
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """Where its facts come from, as ``what it is: address``, or what was measured."""
+        """Sources of its facts, as ``title: address``, or a description of a measurement."""
         return tuple(map(str.strip, self._documentation.partition(_SOURCES)[2].splitlines()))
 
     @property
@@ -207,14 +208,14 @@ class Rule(Record):
     def example(self, which: str) -> str | None:
         """The robot in ``BAD``, ``GOOD`` or ``FIXED`` of the rule's file.
 
-        Bytes that are no text become surrogates, as in file names.
+        Bytes that are not valid text become surrogates, as in file names.
         """
         example: str | bytes | None = getattr(sys.modules[self.module], which, None)
         return example.decode("utf-8", "surrogateescape") if isinstance(example, bytes) else example
 
     @property
     def example_files(self) -> dict[str, str]:
-        """The other files of the examples that are short enough to be shown, by relative path."""
+        """The other files of the examples that are short enough to show, by relative path."""
         files: Mapping[str, bytes] = getattr(sys.modules[self.module], "FILES", {})
         return {
             name: data.decode()
@@ -227,15 +228,15 @@ class Rule(Record):
 
 
 def code_of(module: str) -> str | None:
-    """The code of the rule in a module, by the module's name; None if it names no rule."""
+    """The code of the rule in a module; None if the module's name is not that of a rule."""
     name = module.rpartition(".")[2]
     letters, digits, rest = name[:3], name[3:6], name[6:]
-    is_one = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
-    return name[:6].upper() if is_one and name.isascii() and name.islower() else None
+    is_rule = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
+    return name[:6].upper() if is_rule and name.isascii() and name.islower() else None
 
 
 def name_of(module: str) -> str:
-    """The name of the rule in a module: what follows the code in the module's name."""
+    """The name of the rule in a module: the module's name after the code."""
     return module.rpartition(".")[2].partition("_")[2].replace("_", "-")
 
 
@@ -257,18 +258,18 @@ def rule(
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule.
 
-    Code and name are those of the file, and a file with FIXED or FIXED_FILES holds a rule with
-    fixes.
+    Code and name are taken from the file name. The rule has fixes if the file defines FIXED or
+    FIXED_FILES.
 
     Raises:
-        RuleError: the file is not named as ``abc123_some_defect.py``.
+        RuleError: the file name does not have the form ``abc123_some_defect.py``.
     """
 
     def declare(check: Check) -> Rule:
         module = check.__module__
         code = code_of(module)
         if code is None:
-            raise RuleError(f"{module}: the module of a rule is named as abc123_some_defect")
+            raise RuleError(f"{module}: name the module of a rule like abc123_some_defect")
         examples = check.__globals__
         return Rule(
             code,

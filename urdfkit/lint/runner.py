@@ -1,4 +1,4 @@
-"""The rules over one Context."""
+"""Runs rules on one Context."""
 
 from __future__ import annotations
 
@@ -29,39 +29,38 @@ OWN_FAMILY = "checking"
 #: Families of rules that apply to launch files.
 LAUNCH_FAMILIES = frozenset(("checking", "launch", "package", "worlds"))
 
-#: Findings of one rule in one file; more help nobody.
+#: Most findings of one rule in one file.
 MAX_FINDINGS = 1000
 
 
 class FileResult(Record):
-    """What the rules say about one description."""
+    """The results of the rules for one description."""
 
     diagnostics: tuple[Diagnostic, ...]  # in the order of the rules
-    #: skipped and crashed: rules that did not run, or failed.
-    skipped: tuple[Skipped, ...]
-    crashed: tuple[Crashed, ...]
+    skipped: tuple[Skipped, ...]  # rules that did not run
+    crashed: tuple[Crashed, ...]  # rules that failed
     ran: frozenset[str]  # codes of the rules that ran
-    targets: Targets | None  # the programs that severities depend on; None if none does
-    suppressed: int  # how many findings the model's comments or the configuration suppress
-    #: Those given that the description never mentions, with the one meant; those of the
-    #: configuration by the words that say which robot has none, those given to all by none.
+    targets: Targets | None  # the targets that severities depend on; None if none does
+    suppressed: int  # number of findings that comments or the configuration suppress
+    #: Arguments that the description does not declare, with the suggested name. The outer key is
+    #: the origin in the configuration, or empty for arguments of the command line.
     unknown_arguments: Mapping[str, Mapping[str, str]] = {}
-    #: Findings that follow from others, which are reported in their place.
+    #: Findings that are consequences of others, which are reported instead.
     superseded: Superseded = Superseded((), ())
 
 
 def run_rules(
     context: Context, chosen: Sequence[str], options: Options = Options(preview=True)
 ) -> FileResult:
-    """Run rules over a description.
+    """Run rules on a description.
 
     Args:
-        options: whose configuration changes severities and options of rules, and leaves findings
-            out; resolved.
+        options: resolved; its configuration changes severities and options of rules, and
+            suppresses findings.
     """
     context.run = RunState(options.config.options)
     run = _RuleRun(context, options)
-    # The rules about the checking itself look at what the others found.
+    # The rules about the checking itself read the findings of the others.
     own = [code for code in chosen if code in rule_index.of_family(OWN_FAMILY)]
     others = [code for code in chosen if code not in own]
     run.rules(others)
@@ -69,11 +68,11 @@ def run_rules(
     run.ignores = run.guarded(lambda: context.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        lacking = context.reading.missing_argument_codes
-        wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
-        is_unexplained = wants_arguments or not run.explains_failure()
-        looks_elsewhere = others and {*map(rule_index.family_of, others)} <= LAUNCH_FAMILIES
-        is_unchecked = is_unexplained and not (context.is_readable or looks_elsewhere)
+        missing = context.reading.missing_argument_codes
+        needs_arguments = bool(missing) and missing.isdisjoint(chosen)
+        is_unexplained = needs_arguments or not run.explains_failure()
+        is_for_launch = others and {*map(rule_index.family_of, others)} <= LAUNCH_FAMILIES
+        is_unchecked = is_unexplained and not (context.is_readable or is_for_launch)
         if is_unchecked or context.unchecked:
             run.rules([rule_index.NOT_CHECKED])
             context.run = context.run._replace(diagnostics=tuple(run.diagnostics))
@@ -83,7 +82,7 @@ def run_rules(
 
 
 class _RuleRun:
-    """Gathers what the rules say about one context."""
+    """Collects the findings of rules for one context."""
 
     def __init__(self, context: Context, options: Options) -> None:
         self.context = context
@@ -93,22 +92,22 @@ class _RuleRun:
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         self.ran: set[str] = set()
-        self._asked: dict[str, Rule] = {}
+        self._rules: dict[str, Rule] = {}
         self.ignores: tuple[Ignore, ...] = ()
 
-    def guarded(self, look: Callable[[], T], otherwise: T) -> T:
-        """The value of a function, or another value if it fails."""
+    def guarded(self, compute: Callable[[], T], default: T) -> T:
+        """The value of a function, or a default if it fails."""
         try:
-            return look()
-        except Exception as error:  # a bug in urdfkit must not hide what the rules find
+            return compute()
+        except Exception as error:  # a bug in urdfkit must not hide the findings of the rules
             self.crashed.append(crash("", self.context.source.path, error))
-            return otherwise
+            return default
 
     def rules(self, chosen: Iterable[str]) -> None:
-        """Run those of some rules whose family applies to the context.
+        """Run the rules whose family applies to the context.
 
         Raises:
-            Cancelled: the result is not wanted any more.
+            Cancelled: the result is no longer needed.
         """
         families: dict[str, list[str]] = {}
         for code in chosen:
@@ -121,7 +120,7 @@ class _RuleRun:
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
-        """False for a preview rule that is not selected, and for one that takes too long."""
+        """False for preview rules that are not selected, and for slow rules without errors."""
         if rule.preview and not self.options.previews(rule.code):
             return False
         configured = self.config.severities.get(rule.code)
@@ -129,24 +128,24 @@ class _RuleRun:
         return not is_skipped or rule.may_report_errors(configured)
 
     def _rule(self, rule: Rule) -> None:
-        self._asked[rule.code] = rule
+        self._rules[rule.code] = rule
         findings = self._findings(rule)
         if not findings:
             return
         try:
             findings = self._with_consistent_fixes(findings)
-            # Detected only where severities depend on them.
+            # Targets are detected only if severities depend on them.
             targets = self.context.targets.names if findings and rule.by_target else ()
-            findings = [self._of_what_is_loaded(rule, finding, targets) for finding in findings]
+            findings = [self._lowered_in_visual(rule, finding, targets) for finding in findings]
             if self.context.given_targets:
-                findings = [self._as_target_says(rule, finding, targets) for finding in findings]
+                findings = [self._with_target_facts(rule, finding, targets) for finding in findings]
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
         except Exception as error:
             self.ran.discard(rule.code)
             self.crashed.append(crash(rule.code, self.context.source.path, error))
 
     def _applicable(self, family: str, codes: list[str]) -> list[str]:
-        """Those rules of a family that may have something to report."""
+        """The rules of a family that may apply to the context."""
         path = self.context.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return []
@@ -180,14 +179,14 @@ class _RuleRun:
         return findings
 
     def _with_data(self, finding: Finding) -> Finding:
-        """A finding with the places of its numbers in data files."""
+        """A finding with the places in data files of its numbers."""
         if finding.node is None:
             return finding
         places = self.context.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
     def _with_consistent_fixes(self, findings: list[Finding]) -> list[Finding]:
-        """Findings with the fixes on which all uses of a macro agree."""
+        """Findings without the fixes that not all uses of a macro propose."""
         if not any(finding.fix for finding in findings):
             return findings
         reading = self.context.reading
@@ -197,8 +196,8 @@ class _RuleRun:
 
         return without_inconsistent_fixes(findings, self.context.uses)
 
-    def _of_what_is_loaded(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
-        """A finding, which is no error in a visual that no target loads."""
+    def _lowered_in_visual(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
+        """A finding; an error in a visual that no target loads is lowered to a warning."""
         severity = finding.severity or rule.severity_for(targets)[0]
         if severity is not Severity.ERROR or self.context.loads_visuals:
             return finding
@@ -206,37 +205,37 @@ class _RuleRun:
             return finding
         return finding._replace(severity=Severity.WARNING, targets=())
 
-    def _as_target_says(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
-        """A finding as severe as the facts about the given targets say.
+    def _with_target_facts(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
+        """A finding with the worst severity that the facts about the given targets state.
 
-        What one of them has no severity for stays as it is, and so does a finding that the rule
-        gives a severity of its own, unless all of them take what it is about.
+        A target whose facts state none keeps the severity of the finding. A finding with a severity
+        of its own is only lowered.
         """
-        given = self.context.given_facts
-        stated = {one.name: one.severities.get(rule.code) for one in given}
         severity = finding.severity or rule.severity_for(targets)[0]
-        each = {name: Severity(one) if one else severity for name, one in stated.items()}
-        worst = min(each.values(), key=lambda one: one.rank)
+        by_target = {
+            facts.name: Severity(facts.severities.get(rule.code) or severity)
+            for facts in self.context.given_facts
+        }
+        worst = min(by_target.values(), key=lambda each: each.rank)
         if worst is severity or (finding.severity and worst.rank < severity.rank):
             return finding
-        return finding._replace(
-            severity=worst, targets=tuple(name for name, one in each.items() if one is worst)
-        )
+        affected = tuple(name for name, each in by_target.items() if each is worst)
+        return finding._replace(severity=worst, targets=affected)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
     def explains_failure(self) -> bool:
-        """True if an error that nothing suppresses says why the robot is not read."""
+        """True if a finding that is not suppressed states why the robot cannot be read."""
         return any(
-            found.severity is Severity.ERROR or found.code in rule_index.NOT_EXPANDED
-            for found in self._kept()
+            diagnostic.severity is Severity.ERROR or diagnostic.code in rule_index.NOT_EXPANDED
+            for diagnostic in self._unsuppressed()
         )
 
-    def _kept(self) -> tuple[Diagnostic, ...]:
+    def _unsuppressed(self) -> tuple[Diagnostic, ...]:
         """The findings that neither the configuration nor a comment suppresses."""
-        diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
+        diagnostics = tuple(d for d in self.diagnostics if not self._is_ignored(d))
         if not self.ignores:
             return diagnostics
         from urdfkit.lint.suppress import apply_suppressions
@@ -244,9 +243,9 @@ class _RuleRun:
         return apply_suppressions(diagnostics, self.ignores).kept
 
     def result(self) -> FileResult:
-        diagnostics = self._kept()
-        left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, superseded = _without_consequences(diagnostics, self._asked)
+        diagnostics = self._unsuppressed()
+        suppressed = len(self.diagnostics) - len(diagnostics)
+        diagnostics, superseded = _without_consequences(diagnostics, self._rules)
         targets = self.context.targets if "targets" in vars(self.context) else None
         return FileResult(
             diagnostics,
@@ -254,12 +253,12 @@ class _RuleRun:
             tuple(self._distinct_crashes()),
             frozenset(self.ran),
             targets,
-            left_out,
+            suppressed,
             superseded=superseded,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
-        """Without the failed looks at the robot that rules have failed with, too."""
+        """Crashes, without those outside of rules that repeat the error of a rule."""
         of_rules = {crashed.error for crashed in self.crashed if crashed.code}
         reported: set[str] = set()
         for crashed in self.crashed:
@@ -267,7 +266,7 @@ class _RuleRun:
                 reported.add(crashed.error)
                 yield crashed
 
-    def _left_out(self, diagnostic: Diagnostic) -> bool:
+    def _is_ignored(self, diagnostic: Diagnostic) -> bool:
         config = self.config
         is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
         path = diagnostic.span.source.path
@@ -275,7 +274,7 @@ class _RuleRun:
 
 
 def _is_of_visual(node: Element | Attribute | None) -> bool:
-    """True for what is in a visual; its material is read even where visuals are not loaded."""
+    """True inside a visual, except in its material, which is read even if visuals are not."""
     element = node.element if isinstance(node, Attribute) else node
     while element is not None and element.tag not in ("visual", "material"):
         element = element.parent
@@ -285,26 +284,29 @@ def _is_of_visual(node: Element | Attribute | None) -> bool:
 def _without_consequences(
     diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
 ) -> tuple[tuple[Diagnostic, ...], Superseded]:
-    """Findings without what follows from others, which are then as severe as that; and that."""
-    causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
+    """Findings without the consequences of others, and the superseded findings.
+
+    A cause is as severe as the worst of its consequences.
+    """
+    causes = [finding for finding in diagnostics if _hides_parts(finding, rules[finding.code])]
     if not causes:
         return diagnostics, Superseded((), ())
-    kept: list[Diagnostic] = []
+    reported: list[Diagnostic] = []
     hidden: list[Diagnostic] = []
-    for one in diagnostics:
-        (hidden if rules[one.code].reports_missing else kept).append(one)
-    for place, found in enumerate(kept):
-        if found in causes:
-            worst = min((found, *hidden), key=lambda one: one.severity.rank)
-            kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), Superseded(tuple(causes), tuple(hidden))
+    for finding in diagnostics:
+        (hidden if rules[finding.code].reports_missing else reported).append(finding)
+    for index, finding in enumerate(reported):
+        if finding in causes:
+            worst = min((finding, *hidden), key=lambda each: each.severity.rank)
+            reported[index] = finding._replace(severity=worst.severity)
+    return tuple(reported), Superseded(tuple(causes), tuple(hidden))
 
 
 def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
-    """True if the robot lacks parts for a tag or a name that xacro did not expand.
+    """True if the robot lacks parts because xacro did not expand a tag or a name.
 
-    A macro that is not called makes no link, and a name that is not expanded is none: what then
-    says that something is missing is the same defect again.
+    A macro that is not called creates no link, and a name that is not expanded does not exist.
+    Findings about missing parts then repeat the same defect.
     """
     if not rule.hides_parts or "" in rule.hides_parts:
         return bool(rule.hides_parts)

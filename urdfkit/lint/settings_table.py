@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 C = TypeVar("C", Confidence, Severity)
 
-#: What TOML calls the values that settings have.
+#: Names in messages of the TOML types of settings.
 _KINDS = {
     bool: "true or false",
     dict: "a table",
@@ -28,11 +28,11 @@ _KINDS = {
 
 
 class SettingsTable:
-    """Takes settings out of a table one by one; what is left at the end does not exist.
+    """Takes settings out of a table one by one; settings left at the end are unknown.
 
     Args:
         where: the name of the table; empty for the outermost.
-        trusted: False if it comes with a robot from anywhere.
+        trusted: False if the table may come with a robot from an untrusted origin.
     """
 
     def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
@@ -45,17 +45,17 @@ class SettingsTable:
         self._known: list[str] = []
 
     def error(self, message: str) -> ConfigError:
-        """An error that names the file, the line of the setting that it quotes first, the table."""
+        """An error with file, table, and the line of the setting that is quoted first."""
         quoted = re.search(r"'(.+?)'", message)
         line = _line(self.path, self.where, quoted[1] if quoted else "")
         where = f"{self.where}: " if self.where else ""
         return ConfigError(f"{self.path}{f':{line}' if line else ''}: {where}{message}")
 
     def take(self, key: str, kind: type, default: Any) -> Any:
-        """A setting of a type.
+        """The value of a setting.
 
         Raises:
-            ConfigError: it has another one.
+            ConfigError: the value has another type.
         """
         self._known.append(key)
         value = self._left.pop(key, default)
@@ -72,7 +72,7 @@ class SettingsTable:
         return tuple(values)
 
     def number(self, key: str, default: float) -> float:
-        """A number that is not below 0; a whole one where the default is."""
+        """A number from 0; an integer if the default is an integer."""
         self._known.append(key)
         value = self._left.pop(key, default)
         is_whole = isinstance(default, int)
@@ -83,12 +83,12 @@ class SettingsTable:
         return float(value) if not is_whole else int(value)
 
     def choice(self, key: str, default: C) -> C:
-        """A setting that is one of the words of an enumeration."""
+        """A setting whose value is one of an enumeration."""
         return self.as_choice(type(default), key, self.take(key, str, default.value))
 
     def as_choice(self, kind: type[C], key: str, value: Any) -> C:
-        """The member of an enumeration that a word names."""
-        known = [one.value for one in kind]
+        """The member of an enumeration with a value."""
+        known = [member.value for member in kind]
         if value not in known:
             raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
         return kind(value)
@@ -103,24 +103,24 @@ class SettingsTable:
             for i, value in enumerate(values, 1)
         ]
 
-    def finish(self, what: str = "setting") -> None:
-        """See that nothing is left.
+    def finish(self, kind: str = "setting") -> None:
+        """Reject settings that were not taken.
 
         Raises:
-            ConfigError: there is a setting that does not exist; with the nearest name.
+            ConfigError: a setting is unknown; the message suggests the nearest name.
         """
         for key in self._left:
-            raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")
+            raise self.error(f"unknown {kind} '{key}'{did_you_mean(key, self._known)}")
 
 
 def _line(path: str, table: str, key: str) -> int:
-    """The line of a setting, or of the table that lacks it; 0 if neither is found."""
+    """The line of a setting, or of its table if it is missing; 0 if neither is found."""
     array = re.search(r"(.+)\[(\d+)\]", table)
     index = int(array[2]) if array else 0
-    wanted = ".".join(filter(None, (re.sub(r"\[\d+\]", "", table), key))) + "."
+    setting = ".".join(filter(None, (re.sub(r"\[\d+\]", "", table), key))) + "."
     root = "tool.urdfkit." if os.path.basename(path) == "pyproject.toml" else ""
     section = nearest = ""
-    seen = found = 0
+    tables = nearest_line = 0
     for number, line in enumerate(disk.read(path).decode(errors="replace").splitlines(), 1):
         text = re.match(r"\s*(\[*)\s*([\w.\"'-]+)\s*[\]=]", line)
         if not text:
@@ -128,9 +128,10 @@ def _line(path: str, table: str, key: str) -> int:
         name = re.sub("[\"']", "", text[2]) + "."
         if text[1]:
             section = name
-            seen += bool(array and text[1] == "[[" and name == f"{root}{array[1]}.")
+            tables += bool(array and text[1] == "[[" and name == f"{root}{array[1]}.")
         else:
             name = section + name
-        if f"{root}{wanted}".startswith(name) and len(name) > len(nearest) and seen in (0, index):
-            found, nearest = number, name
-    return found if len(nearest) > len(root) else 0
+        is_parent = f"{root}{setting}".startswith(name)
+        if is_parent and len(name) > len(nearest) and tables in (0, index):
+            nearest_line, nearest = number, name
+    return nearest_line if len(nearest) > len(root) else 0

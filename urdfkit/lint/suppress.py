@@ -1,4 +1,4 @@
-"""Suppression: which findings ignore comments leave out."""
+"""Suppression of findings by ignore comments."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from urdfkit.text.source import Span
 class SuppressionResult(Record):
     """Findings after suppression."""
 
-    kept: tuple[Diagnostic, ...]  # what remains, with the calls that remain
-    suppressed: int  # how many findings were suppressed wholly
-    hits: frozenset[Span]  # the comments that suppressed something
+    kept: tuple[Diagnostic, ...]  # remaining findings, with their remaining macro calls
+    suppressed: int  # number of findings that were suppressed completely
+    hits: frozenset[Span]  # comments that suppressed a finding or call
 
 
 def apply_suppressions(
     diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]
 ) -> SuppressionResult:
-    """Take out what comments suppress: whole findings, or single calls of a macro."""
+    """Remove the findings, or their single macro calls, that comments suppress."""
     kept: list[Diagnostic] = []
     suppressed = 0
     hits: set[Span] = set()
@@ -46,9 +46,9 @@ def apply_suppressions(
 
 
 def _names(comment: Ignore, diagnostic: Diagnostic) -> bool:
-    """True if a comment names the rule of a finding.
+    """True if a comment contains the rule of a finding.
 
-    A former rule was merged with others, whose errors nobody wanted to suppress.
+    A former rule was merged with others, whose errors the comment is not meant to suppress.
     """
     is_error = diagnostic.severity is Severity.ERROR
     return any(
@@ -71,27 +71,27 @@ def _remaining(diagnostic: Diagnostic, naming: CommentIndex, hits: set[Span]) ->
 
 
 class CommentIndex:
-    """Ignore comments, found by place: a file may have thousands of them."""
+    """Search of ignore comments by place: a file may have thousands of them."""
 
     def __init__(self, comments: Iterable[Ignore]) -> None:
         by_source: dict[int, list[Ignore]] = {}
         for comment in comments:
             by_source.setdefault(id(comment.span.source), []).append(comment)
-        self._by_source = {key: _Nested(found) for key, found in by_source.items()}
+        self._by_source = {key: _Nested(nested) for key, nested in by_source.items()}
 
     def covering(self, span: Span) -> list[Ignore]:
-        """The comments about the elements around a place."""
+        """The comments that apply to the elements around a place."""
         nested = self._by_source.get(id(span.source))
         return nested.around(span.start) if nested else []
 
 
 class _Nested:
-    """Comments of one file; the elements that they are about are nested or disjoint."""
+    """Comments of one file; the elements that they apply to are nested or disjoint."""
 
     def __init__(self, comments: list[Ignore]) -> None:
         self._comments = sorted(comments, key=lambda comment: (comment.start, -comment.end))
         self._starts = [comment.start for comment in self._comments]
-        self._outer: list[int] = []  # for each comment the one around it, or -1
+        self._outer: list[int] = []  # index of the enclosing comment of each comment, or -1
         outer = -1
         for number, comment in enumerate(self._comments):
             while outer >= 0 and self._comments[outer].end <= comment.start:
@@ -101,9 +101,9 @@ class _Nested:
 
     def around(self, place: int) -> list[Ignore]:
         number = bisect_right(self._starts, place) - 1
-        found = []
+        comments = []
         while number >= 0:
             if place < self._comments[number].end:
-                found.append(self._comments[number])
+                comments.append(self._comments[number])
             number = self._outer[number]
-        return found
+        return comments

@@ -1,4 +1,4 @@
-"""Why a robot is not checked, and what to do about it."""
+"""Reasons why robots are not checked, with instructions."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -17,23 +17,23 @@ from urdfkit.xacro import Xacro
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
-    """Why a description that cannot be read is not checked, and what to do about it."""
-    names = tuple(dict.fromkeys(one.argument for one in reading.lacking))
+    """The reason why a description is not checked, and an instruction."""
+    names = tuple(dict.fromkeys(problem.argument for problem in reading.lacking))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
         first = next(errors, None)
-        what = "cannot be read" if reading.xacro is None else "does not expand"
-        why = f"it {what}" + (f": {first.message} ({first.code})" if first else "")
+        failure = "cannot be read" if reading.xacro is None else "does not expand"
+        why = f"it {failure}" + (f": {first.message} ({first.code})" if first else "")
         return why, f"urdfkit check {shown(source.path)} --select XML,XAC shows the errors"
-    found = {name: found_values(name, reading.xacro, resolver) for name in names}
-    known = "; ".join(f"{name}: {reported(one)}" for name, one in found.items() if one)
+    candidates = {name: found_values(name, reading.xacro, resolver) for name in names}
+    tried = "; ".join(f"{name}: {reported(each)}" for name, each in candidates.items() if each)
     quoted = ", ".join(f"'{name}'" for name in names)
     why = f"it needs the argument{'s' * (len(names) > 1)} {quoted}"
-    why += f" (found for {known}, with which it does not expand)" if known else ""
+    why += f" (found for {tried}, with which it does not expand)" if tried else ""
     config = nearest(source.path)
     directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
     file = os.path.relpath(source.path, directory).replace(os.sep, "/")
-    values = {name: one.values[0] if one else "VALUE" for name, one in found.items()}
+    values = {name: each.values[0] if each else "VALUE" for name, each in candidates.items()}
     words = " ".join(f"{name}:={value}" for name, value in values.items())
     lines = ["[[robot]]", f'file = "{file}"']
     lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]
@@ -41,7 +41,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
 
 
 def unread_files(contexts: Iterable[Context]) -> list[str]:
-    """The files that descriptions include, but with none of the arguments of their check."""
+    """The files that descriptions include only with other arguments than those of their checks."""
     read: set[str] = set()
     unread: dict[str, str] = {}  # by real path
     for context in contexts:
@@ -54,7 +54,7 @@ def unread_files(contexts: Iterable[Context]) -> list[str]:
 
 
 def _unread(xacro: Xacro, resolver: Resolver) -> Iterator[str]:
-    """The paths in the include tags that were not evaluated, as far as they hold no expression."""
+    """The paths without expressions in include tags that were not evaluated."""
     sources = {source.path: source for source in xacro.sources}
     for path, start in xacro.unread_includes:
         if match := INCLUDE.match(sources[path].data, start):

@@ -93,7 +93,7 @@ def _srdf(path: str, context: Context) -> Srdf:
     """
     from urdfkit.ros.moveit.srdf import is_srdf, read
 
-    Source.read(path)  # says why if there is none
+    Source.read(path)  # raises an error if the file is missing
     found = read(path, context)
     if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
@@ -101,7 +101,7 @@ def _srdf(path: str, context: Context) -> Srdf:
 
 
 def _write(matrix: Matrix, path: str) -> None:
-    """Write the SRDF, or bring the one that is there up to date."""
+    """Write the SRDF, or update the existing one."""
     from urdfkit.physics.collision.srdf_matrix import new_srdf, updated_srdf
 
     is_there = os.path.exists(path)

@@ -1,4 +1,4 @@
-"""A collision matrix as people and programs read it."""
+"""A collision matrix as text, Markdown and JSON."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
@@ -20,7 +20,7 @@ _MEANING = {
     PairVerdict.UNKNOWN: "coal crashed on this pair",
 }
 
-#: Pairs in a list for people; the rest are counted. JSON has them all.
+#: Most pairs in a list of text; the rest are counted. JSON contains all.
 _MOST = 30
 _WIDTH = 80
 
@@ -62,7 +62,7 @@ def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
 
 
 def _aligned(names: Sequence[str]) -> list[str]:
-    """Names that take as many columns as the widest of them."""
+    """Names padded to the width of the widest."""
     cells = [printable(name) for name in names]
     wide = max(map(columns, cells))
     return [cell + " " * (wide - columns(cell)) for cell in cells]
@@ -132,7 +132,7 @@ def _title(matrix: Matrix) -> str:
 
 
 def _lists(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[_List]:
-    """What deserves a list: never the pairs that nobody has to care for."""
+    """The lists of pairs that need attention."""
     often = sorted(matrix.of(PairVerdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
     named = [
         ("collide in the initial pose", matrix.of(PairVerdict.DEFAULT)),

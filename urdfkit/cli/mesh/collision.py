@@ -63,7 +63,7 @@ def command(
 
 
 def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
-    """The shapes that were tried for each visual, and the one that was chosen."""
+    """The candidate shapes of each visual, and the chosen one."""
     if not proposals:
         yield "every link with a visual mesh has a collision of its own"
     for proposal in proposals:

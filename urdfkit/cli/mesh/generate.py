@@ -104,7 +104,7 @@ def _of_robot(
 
 
 def render(found: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
-    """What was made, and what was not."""
+    """The generated meshes, and the failures."""
     if not found.generated and not found.not_generated:
         yield "nothing is missing"
     for one in found.generated:

@@ -49,7 +49,7 @@ def command(file: str, path: str | None, keep_holes: bool, one_sided: bool, unio
 
 
 def render(done: Repair, defect: str) -> Iterator[str]:
-    """What was wrong, what was done, and the state before and after."""
+    """The defects, the repairs, and the state before and after."""
     if defect:
         yield from output.indented(f"the file {defect}", first="")
     if not done.steps:
@@ -73,7 +73,7 @@ def render(done: Repair, defect: str) -> Iterator[str]:
 
 
 def _asked(health: Health) -> Iterator[str]:
-    """The options that repair what is left."""
+    """The options that repair the remaining defects."""
     if health.doubled:
         yield "--one-sided removes one side of the sheets"
     if health.overlap > OVERLAP:

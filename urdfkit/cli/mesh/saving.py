@@ -1,4 +1,4 @@
-"""Where commands about meshes write: a new file, or the file itself."""
+"""Output files of mesh commands: a new file, or the input file."""
 
 from collections.abc import Callable, Iterator
 from functools import wraps
@@ -34,7 +34,7 @@ def writes(command: Callable[..., int]) -> Callable[..., int]:
 
 
 def destination(file: str, out: str | None, in_place: bool, force: bool) -> str | None:
-    """Where to write; None for nowhere.
+    """The output file; None to write nothing.
 
     Raises:
         UsageError: both a file and in place.

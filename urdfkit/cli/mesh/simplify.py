@@ -45,7 +45,7 @@ def command(file: str, path: str | None, triangles: int | None, error: float | N
 
 
 def render(found: Simplified) -> Iterator[str]:
-    """Before, after, and how far the surface has moved."""
+    """The mesh before and after, and the deviation of the surface."""
     yield from tables.columns(tables.before_and_after(found.before, found.after))
     share = 100 * found.deviation / found.diagonal
     yield from tables.distances(found.lost, found.gained)

@@ -76,7 +76,7 @@ def command(asked: dict[str, Any], out: str | None, form: str, **options: Any) -
 
 
 def render(found: RobotSpheres) -> Iterator[str]:
-    """The table, and what is replaced or left out."""
+    """The table, and the replaced or omitted shapes."""
     head = ("link", "spheres", "coverage", "surface", "sticks out: mean", "p95", "max")
     rows: list[tuple[str, ...]] = [head]
     rows += [_row(one.link, one.quality) for one in found.links]

@@ -1,4 +1,4 @@
-"""Numbers of meshes as people read them."""
+"""Tables with the properties of meshes."""
 
 from collections.abc import Sequence
 
@@ -7,7 +7,7 @@ from urdfkit.mesh.measures import OVERLAP
 
 
 def length(metres: float) -> str:
-    """A length with a unit that suits it."""
+    """A length in a suitable unit."""
     size = abs(metres)
     if size < 1e-9:
         return "0 m"
@@ -23,7 +23,7 @@ def volume(cubic_metres: float) -> str:
 
 
 def surface(health: Health) -> str:
-    """One phrase that says whether the triangles enclose a solid."""
+    """A phrase that states whether the triangles enclose a solid."""
     if health.is_solid:
         return "closed, a solid"
     found = [
@@ -58,7 +58,7 @@ def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]
 
 
 def distances(lost: float, gained: float) -> list[str]:
-    """How far the surface has moved, both ways."""
+    """The deviation of the surface in both directions."""
     return [
         f"deviation, old surface to new  {length(lost)}",
         f"deviation, new surface to old  {length(gained)}",
@@ -66,7 +66,7 @@ def distances(lost: float, gained: float) -> list[str]:
 
 
 def beyond(protrusion: float, missing: float) -> list[str]:
-    """How far shapes stick out of a mesh, and the mesh out of them."""
+    """The distances by which shapes and mesh protrude from each other."""
     return [
         f"pieces stick out of the mesh by  {length(protrusion)}",
         f"mesh sticks out of the pieces by  {length(missing)}",
