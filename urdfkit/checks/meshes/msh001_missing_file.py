@@ -8,8 +8,8 @@ never committed. XAC011 reports packages that are not found. Also reported:
 - A name that differs from the file's name in upper and lower case: Windows and most Macs find the
   file, Linux does not.
 - Backslashes, which separate directories only on Windows. Write `/`.
-- A third slash, as in `package:///arm/arm.stl`, or a file without package, as in
-  `package://arm.stl`. Only PyBullet searches for the rest next to the URDF (a warning if it is
+- A third slash, as in `package:///arm/arm.stl`, or a file alone, as in `package://arm.stl`: the
+  package is missing. Only PyBullet searches for the rest next to the URDF (a warning if it is
   there).
 - A file outside the workspace of the model and of the packages that are found: it exists on this
   computer only, and urdfkit does not read it (a warning).

@@ -5,9 +5,9 @@ Reported if one of them is a target. The URDF of a xacro is assumed to be next t
 MuJoCo reads the name of a mesh as a path relative to the URDF, or to `meshdir`: it does not resolve
 packages, and rejects a robot with `package://arm_description/meshes/arm.stl` ("Error opening
 file"). Visuals are reported only with `<mujoco><compiler discardvisual="false"/></mujoco>`. If all
-meshes are in one directory, declare it with
-`<mujoco><compiler meshdir="../meshes" strippath="true"/></mujoco>`, which ROS ignores. Otherwise
-give MuJoCo a copy of the URDF with relative names (`urdfkit bundle --for mujoco`).
+meshes are in one directory, declare it for MuJoCo in a block that ROS ignores:
+`<mujoco><compiler meshdir="../meshes" strippath="true"/></mujoco>`. Otherwise give MuJoCo a copy
+of the URDF with relative names (`urdfkit bundle --for mujoco`).
 
 PyBullet removes `package://` and searches for the remaining path in the directory of the URDF and
 in all its parent directories. It finds `package://arm_description/meshes/arm.stl` only if one of
