@@ -48,7 +48,7 @@ def test_short_files_beside_the_examples_are_shown_and_meshes_are_not() -> None:
 def test_lists_fit_into_80_columns_too() -> None:
     text = render(rule_index.get("MSH001")).partition("\n\nNeeds:")[0]
     assert max(map(len, text.splitlines())) <= 80
-    assert "\n- A third slash, as in `package:///arm/arm.stl`, and a file alone, as in\n  " in text
+    assert "\n- A third slash, as in `package:///arm/arm.stl`, or a file alone, as in\n  " in text
 
 
 @pytest.mark.parametrize("code", rule_index.codes())

@@ -72,10 +72,10 @@ def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("factor", "why"),
     [
-        (1000, "millimetres taken for metres"),
-        (100, "centimetres taken for metres"),
-        (39.37, "inches taken for metres"),
-        (25.4, "inches taken for millimetres, or the other way round"),
+        (1000, "millimetres read as metres"),
+        (100, "centimetres read as metres"),
+        (39.37, "inches read as metres"),
+        (25.4, "inches read as millimetres, or the reverse"),
         (10, "a decimal point"),
     ],
 )

@@ -21,7 +21,7 @@ def test_one_origin_far_from_all_others() -> None:
     text = robot(*NEAR, at("j", "0 0 -150"))
     (found,) = reported("JNT012", text)
     assert found.message == (
-        "joint 'j': the origin is 150 m away, but half of the other 3 joints lie less than 0.2 m "
+        "joint 'j': the origin is 150 m away, but half of the other 3 joints are less than 0.2 m "
         "apart; that looks like millimetres"
     )
     assert found.confidence is Confidence.INFERRED

@@ -16,7 +16,7 @@ def test_lines(tmp_path: Path) -> None:
     files = {"a.dae": collada(more=LINES), "b.dae": collada()}
     robot = link(mesh("a.dae", "visual"), mesh("b.dae", "visual"))
     assert messages(tmp_path, "MSH029", robot, files) == [
-        "link 'arm': the visual mesh 'a.dae' also holds 1 line set; only triangles are shown"
+        "link 'arm': the visual mesh 'a.dae' also contains 1 line set; only triangles are shown"
     ]
 
 
@@ -25,7 +25,7 @@ def test_cameras_and_lights(tmp_path: Path) -> None:
         b"<node>", b'<node><instance_camera url="#a"/><instance_light url="#b"/>'
     )
     (found,) = messages(tmp_path, "MSH029", link(mesh("a.dae")), {"a.dae": text})
-    assert "also holds 1 camera, 1 light; only" in found
+    assert "also contains 1 camera, 1 light; only" in found
 
 
 def test_coloured_triangles(tmp_path: Path) -> None:
@@ -35,7 +35,7 @@ def test_coloured_triangles(tmp_path: Path) -> None:
     files = {"a.stl": coloured, "b.stl": other, "c.stl": SOUND}
     assert messages(tmp_path, "MSH029", robot, files) == [
         (
-            "link 'arm': the visual mesh 'a.stl' holds colours of 12 triangles, which URDF "
+            "link 'arm': the visual mesh 'a.stl' contains colours of 12 triangles, which URDF "
             "programs ignore"
         )
     ]

@@ -421,7 +421,7 @@ def test_mujoco_gets_all_objects_of_an_obj(tmp_path: Path) -> None:
         f'<robot name="r"><link name="base">{INERTIAL}{collision}</link></robot>'.encode(),
     )
     (found,) = check(robot, select=["MSH007"], targets=["mujoco"]).diagnostics
-    assert "holds 2 objects, of which MuJoCo loads the first" in found.message
+    assert "contains 2 objects, of which MuJoCo loads the first" in found.message
     made, _ = bundle(robot, tmp_path / "out", consumer="mujoco")
     urdf = str(tmp_path / "out" / made.urdf)
     assert mujoco.MjModel.from_xml_path(urdf).mesh_facenum.tolist() == [8]

@@ -4,5 +4,5 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True for every description; the runner says when each of its rules runs."""
+    """True for every description; the runner decides when each of its rules runs."""
     return True

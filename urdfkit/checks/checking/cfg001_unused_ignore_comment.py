@@ -28,7 +28,7 @@ def check(context: Context) -> Findings:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
             place = Location(ignore.span)
-            # Of a file that others include, another robot may need it.
+            # Another robot that includes the file may need the comment.
             is_own = ignore.span.source is context.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
             named = ", ".join(codes) or "any rule"

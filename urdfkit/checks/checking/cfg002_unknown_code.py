@@ -1,8 +1,8 @@
 """An ignore comment names a rule that does not exist.
 
 The comment suppresses nothing. `urdfkit rules` lists the codes; the beginning of a code selects
-all rules that begin with it. The former code of a rule, which was merged with another one, still
-suppresses the warnings and infos of both, but no error; that it has another code now is an info.
+all rules that begin with it. The former code of a rule that was merged with another one still
+suppresses the warnings and infos of both, but not errors; a former code is an info.
 """
 
 from urdfkit.errors import UnknownRule

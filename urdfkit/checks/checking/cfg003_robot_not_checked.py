@@ -1,16 +1,16 @@
 """A robot was found and could not be checked.
 
-It wants arguments for which no file has values, or it cannot be read for a reason that this check
-is configured to ignore. Nothing of the robot was checked, and a report without findings would hide
-that. The same holds for single values of an argument: more than 16, or a directory with whose name
-the robot does not expand. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
-comment above the root element and `per-file-ignores` accept robots that stay unchecked. A directory
-that has launch files or macros, and no robot, is reported in the same way.
+The robot requires arguments for which no file has values, or it cannot be read for a reason that
+this check is configured to ignore. The robot was not checked, and a report without findings would
+hide that. Single values of an argument are reported, too: values beyond the first 16, and names of
+directories with which the robot does not expand. So this rule runs with any `--select`; `--ignore
+CFG003`, an ignore comment above the root element and `per-file-ignores` accept robots that are not
+checked. A directory that has launch files or macros, but no robot, is reported in the same way.
 
-Values for arguments are taken from the launch files of the package and of the workspace, from the
+Values for arguments are read from the launch files of the package and of the workspace, from the
 choices and defaults that launch files declare under the same name, from defaults in the files
-that the robot includes, and from the names of directories that a path with the argument leads to,
-as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `urdfkit.toml`:
+that the robot includes, and from the names of directories that a path with the argument refers to,
+as in `config/$(arg ur_type)/limits.yaml`. If there are none, write them in `urdfkit.toml`:
 
     [[robot]]
     file = "urdf/arm.urdf.xacro"
@@ -36,7 +36,7 @@ def check(context: Context) -> Findings:
             "list the robot's variants in urdfkit.toml, under [[robot]]",
             group_key=one.name,
         )
-    # A part of a robot is checked through the file that includes it, which XAC001 names.
+    # A part of a robot is checked with the file that includes it, which XAC001 reports.
     if context.reading.document is not None or context.reading.is_fragment:
         return
     from urdfkit.lint.unchecked import why_unchecked

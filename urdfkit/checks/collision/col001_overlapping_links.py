@@ -1,29 +1,29 @@
 """Collision geometries of two links overlap.
 
-- Where all joints are at zero, a warning: the links are neither adjacent nor rigidly connected, and
-  other poses separate them, but MoveIt rejects a plan that starts there, and a simulator with
+- Overlap with all joints at zero, a warning: the links are neither adjacent nor rigidly connected,
+  and other poses separate them, but MoveIt rejects a plan that starts at zero, and a simulator with
   self-collision pushes the parts apart in its first step. Links below a joint that cannot be at
-  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper. The depth is said
-  of primitives and convex meshes; of other meshes coal has none that could be relied on.
-- In every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt can
-  plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning where
-  `<self_collide>` lets one of the two collide with its robot in Gazebo, which has no such list: it
-  pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag of the
-  model, in a `<gazebo>` block without a reference, and not those of links.
-- Adjacent links, an info: most of the smaller body is inside the other one, such as a wheel deep in
-  the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent links, but
-  the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
-  meshes are reported, since their penetration depth is exact.
+  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper. The depth is stated
+  for primitives and convex meshes; coal's depth for other meshes is not reliable.
+- Overlap in every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt
+  can plan only if the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning if
+  `<self_collide>` enables collisions of one of the two with its robot in Gazebo, which has no such
+  list: it pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag
+  of the model, in a `<gazebo>` block without a reference, and not the tags of links.
+- Overlap of adjacent links, an info: most of the smaller body is inside the other one, such as a
+  wheel deep in the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent
+  links, but the outer geometry hits objects that the inner one should hit, such as a kerb. Only
+  primitives and convex meshes are reported, since their penetration depth is exact.
 
-- For a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim, PyBullet), a warning:
-  the hulls overlap by more than 1 mm at the beginning, and the simulator pushes the links apart
-  from the first step on; Isaac Sim and PyBullet only where self-collision is turned on. Where the
-  meshes themselves are apart, write convex pieces, each as a `<collision>` of its own. MuJoCo welds
-  the root link of a URDF to the world, and does not ignore the collisions between it and the link
-  that its first joint moves.
+- Overlap of convex hulls, for a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim,
+  PyBullet), a warning: the hulls overlap by more than 1 mm at the beginning, and the simulator
+  pushes the links apart from the first step on; Isaac Sim and PyBullet only if self-collision is
+  enabled. If the meshes themselves do not overlap, write convex pieces, each as a separate
+  `<collision>`. MuJoCo welds the root link of a URDF to the world, and does not ignore the
+  collisions between it and the link that its first joint moves.
 
 Correct the origin of a joint or of a collision, or make the collision geometry smaller;
-`urdfkit mesh collision` makes shapes that follow a mesh.
+`urdfkit mesh collision` creates shapes that approximate a mesh.
 
 Sources:
     MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
@@ -65,13 +65,13 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
 
-#: In m: closed fingers of real grippers overlap by 0.3 mm.
+#: Least reported overlap, in m: closed fingers of real grippers overlap by 0.3 mm.
 _DEEP = 1e-3
 
-#: Of the volume of its hull: a mesh that fills so much of it is convex but for its edges.
+#: Part of the volume of its hull from which a mesh counts as convex: rounded edges are missing.
 _FILLED = 0.95
 
-#: Of the thickness of the smaller body: wheels of real robots often stand half in the chassis.
+#: Least reported part of the smaller body's thickness: wheels are often half inside the chassis.
 _PART = 0.6
 
 
@@ -106,32 +106,33 @@ def check(context: Context) -> Findings:
                 group_key="overlap",
                 severity=severity,
             )
-    if simulators := [one for one in map(facts_of, context.given_targets) if one.collides_hulls]:
+    simulators = [facts for facts in map(facts_of, context.given_targets) if facts.collides_hulls]
+    if simulators:
         from urdfkit.physics.collision.hull_overlaps import hull_overlaps  # for few targets
 
         for overlap in hull_overlaps(contacts, _DEEP):
             if (overlap.first.link, overlap.second.link) not in reported:
-                yield from _of_hulls(context, overlap, simulators)
+                yield from _hull_overlap(context, overlap, simulators)
 
 
 def _self_colliding(context: Context) -> set[str]:
-    """The links that collide with others of their robot in Gazebo; those with a joint never do.
+    """Links that collide with other links of their robot in Gazebo, unless a joint connects them.
 
-    gz-sim reads the tag of the model alone, Gazebo Classic that of each link.
+    gz-sim reads only the tag of the model, Gazebo Classic the tag of each link.
     """
     simulators = context.targets.among(GAZEBO)
     of_model_alone = bool(simulators) and not context.targets.any_of(CLASSIC)
-    found: set[str] = set()
+    names: set[str] = set()
     for block in context.model.gazebo:
-        flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
+        flags = (flag for flag in block.children if flag.tag in ("selfCollide", "self_collide"))
         reference = block.get("reference")
         if not (reference and of_model_alone) and any(map(is_true, flags)):
-            found.update([reference] if reference else context.model.links_by_name)
-    return found
+            names.update([reference] if reference else context.model.links_by_name)
+    return names
 
 
 def _collide_in_gazebo(context: Context, names: tuple[str, str], colliding: set[str]) -> bool:
-    """True if Gazebo pushes two links apart: once links are merged, no joint is between them."""
+    """True if Gazebo pushes two links apart: after merging links, no joint connects them."""
     if colliding.isdisjoint(names):
         return False
     first, second = (context.gazebo.survivor.get(name, "") for name in names)
@@ -139,32 +140,34 @@ def _collide_in_gazebo(context: Context, names: tuple[str, str], colliding: set[
     return bool(first and second) and first != second and {first, second} not in joined
 
 
-def _of_hulls(context: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
+def _hull_overlap(
+    context: Context, overlap: HullOverlap, simulators: list[TargetFacts]
+) -> Findings:
     colliding = [
-        one
-        for one in simulators
-        if not overlap.joint or (overlap.is_welded and one.collides_with_welded)
+        simulator
+        for simulator in simulators
+        if not overlap.joint or (overlap.is_welded and simulator.collides_with_welded)
     ]
     if not colliding:
         return
-    names = " and ".join(one.title for one in colliding)
+    names = " and ".join(simulator.title for simulator in colliding)
     first, second = (
-        context.model.collision(one.link, one.number) for one in (overlap.first, overlap.second)
+        context.model.collision(body.link, body.number) for body in (overlap.first, overlap.second)
     )
     yield Finding(
         second,
         f"the convex hulls of links '{overlap.first.link}' and '{overlap.second.link}', which "
         f"collide in {names}, overlap by {1000 * overlap.depth:.3g} mm",
-        _help_of_hulls(context, overlap),
+        _hull_help(context, overlap),
         related=(Related(first.span, f"link '{overlap.first.link}'"),),
         weight=overlap.depth,
         group_key="hulls",
-        targets=tuple(one.name for one in colliding),
+        targets=tuple(simulator.name for simulator in colliding),
     )
 
 
-def _help_of_hulls(context: Context, overlap: HullOverlap) -> str:
-    """Convex pieces in place of a mesh that is not convex, unless they would overlap as well."""
+def _hull_help(context: Context, overlap: HullOverlap) -> str:
+    """Help: replace a non-convex mesh by convex pieces, unless they would overlap as well."""
     contacts = context.collisions.contacts
     bodies = (overlap.first, overlap.second)
     hollow = [f"'{body.link}'" for body in bodies if _is_hollow(context, body)]
@@ -178,7 +181,7 @@ def _help_of_hulls(context: Context, overlap: HullOverlap) -> str:
 
 
 def _is_hollow(context: Context, body: CollisionBody) -> bool:
-    """True for a mesh whose hull encloses so much more that convex pieces differ from it."""
+    """True for a mesh whose hull is clearly larger, so that convex pieces differ from the hull."""
     shape = context.model.links_by_name[body.link].collisions[body.number].shape
     measures = context.measured.measures(shape) if shape and shape.kind == "mesh" else ""
     if isinstance(measures, str) or measures.hull is None:
@@ -192,7 +195,7 @@ def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
         return None
     if not contact.is_solid or contact.part <= _PART or pair.is_contained:
         return None
-    # A body moved out sideways goes farther than its thickness.
+    # The depth of a body that is moved out sideways exceeds its thickness.
     part = "all" if contact.part >= 1 else f"{contact.part:.0%}"
     return (
         contact,
@@ -206,7 +209,7 @@ def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
 
 
 def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity] | None:
-    """The same of links that are not adjacent."""
+    """Contact, message, help and severity of links that are not adjacent; None if not reported."""
     contact = pair.contact
     if contact is None:
         return None
@@ -231,7 +234,7 @@ def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity]
 
 
 def _by(contact: Contact) -> str:
-    """How deep two links overlap, if that can be said: not of triangles."""
+    """The depth of an overlap; empty for triangles, whose depth is not reliable."""
     return f" by {_depth(contact)}" if contact.is_solid else ""
 
 

@@ -1,13 +1,13 @@
 """All collision geometry of a moving link is inside that of another link.
 
-Nothing can make contact with it from outside: a wheel inside the chassis does not reach the floor,
-a bumper or a finger detects nothing. With self-collision enabled, a simulator pushes the two apart
-in every step. Make the outer geometry smaller, or move the inner one to where the part is. A link
-that contains several others is reported once. Not reported is a link with links fixed to it that
-extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
-or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
-Franka's arms and safety boxes around tools; nor a shape of a few micrometres, which stands for
-none.
+Nothing can make contact with the inner link from outside: a wheel inside the chassis does not reach
+the floor, a bumper or a finger detects nothing. With self-collision enabled, a simulator pushes the
+two apart in every step. Make the outer geometry smaller, or move the inner geometry to the position
+of the part. A link that contains several others is reported once. Three kinds of links are not
+reported: a link with fixed children that extend outside, such as the rotor of a motor; a link
+inside an envelope, which is a link without visual, or with a transparent one, that is fixed to a
+link with a visual, such as the capsules for self-collision of Franka's arms and safety boxes around
+tools; and a link with a shape of a few micrometres, which is a placeholder.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -39,9 +39,9 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
-#: In m: a shape this small stands for none.
+#: In m: a smaller shape is a placeholder.
 _POINT = 1e-5
-#: Links inside another one that a finding names.
+#: Number of contained links that a finding lists.
 _NOTES = 5
 
 
@@ -56,7 +56,7 @@ def check(context: Context) -> Findings:
         if not pair.is_rigid and pair.is_enclosed and pair.is_permanent:
             assert pair.contact is not None
             if _is_point(context.model, pair.contact.small):
-                continue  # it stands for no shape: GEO001
+                continue  # a placeholder: GEO001
             contained.setdefault(pair.contact.large.link, []).append(pair.contact)
     for name, contacts in contained.items():
         if _is_envelope(context, name):
@@ -68,7 +68,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_envelope(context: Context, name: str) -> bool:
-    """True for a link without an opaque visual that is fixed to one which has a visual."""
+    """True for a link without an opaque visual that is fixed to a link with a visual."""
     colours = Colours(context.model)
     if not all(
         _is_transparent(colours.of(body)) for body in context.model.links_by_name[name].visuals
@@ -93,26 +93,26 @@ def _is_transparent(material: Material | None) -> bool:
     return len(rgba) == 4 and rgba[3] < 1
 
 
-def _single(model: RobotModel, one: Contact) -> Finding:
+def _single(model: RobotModel, contact: Contact) -> Finding:
     return Finding(
-        _element(model, one.small),
-        f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}' and "
-        "cannot make contact",
-        related=(Related(_element(model, one.large).span, f"link '{one.large.link}'"),),
+        _element(model, contact.small),
+        f"link '{contact.small.link}' is inside the collision geometry of '{contact.large.link}' "
+        "and cannot make contact",
+        related=(Related(_element(model, contact.large).span, f"link '{contact.large.link}'"),),
     )
 
 
 def _several(model: RobotModel, contacts: list[Contact]) -> Finding:
-    """Of one link that contains several others, which are more likely right than it is."""
-    names = [one.small.link for one in contacts]
+    """A link that contains several links: more likely the outer link is wrong than all others."""
+    names = [contact.small.link for contact in contacts]
     large = contacts[0].large
     return Finding(
         _element(model, large),
         f"the collision geometry of link '{large.link}' contains {len(names)} other links, which "
         f"cannot make contact: {few(names, _NOTES)}",
         related=tuple(
-            Related(_element(model, one.small).span, f"link '{one.small.link}'")
-            for one in contacts[:_NOTES]
+            Related(_element(model, contact.small).span, f"link '{contact.small.link}'")
+            for contact in contacts[:_NOTES]
         ),
         weight=len(names),
     )

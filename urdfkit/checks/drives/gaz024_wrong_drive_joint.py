@@ -1,9 +1,9 @@
-"""A drive plugin drives a joint that is not a wheel, or names one joint for two wheels.
+"""A drive plugin drives a joint that is not a wheel, or refers to one joint for two wheels.
 
 A drive sets a velocity and expects the joint to turn without end: a revolute joint stops at its
-limits, and a prismatic one slides. Make the wheel's joint `continuous`. Where two parameters name
-one joint, the other wheel is not driven: the robot drags it, turns when it should go straight, and
-its odometry is wrong. Usually a line was copied and not changed.
+limits, and a prismatic joint slides. Make the wheel's joint `continuous`. If two parameters refer
+to the same joint, the other wheel is not driven: the robot drags it, turns instead of driving
+straight, and its odometry is wrong. Usually a line was copied and not changed.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -30,7 +30,7 @@ BAD = GOOD.replace("continuous", "revolute").replace(
     "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'
 )
 
-#: Range in rad of a revolute joint that is limited for form's sake.
+#: Range in rad from which the limits of a revolute joint are only formal.
 ENDLESS = 1e4
 
 
@@ -61,7 +61,7 @@ def check(context: Context) -> Findings:
 
 
 def _has_ends(joint: Joint) -> bool:
-    """True if a joint cannot turn on and on, as a wheel does."""
+    """True if a joint cannot turn without end, as a wheel does."""
     ends = bounds(joint)
     if joint.kind == "revolute" and ends:
         return ends[1] - ends[0] <= ENDLESS

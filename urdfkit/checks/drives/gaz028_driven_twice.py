@@ -1,9 +1,11 @@
 """Two plugins drive the same joint.
 
-Both write its velocity or force in every step, and the last one wins or they fight. Usual pairs are
-a drive plugin next to ros2_control, or next to the transmissions of `libgazebo_ros_control.so`.
+Both write its velocity or force in every step: the last write wins, or the commands conflict. Usual
+pairs are a drive plugin next to ros2_control, or next to the transmissions of
+`libgazebo_ros_control.so`.
 
-Two motors of a drone with one number on one topic follow the same command, and the drone tips over.
+Two motors of a drone with the same number on one topic execute the same command, and the drone tips
+over.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -45,7 +47,7 @@ def check(context: Context) -> Findings:
 
 
 def _motors(context: Context) -> Findings:
-    """The motors of a drone that have the number of another one."""
+    """The motors of a drone that have the number of another motor."""
     first: dict[tuple[str, ...], PluginUse] = {}
     for use in context.plugins:
         number = next((use.at.child(tag) for tag in _NUMBERS if use.at.child(tag)), None)
@@ -65,7 +67,7 @@ def _motors(context: Context) -> Findings:
 
 
 def _controlled(context: Context) -> dict[str, tuple[str, Element]]:
-    """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
+    """The joints that ros2_control or gazebo_ros_control commands, each with its controller."""
     found: dict[str, tuple[str, Element]] = {}
     names = " ".join(use.filename for use in context.plugins)
     for control in context.model.ros2_controls if "ros2_control" in names else ():

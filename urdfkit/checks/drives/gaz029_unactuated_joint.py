@@ -28,7 +28,7 @@ GOOD = robot_xml(
     ),
 )
 
-#: Names in a message; the others are counted.
+#: Number of names in a message; the others are counted.
 _MOST = 4
 
 

@@ -1,13 +1,13 @@
-"""A driven wheel has next to no friction, or a fixed caster has much.
+"""A driven wheel has almost no friction, or a fixed caster has too much.
 
 - A wheel that a drive turns, with `mu1` and `mu2` below 0.1: it spins in place, and the odometry of
-  the plugin, which counts turns, shows a way that the robot has not gone. The friction of a contact
-  is the smaller one of the two surfaces, so that the floor makes up for nothing. The values are
-  often those of the caster, copied.
+  the plugin, which counts turns, reports a distance that the robot has not moved. A contact has the
+  smaller friction of the two surfaces, so the floor does not compensate for it. The values are
+  often copied from the caster.
 - A caster that is fixed to the body, a ball that slides, with a friction of 0.5 or more: the drive
-  has to drag it sideways in every turn. It turns less than commanded, or not at all. Write 0.01.
+  drags it sideways in every turn. The robot turns less than commanded, or not at all. Write 0.01.
 
-Wheels of mecanum drives, and those with a first direction of friction (`fdir1`), are left out.
+Wheels of mecanum drives, and wheels with a first friction direction (`fdir1`), are not reported.
 
 Sources:
     SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision

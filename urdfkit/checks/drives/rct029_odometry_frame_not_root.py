@@ -2,8 +2,8 @@
 
 A drive plugin or wheel controller sends the transform from its odometry frame to this link, and
 robot_state_publisher sends one from the link's parent: a frame has one parent in tf, and the robot
-jumps between the two. A name that is not a link leaves the robot without a way to `odom` ("no
-transform from [base_link] to [odom]"). Name the root link, or remove the links above it. An
+jumps between the two. If the name is not a link, the robot has no transform to `odom` ("no
+transform from [base_link] to [odom]"). Use the root link, or remove the links above it. An
 `odom_frame_id` that is a link of the robot is reported, too.
 
 Sources:

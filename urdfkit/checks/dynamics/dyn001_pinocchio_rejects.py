@@ -1,9 +1,9 @@
 """Pinocchio rejects the robot.
 
-Checked with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a process of its
-own. If it rejects the robot, `buildModelFromUrdf` raises a ValueError without the reason; the
-reason goes to the standard error of the C++ library, and is repeated here. It rejects several
-roots, loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
+Checked with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a separate process.
+If it rejects the robot, `buildModelFromUrdf` raises a ValueError without the reason; the C++
+library writes the reason to its standard error, and the message repeats it. It rejects several
+roots, loops, duplicate and unknown names, and joints whose `<limit>` has no effort.
 
 Sources:
     Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
@@ -37,14 +37,14 @@ def check(context: Context) -> Findings:
 
         refusal = parse_urdf(context.text).refusal
         if refusal:
-            reason, _, _ = refusal.partition(".  ")  # what follows is advice
+            reason, _, _ = refusal.partition(".  ")  # followed by advice
             yield Finding(_place(context.model, refusal), f"Pinocchio rejects the robot: {reason}")
 
 
 def _place(model: RobotModel, refusal: str) -> Element:
-    """What the reason names, else the robot."""
+    """The joint or link that the reason names, otherwise the root element."""
     for name in re.findall(_NAME, refusal):
-        thing = model.joints_by_name.get(name) or model.links_by_name.get(name)
-        if thing:
-            return thing.at
+        part = model.joints_by_name.get(name) or model.links_by_name.get(name)
+        if part:
+            return part.at
     return model.root

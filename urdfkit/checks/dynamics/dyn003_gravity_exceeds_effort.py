@@ -1,12 +1,12 @@
 """The gravity torque of a joint exceeds its effort limit.
 
-In some pose within the limits the joint must hold more than the `effort` of its `<limit>`: whatever
-the controller does, the robot sags or falls there. A search finds the worst pose, with the root
-held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
+In a pose within the limits the gravity torque exceeds the `effort` of the joint's `<limit>`: with
+any controller, the robot sags or falls there. A search finds the worst pose, with the root fixed.
+Raise the effort, use a larger motor, move masses inwards or narrow the limits. Springs and
 counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
-do not count. Robots that several rotors or thrusters carry are not searched: no root is held.
-`urdfkit statics` has the numbers for all joints, and takes payloads.
+are ignored. Robots that several rotors or thrusters carry are not searched: their root is not
+fixed. `urdfkit statics` prints the torques of all joints, and accepts payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -42,7 +42,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
-#: Drawn poses; the search finds the worst of a serial arm without any.
+#: Number of random start poses; a serial arm needs none.
 _SAMPLES = 20
 
 
@@ -70,7 +70,7 @@ def check(context: Context) -> Findings:
         raise Unavailable(f"the worst pose of {len(loads)} joints is not searched, only zero")
 
 
-@lru_cache(maxsize=16)  # editors and fixes check a robot again and again, its masses unchanged
+@lru_cache(maxsize=16)  # editors and fixes check a robot repeatedly with the same masses
 def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -> list[Load]:
     from urdfkit.physics.gravity import gravity_loads
 

@@ -1,11 +1,11 @@
 """The centre of mass is not above the wheels: the robot tips over where it stands.
 
-All joints at zero, the lowest collisions touch the ground: their hull is what the robot stands on.
-In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
-or correct a mass or the place of one. Four kinds are not checked: a robot that stands on its base
-alone, since bases are bolted down, one on two wheels, which balances, one on legs, which does not
-stand with all joints at zero, and one that several rotors or thrusters carry. The stand in any
-pose is computed by `urdfkit statics --pose`.
+With all joints at zero, the lowest collisions touch the ground: their hull is the support polygon.
+In a simulation the robot falls over in the first second. Move the heavy parts, the wheels or the
+caster, or correct a mass or its position. Four kinds of robots are not checked: a robot that stands
+on its base alone, as bases are bolted down; a robot on two wheels, which balances; a robot on legs,
+which does not stand with all joints at zero; and a robot that several rotors or thrusters carry.
+`urdfkit statics --pose` computes the stability in any pose.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -50,7 +50,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('xyz="0.1 0 0"', 'xyz="-0.05 0 0"')
 
-#: In m; less is rounding, and a robot on the edge of its feet.
+#: In m: a smaller distance is rounding, or a robot on the edge of its feet.
 _TOLERANCE = 1e-3
 
 
@@ -68,7 +68,7 @@ def check(context: Context) -> Findings:
     if not _falls(context, standing):
         return
     meshes = list(_meshes(context.model))
-    if meshes:  # one of them may reach as low
+    if meshes:  # a mesh may extend as low
         try:
             if any(context.meshes.mesh(shape) is None for shape in meshes):
                 return
@@ -95,7 +95,7 @@ def _is_serial(tree: KinematicTree) -> bool:
 
 
 def _falls(context: Context, standing: Stability | None) -> bool:
-    """True if it falls, off several links of which a joint moves one; not what is bolted down."""
+    """True if the robot stands on several links, at least one moved by a joint, and falls."""
     return (
         standing is not None
         and standing.margin <= -_TOLERANCE
@@ -105,7 +105,7 @@ def _falls(context: Context, standing: Stability | None) -> bool:
 
 
 def _meshes(model: RobotModel) -> Iterator[Shape]:
-    """The meshes that may touch the ground; a visual does not."""
+    """The collision meshes, which may touch the ground."""
     for link in model.links:
         for body in link.collisions:
             if body.shape and body.shape.filename:

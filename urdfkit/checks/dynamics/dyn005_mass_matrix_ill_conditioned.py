@@ -1,9 +1,9 @@
 """The mass matrix is ill-conditioned: a link is too light for the links below it.
 
-A simulator solves for accelerations with the joint-space mass matrix at every step. A body of
-almost no mass between two joints with parallel axes lets both spin against each other without
-resistance: the matrix loses as many digits as the masses differ by, and with single precision
-(PhysX, Bullet) none are left. The robot trembles or explodes. Give the link the mass of the real
+A simulator solves for accelerations with the joint-space mass matrix at every step. If a body
+between two joints with parallel axes has almost no mass, both joints can spin against each other
+without resistance: the solution loses as many digits as the masses differ by, and none remain with
+single precision (PhysX, Bullet). The robot trembles or explodes. Give the link the mass of the real
 part, or make one of the joints fixed.
 
 Sources:
@@ -37,15 +37,15 @@ def check(context: Context) -> Findings:
     light = light_joints(context.tree)
     if not light or context.is_part:
         return
-    robot = context.dynamics  # before the module, which needs the same libraries
+    robot = context.dynamics  # first, as it reports if the libraries of the module are missing
     from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
 
-    found = conditioning(robot)
-    if not found.is_ill:
+    result = conditioning(robot)
+    if not result.is_ill:
         return
     names = {joint.name for joint in light}
-    first = next((name for name in found.joints if name in names), light[0].name)
-    ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
-    joints = " against ".join(f"'{name}'" for name in found.joints[:2])
+    first = next((name for name in result.joints if name in names), light[0].name)
+    ratio = "is singular" if isinf(result.number) else f"has the condition {result.number:.2g}"
+    joints = " against ".join(f"'{name}'" for name in result.joints[:2])
     message = f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass"
     yield Finding(context.model.joints_by_name[first].at, message)

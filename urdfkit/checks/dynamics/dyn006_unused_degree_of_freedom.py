@@ -1,8 +1,8 @@
 """A joint moves nothing: no link below it has a mass, a visual or a collision.
 
-Such a degree of freedom has no effect. Its row of the mass matrix is zero, which Pinocchio's
-forward dynamics and MuJoCo reject; Gazebo drops the massless link with it. If it only marks a
-frame, make it fixed; if it stands for a mechanism, add `<mimic>`.
+The degree of freedom has no effect. Its row of the mass matrix is zero, which Pinocchio's forward
+dynamics and MuJoCo reject; Gazebo drops the joint with the massless link. If the joint only defines
+a frame, make it fixed; if it is part of a mechanism, add `<mimic>`.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -23,11 +23,11 @@ GOOD = BAD.replace("continuous", "fixed")
 def check(context: Context) -> Findings:
     if context.is_part or not any(link.mass for link in context.model.links):
         return
-    moved = driven(context.model)
-    seen = {block.get("reference") for block in context.model.gazebo if block.child("sensor")}
+    actuated = driven(context.model)
+    sensing = {block.get("reference") for block in context.model.gazebo if block.child("sensor")}
     for joint in joints_without_load(context.tree):
         child = joint.child_name
-        if joint.name in moved or not seen.isdisjoint(context.tree.below(child)):
+        if joint.name in actuated or not sensing.isdisjoint(context.tree.below(child)):
             continue
         yield Finding(
             joint.at,

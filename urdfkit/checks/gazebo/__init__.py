@@ -4,5 +4,5 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True if there are ``<gazebo>`` elements."""
+    """True if the model has ``<gazebo>`` elements."""
     return bool(context.model.gazebo)

@@ -13,7 +13,7 @@ _KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
 
 
 def merged_force_sensors(context: Context) -> Findings:
-    """The fixed joints whose forces are measured, but which are not simulated."""
+    """The fixed joints whose forces are measured, but which Gazebo merges."""
     kept = {joint.joint.name for joint in context.gazebo.joints}
     for name, at, who in _measuring(context.model):
         joint = context.model.joints_by_name.get(name)

@@ -1,14 +1,14 @@
-"""A `<gazebo reference>` names neither a link nor a joint.
+"""A `<gazebo reference>` refers to neither a link nor a joint.
 
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
-usual cause. Properties of a link whose name is like no other, or only like that of a link which has
-them already, are a warning: a file that several robots include may hold those of all their links.
-So is a link that a file of the robot defines where an argument switches it off: without it the
-sensor is not wanted either.
+usual cause. It is a warning if the block sets properties of a link, and no similar name exists, or
+only that of a link which has the properties already: a file that several robots include may contain
+the properties of all their links. It is also a warning if a file of the robot defines the link, but
+an argument disables it: the sensor is not needed, either.
 
-A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the tags can
-stand in that link. A joint added in this way must name links that are there.
+A link that another `<gazebo>` adds as SDF is not part of the URDF: a warning, as the tags can be
+written in that link. A joint added in this way must refer to existing links.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -58,7 +58,7 @@ def check(context: Context) -> Findings:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
             continue
-        if context.is_part:  # the file that includes it has the link
+        if context.is_part:  # the file that includes this part defines the link
             return
         if not block.children:
             continue
@@ -98,14 +98,14 @@ def _properties(model: RobotModel) -> dict[str, set[str]]:
 
 
 def _is_switched_off(context: Context, name: str) -> bool:
-    """True if a file of the robot defines the link or joint, behind a condition that is not met."""
+    """True if a file of the robot defines the link or joint inside a condition that is false."""
     expanded = context.reading.xacro
     return expanded is not None and name in _defined(expanded.sources)
 
 
 @lru_cache(maxsize=1)  # a robot may have many unknown references
 def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
-    """The names of the links and joints in some files, without what an expression puts before."""
+    """The names of the links and joints in some files, without expressions at their beginning."""
     found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
     return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
 

@@ -1,7 +1,7 @@
-"""Gazebo does not know a tag in a `<gazebo>` block or in a sensor, and ignores it.
+"""A `<gazebo>` block or a sensor contains a tag that is unknown to Gazebo, which ignores it.
 
 Gazebo's converter handles some tags by name (`mu1`, `kp`, `material`...) and copies all others into
-the SDF, where the simulator warns about what it does not know and continues. `<mu>` for `<mu1>` and
+the SDF, where the simulator warns about unknown tags and continues. `<mu>` for `<mu1>` and
 the snake_case names of SDF (`max_vel`, `laser_retro`) are usual mistakes. The intended setting
 keeps its default: a camera with a misspelt `<width>` has images 320 pixels wide.
 
@@ -27,10 +27,10 @@ from urdfkit.text.editing.edits import fix_tag
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu>0.8</mu>", reference="wheel"))
 FIXED = GOOD = BAD.replace("mu>", "mu1>")
 
-#: Elements that their parsers look for in ``<robot>`` alone.
+#: Elements that their parsers read only directly in ``<robot>``.
 _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 
-#: What replaces a tag of a sensor that belongs elsewhere.
+#: Replacements for tags of a sensor that belong elsewhere.
 _INSTEAD = {
     "frame_id": "name the frame by <gz_frame_id> in the <sensor>",
     "origin": "place it by <pose>x y z roll pitch yaw</pose>",
@@ -61,7 +61,7 @@ def check(context: Context) -> Findings:
 
 
 def _unknown(tag: str, elements: list[Element]) -> Finding:
-    """One finding for all of a name: one mistake, however often it was copied."""
+    """One finding for all tags of a name: one mistake, copied many times."""
     count = f" ({len(elements)} times)" if len(elements) > 1 else ""
     others = tuple(Related(one.span, f"<{tag}>") for one in elements[1:5])
     help = f"move <{tag}> out of the <gazebo>, into <robot>" if tag in _OF_ROBOT else ""
@@ -86,7 +86,7 @@ def _in_sensors(model: RobotModel) -> Findings:
 
 
 def _nested(inner: SettingElement) -> str:
-    """What replaces a tag that belongs one level deeper: ``image_width``, and ``near``."""
+    """Replacement for a tag that belongs one level deeper: ``image_width``, and ``near``."""
     tag = inner.path  # without a slash: directly in the block
     below = [path for path in inner.known if path.count("/") == 1]
     deeper = [path for path in below if tag in (path.replace("/", "_"), path.split("/")[1])]
@@ -108,7 +108,7 @@ def _in_sensor(
         one is not child and intended in (one.tag, nearest(one.tag, known, _TYPO)) for one in others
     )
     fix = None if is_taken else fix_tag(child, intended)
-    if child.children and not intended:  # <orientation> is no <enable_orientation>
+    if child.children and not intended:  # <orientation> is not <enable_orientation>
         return Finding(child, message, "remove it", group_key=child.tag)
     message += did_you_mean(child.tag, known)
     return Finding(child, message, "fix the name of the element", fix, group_key=child.tag)

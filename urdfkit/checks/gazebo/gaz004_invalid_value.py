@@ -1,21 +1,21 @@
 """A value in a `<gazebo>` block has a type or range that Gazebo does not read.
 
-- Tags of the block: where Gazebo's converter wants a number, other text ends the whole conversion
-  with an exception, and a decimal comma, as anything else behind a number, ends the number. Where
-  it wants a boolean, it looks for `true`, `yes` and `1` (for `turnGravityOff`: `false`, `no` and
-  `0`) and takes everything else for the opposite.
-- Plugins: where a number is wanted, text reads as 0 or as the default. Where a boolean is wanted,
-  only `true` and `1` are true: `yes` and `on` read as false. An unknown word is ignored or ends the
-  plugin.
-- Sensors: gz-sim rejects the model or takes a default, and Gazebo Classic takes a default (a
-  warning, if the robot is for it) or creates no sensor. A number ends where its characters end:
-  `50 cm` is 50 m, and an image `1e3` pixels wide has one; that 666.5 beams are taken for 666 is not
+- Tags of the block: if Gazebo's converter expects a number, other text aborts the whole conversion
+  with an exception, and a decimal comma, or any other text after a number, ends the number. If it
+  expects a boolean, it accepts `true`, `yes` and `1` (for `turnGravityOff`: `false`, `no` and `0`)
+  and reads any other text as the opposite.
+- Plugins: a plugin that expects a number reads text as 0 or as the default. If it expects a
+  boolean, only `true` and `1` are true: `yes` and `on` are false. An unknown keyword is ignored or
+  stops the plugin.
+- Sensors: gz-sim rejects the model or uses a default, and Gazebo Classic uses a default (a warning,
+  if the robot is for it) or creates no sensor. A number ends at the first other character: `50 cm`
+  is 50 m, and an image `1e3` pixels wide has one pixel; 666.5 beams, which are read as 666, are not
   reported.
-- Bounds of sensors that are swapped: a lidar whose minimum range or angle is not below the maximum,
-  and a camera whose near clipping distance is not below the far one, see nothing. Both ranges of a
-  lidar are 0 if they are not written. The rays of Gazebo Classic may sweep backwards.
+- Swapped bounds of sensors: a lidar whose minimum range or angle is not below the maximum, and a
+  camera whose near clipping distance is not below the far one, detect nothing. Missing ranges of a
+  lidar are 0. The rays of Gazebo Classic may sweep backwards.
 
-Angles in degrees have a rule of their own (GAZ047).
+GAZ047 reports angles in degrees.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -71,7 +71,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
-    """True unless a tag for links is in the block of a joint, or the other way round (GAZ005)."""
+    """False if a tag for links is in the block of a joint, or the reverse (GAZ005)."""
     name = block.get("reference")
     is_link, is_joint = name in model.links_by_name, name in model.joints_by_name
     return is_link == is_joint or extension.on != ("joint" if is_link else "link")

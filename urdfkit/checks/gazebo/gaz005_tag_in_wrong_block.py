@@ -5,10 +5,10 @@ Gazebo's converter applies `mu1`, `kp`, `selfCollide` and the like to links, and
 refers to the other kind they have no effect, and neither does `preserveFixedJoint` for a joint that
 is not fixed: a warning.
 
-A block without a reference belongs to the whole model, which has no friction, material or sensor of
-its own: the converter stores these tags and never uses them, without a message. That is an error.
-Write one block per link, with `reference="..."`. The `<physics>` of a world there is a warning.
-A tag with the value that holds without it, such as `<gravity>true</gravity>`, is not reported.
+A block without a reference belongs to the whole model, which has no friction, material or sensor:
+the converter stores these tags and never uses them, without a message. That is an error. Write one
+block per link, with `reference="..."`. The `<physics>` of a world in such a block is a warning. A
+tag with its default value, such as `<gravity>true</gravity>`, is not reported.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -40,7 +40,7 @@ _HARMLESS = {"material", "visual", *KEEPING_TAGS}
 #: Tags of SDF that are false unless they are set, as those of the converter; gravity is true.
 _FLAGS = ("enable_wind", "kinematic", "must_be_base_link", "self_collide")
 _TRUE, _FALSE = ("1", "true", "yes"), ("0", "false", "no")
-#: Tags of a block that a message names.
+#: Number of tags of a block that a message lists.
 _NAMED = 4
 
 
@@ -88,7 +88,7 @@ def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
 
 
 def _is_default(child: Element, extension: Extension | None) -> bool:
-    """True if nothing is lost with a tag, because its value is that of a robot without it."""
+    """True if a tag has its default value, so that nothing is lost without it."""
     text = child.text.strip().lower()
     is_flag = child.tag in _FLAGS or (extension is not None and extension.type == "bool")
     return text in _FALSE if is_flag else child.tag == "gravity" and text in _TRUE
@@ -140,7 +140,7 @@ def _is_of_world(child: Element) -> bool:
 
 
 def _other(context: Context, name: str, kind: str) -> Link | Joint | None:
-    """The joint above a link, if there is one alone; the link below a joint."""
+    """The only joint above a link, or the link below a joint."""
     model = context.model
     if kind == "link":
         above = context.tree.parents.get(name, [])
@@ -150,7 +150,7 @@ def _other(context: Context, name: str, kind: str) -> Link | Joint | None:
 
 
 def _moved(block: Element, child: Element, other: Link | Joint) -> Fix | None:
-    """Another reference for a block that holds nothing else, else a block of its own."""
+    """Changes the reference of a block without other tags, or adds a separate block."""
     name, reference = other.at.attributes.get("name"), block.attributes["reference"]
     is_same_macro = other.at.frame is block.frame is child.frame  # where expressions mean the same
     if name is None or name.written_in or reference.written_in or not is_same_macro:

@@ -1,8 +1,8 @@
 """Two `<gazebo>` blocks give the same tag of one link different values.
 
-Gazebo takes the last one. The same holds for `turnGravityOff`, `selfCollide` and `dampingFactor`
-of links that fixed joints merge: the merged body has one value, that of the last link to be merged.
-Keep one value.
+Gazebo uses the last value. The same applies to `turnGravityOff`, `selfCollide` and `dampingFactor`
+of links that fixed joints merge: the merged body has one value, that of the last merged link. Keep
+one value.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -21,7 +21,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("100", "0.8")
 
-#: Of a whole body, however many links were merged into it.
+#: Tags with one value for a whole body, including the links merged into it.
 _OF_THE_BODY = ("turnGravityOff", "selfCollide", "dampingFactor")
 _SCALARS = ("float", "int", "bool", "string", "vector3")
 

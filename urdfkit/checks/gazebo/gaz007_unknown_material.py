@@ -1,9 +1,9 @@
 """Gazebo does not have the material, or does not draw it.
 
-`<material>` in a `<gazebo>` block names a script of Gazebo, such as `Gazebo/Orange`: with the
-prefix, and with capitals where it has them. Gazebo Classic draws an unknown name white or as an
-error, and gz-sim falls back to the colour of the URDF. What a `*.material` file of the workspace
-defines is not reported, unless the robot is for gz-sim.
+`<material>` in a `<gazebo>` block refers to a script of Gazebo, such as `Gazebo/Orange`: with the
+prefix, and case-sensitive. Gazebo Classic draws an unknown name white or as an error, and gz-sim
+falls back to the colour of the URDF. Materials that a `*.material` file of the workspace defines
+are not reported, unless the robot is for gz-sim.
 
 Gazebo Fortress has no material scripts at all, and from Garden on gz-sim substitutes the plain
 colours by name but draws no texture: an info. For these, give the colour in the URDF's `<material>`

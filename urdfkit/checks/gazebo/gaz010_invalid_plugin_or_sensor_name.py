@@ -1,4 +1,4 @@
-"""The name of a plugin or sensor is missing, invalid, or that of another one.
+"""The name of a plugin or sensor is missing, invalid, or not unique.
 
 SDF requires a name, and the `filename` of the library of a plugin: up to SDF 1.9 Gazebo rejects the
 whole model without them. The name of a plugin is free in Gazebo Classic and the class in gz-sim.
@@ -7,8 +7,8 @@ Sensors of one link have different names: gz-sim rejects a model with two of one
 name"), Gazebo Classic creates only one of them (a warning, if a file is included twice). Links that
 fixed joints connect count as one, since Gazebo merges them.
 
-In gz-sim two sensors with one `<topic>` (warning) send their data under one name, as where a macro
-with a fixed topic is called twice: who reads it gets both in turn.
+In gz-sim two sensors with the same `<topic>` (warning) publish on one topic, for example if a macro
+with a fixed topic is called twice: subscribers receive both in turn.
 
 In Gazebo Classic with ROS 2 a plugin is a node with the plugin's name. ROS 2 allows letters, digits
 and underscores, and no digit first; with any other name the plugin does not start. Of two plugins

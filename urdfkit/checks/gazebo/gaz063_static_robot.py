@@ -1,7 +1,7 @@
 """The robot is static in Gazebo, although it has movable joints and plugins.
 
 `<static>true</static>` fixes a model to the world: no joint moves, no wheel drives, and controllers
-load without an error. It is often left over from a first look at the model. Gazebo ignores the tag
+load without an error. It is often left over from a first test of the model. Gazebo ignores the tag
 in a block with a reference, as in `<gazebo reference="world">`.
 
 Sources:

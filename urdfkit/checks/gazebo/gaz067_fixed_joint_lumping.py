@@ -3,20 +3,20 @@
 Gazebo merges the child of a fixed joint into its parent ("fixed joint lumping"):
 
 - A force-torque sensor or `<provideFeedback>` of such a joint is not created, and its topic never
-  appears: an error, or a warning where nothing in the robot reads the forces.
+  appears: an error, or a warning if nothing in the robot reads the forces.
 - `<turnGravityOff>`, `<gravity>`, `<selfCollide>` and `<self_collide>` of the child also apply to
   the parent. A camera without gravity makes a robot without gravity. A parent without mass or
   collision, such as `base_footprint`, is not affected.
-- `<preserveFixedJoint>` saves a link from being merged, but a link without mass is dropped all the
-  same, together with the joint and the links below it.
-- `<disableFixedJointLumping>` is older than `<preserveFixedJoint>`: Gazebo makes a revolute joint
-  of it, with limits of 0 and 0, which gives way under load and costs time in every step: an info.
-- A joint that `<gazebo>` adds as SDF cannot name a link that is merged: sdformat before 12.7, as
-  Debian 12 has it, rejects the model; later ones leave a frame, which bears the joint.
-- Friction, contact parameters and material apply to a collision or visual by its name. One whose
-  own name does not begin with that of its link does not get them: the wheel has a friction of 1,
-  whatever `<mu1>` says. A link that is merged loses them also where its name begins with that of
-  its parent.
+- `<preserveFixedJoint>` prevents merging, but Gazebo still drops a link without mass, together with
+  the joint and the links below it.
+- `<disableFixedJointLumping>` is older than `<preserveFixedJoint>`: Gazebo creates a revolute joint
+  with limits of 0 and 0, which yields under load and costs time in every step: an info.
+- A joint that `<gazebo>` adds as SDF cannot refer to a merged link: sdformat before 12.7, as in
+  Debian 12, rejects the model; later versions keep a frame, to which the joint is attached.
+- Friction, contact parameters and material apply to a collision or visual by its name. A collision
+  or visual whose name does not begin with that of its link does not get them: the wheel has a
+  friction of 1, regardless of `<mu1>`. A merged link loses them also if its name begins with that
+  of its parent.
 
 Keep the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in its `<gazebo reference>`.
 
@@ -98,7 +98,7 @@ def _flags(context: Context) -> Findings:
 
 
 def _reaches(context: Context, top: str, tag: str, flagged: set[str]) -> bool:
-    """True if a flag matters to a link of the merged body that does not have it itself."""
+    """True if a flag affects a link of the merged body that does not set it."""
     (simulated,) = (one for one in context.gazebo.links if one.name == top)
     others = [link for link, _ in simulated.body.links if link.name not in flagged]
     if tag in ("selfCollide", "self_collide"):
@@ -166,7 +166,7 @@ def _tags(model: RobotModel, link: str, known: tuple[str, ...]) -> list[Element]
 
 
 def _gets_tags(name: str, link: str, kind: str, *, is_merged: bool) -> bool:
-    """True if the converter takes a shape of this name for one of its link."""
+    """True if the converter assigns a shape of this name to its link."""
     return f"{_MERGED}{link}_{kind}" in name if is_merged else _MERGED not in name
 
 

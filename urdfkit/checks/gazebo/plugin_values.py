@@ -17,7 +17,7 @@ _DEFAULT = "; it stays at "
 
 
 def invalid_in_plugins(plugins: Iterable[PluginUse]) -> Findings:
-    """The values that a plugin reads otherwise than they are written, or not at all."""
+    """The values that a plugin reads differently from their text, or not at all."""
     for use in plugins:
         parameters = use.plugin.parameters if use.plugin else {}
         for item in use.items:

@@ -1,4 +1,4 @@
-"""Values in the settings of sensors that SDF does not accept, and bounds that are swapped."""
+"""Values in the settings of sensors that SDF does not accept, and swapped bounds."""
 
 from collections.abc import Iterator
 from math import isnan
@@ -46,7 +46,7 @@ def invalid_in_sensors(context: Context) -> Findings:
 
 
 def _severity(context: Context, problem: str) -> Severity | None:
-    """A warning for what gz-sim rejects, if the robot is for Gazebo Classic, with its defaults."""
+    """Warning for values that gz-sim rejects, if the robot is for Gazebo Classic, with defaults."""
     is_for_classic = context.targets.any_of(CLASSIC) and not context.targets.any_of(GZ)
     return Severity.WARNING if is_for_classic and REJECTED_BY_GZ in problem else None
 

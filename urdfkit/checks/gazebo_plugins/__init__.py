@@ -4,5 +4,5 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True if a ``<gazebo>`` element holds a plugin."""
+    """True if a ``<gazebo>`` element contains a plugin."""
     return bool(context.plugins)

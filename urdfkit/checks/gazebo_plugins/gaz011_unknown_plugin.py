@@ -1,14 +1,14 @@
 """Gazebo finds no plugin of this file name or class.
 
-Gazebo looks for a library of exactly the name in `filename`, finds none, reports it among other
-messages of its start, and continues without the plugin: the robot does not drive, the sensor does
-not publish. A name close to that of a known library is a warning, with a fix; so is one of the same
-words as a system of gz-sim, such as `libgz_diff_drive.so` for `gz-sim-diff-drive-system`, without a
-fix. Any other name is taken for a vendor's library, of which nothing more is known: an info.
+Gazebo does not find a library with exactly the name in `filename`, reports it among other messages
+of its start, and continues without the plugin: the robot does not drive, the sensor does not
+publish. A name similar to that of a known library is a warning, with a fix; a name with the same
+words as a system of gz-sim, such as `libgz_diff_drive.so` for `gz-sim-diff-drive-system`, is a
+warning without a fix. Any other name is assumed to be a vendor's library: an info.
 
-In gz-sim the `name` of a plugin is not a free label, as it is in Gazebo Classic, but the class in
-the library. With another one Gazebo writes "library does not contain requested plugin" and
-continues without the plugin: an error; so is a class in `filename` and a library in `name`.
+In gz-sim the `name` of a plugin is the class in the library, not a free label as in Gazebo Classic.
+With another name Gazebo writes "library does not contain requested plugin" and continues without
+the plugin: an error; so is a class in `filename` and a library in `name`.
 
 Sources:
     gazebo-classic, Plugin.hh: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/Plugin.hh
@@ -85,7 +85,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
     at = use.at.attributes["filename"]
     message = f"{use.title}: unknown plugin library"
     help = f"did you mean '{suggested}'?"
-    # With no tag that such a library reads, it may be a vendor's own.
+    # Without a tag that such a library reads, it may be a vendor's library.
     is_read = any(one.reads(item.path) for one in find(suggested) for item in use.items)
     fix = fix_value(at, suggested) if is_read or not use.items else None
     return Finding(at, message, help, fix, group_key=suggested, severity=Severity.WARNING)
@@ -106,11 +106,11 @@ def _unknown_class(use: PluginUse) -> Findings:
 
 
 def _fix_of_two(use: PluginUse, other: Plugin, fix: Fix | None) -> Fix | None:
-    """Correct the name of the class or the library; None if the tags fit both, or neither.
+    """Corrects the name of the class or the library; None if the tags match both, or neither.
 
     Args:
-        other: the library of the class that is named.
-        fix: that writes the class of the library.
+        other: the library that contains the class in ``name``.
+        fix: the fix that writes the class of the library.
     """
     unread = min(len(use.unread(plugin)) for plugin in use.known)
     unread_by_other = len(use.unread(other))

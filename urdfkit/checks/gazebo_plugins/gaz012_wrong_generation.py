@@ -2,12 +2,13 @@
 
 Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim have separate libraries.
 A library of another generation is not found: Gazebo writes an error and starts without it, and the
-robot does not move or sends no data. Use the successor, whose tags have other names, too. Only the
-plugins of gz-sim itself have these names in Fortress, too, from 6.16 (January 2024) on (info).
+robot does not move or publishes no data. Use the successor, whose tags have other names, too.
+Fortress accepts the names of gz-sim from 6.16 (January 2024) on, but only for the plugins of gz-sim
+itself (info).
 
-Where no target is given and the plugins themselves are for different generations, no Gazebo loads
-all of them: a warning. It is a warning, too, if the robot's package is for another ROS than all of
-its plugins: they were left from there, or the robot is still used there. Choose one generation, or
+If no target is given and the plugins are for different generations, no Gazebo loads all of them: a
+warning. It is a warning, too, if the robot's package is for another ROS than all of its plugins:
+they are left over from that ROS, or the robot is still used with it. Choose one generation, or
 select the block with a xacro argument (`<xacro:if value="$(arg use_gz)">`).
 
 Sources:
@@ -50,7 +51,7 @@ def check(context: Context) -> Findings:
         return
     from urdfkit.ros.launch.robot_arguments import is_not_started  # for few robots
 
-    # Of a copy that was expanded long ago nothing follows while nobody starts it.
+    # An expanded copy that no launch file starts may be for another Gazebo.
     if context.given_targets or not is_not_started(context.source, context.resolver):
         yield from found
 
@@ -127,7 +128,7 @@ def _named(possible: set[str]) -> str:
 
 
 def _is_of_another_family(use: PluginUse, targets: Targets) -> bool:
-    """True of a plugin of Gazebo Classic in a robot for gz-sim, and the other way round."""
+    """True for a plugin of Gazebo Classic in a robot for gz-sim, and the reverse."""
     target = target_of_plugin(use.at.get("filename") or "", use.at)
     family = CLASSIC if target in CLASSIC else GZ
     return target is not None and not targets.any_of(family)
@@ -140,7 +141,7 @@ def _runs(use: PluginUse, target: str) -> bool:
 
 
 def _fix(use: PluginUse, target: str) -> Fix | None:
-    """What gz-sim has instead; of its own plugins, their names in Fortress."""
+    """The replacement in gz-sim; for plugins of gz-sim, their names in Fortress."""
     plugin = next((one for one in use.known if one.generation == "gz"), None)
     if plugin is None:
         from urdfkit.ros.gazebo.successors import successor
@@ -154,7 +155,7 @@ def _fix(use: PluginUse, target: str) -> Fix | None:
 
 
 def _successor(use: PluginUse, target: str) -> str:
-    """What replaces it, one or two generations on."""
+    """The replacement, one or two generations later."""
     if target == "gz-fortress" and any(plugin.generation == "gz" for plugin in use.known):
         return "use the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
     old = use.known[0]

@@ -1,10 +1,10 @@
 """A plugin is in a place where Gazebo does not load it, or loads it wrongly.
 
 A model plugin belongs in a `<gazebo>` block without a reference, a sensor plugin in a `<sensor>` in
-the block of a link. A plugin that is directly in the block of a link or joint is copied into that
-link and never loaded; one of the wrong kind ends with an error about its type. A sensor plugin
-needs a sensor of one type, and fails, or ends the server, in a sensor of another type: a laser
-plugin needs a `ray` sensor, a GPU laser `gpu_ray`, a depth camera `depth`.
+the block of a link. Gazebo copies a plugin that is directly in the block of a link or joint into
+that link and never loads it; a plugin of the wrong kind fails with an error about its type. A
+sensor plugin requires a sensor of one type, and fails, or stops the server, in a sensor of another
+type: a laser plugin requires a `ray` sensor, a GPU laser `gpu_ray`, a depth camera `depth`.
 
 World systems of gz-sim, such as sensors and physics, run in a model as well: an info. If the world
 has its own copy, every sensor is created twice and rendering crashes. Put them in the world file.
@@ -89,7 +89,7 @@ def _in_wrong_sensor(use: PluginUse) -> Findings:
     if use.place != "sensor" or use.plugin is None or not use.plugin.sensors:
         return
     if use.plugin.kinds == ("world",):
-        return  # it serves all sensors of the world, in whichever of them it stands
+        return  # it serves all sensors of the world, in any of them
     assert use.at.parent is not None
     attribute = use.at.parent.attributes.get("type")
     if attribute is None:

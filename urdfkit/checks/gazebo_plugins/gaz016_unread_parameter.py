@@ -1,7 +1,7 @@
 """A plugin does not read a tag.
 
-Gazebo passes every tag to the plugin; what the plugin does not read has no effect and causes no
-message, and the plugin uses its default. There are three cases:
+Gazebo passes every tag to the plugin; tags that the plugin does not read have no effect and cause
+no message, and the plugin uses its default. There are three cases:
 
 - The tag is misspelt: a warning, with the intended tag.
 - The same plugin reads the tag in another generation of Gazebo and ROS: a warning. The plugins of
@@ -35,7 +35,7 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("Frme", "Frame")
 
-#: Tags that a message names.
+#: Number of tags that a message lists.
 _MAX_TAGS = 6
 
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
@@ -117,7 +117,7 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
 def _rename(
     use: PluginUse, plugin: Plugin, items: list[PluginParameter]
 ) -> tuple[str, tuple[Edit, ...]]:
-    """The edits that give tags the names that they have here."""
+    """The edits that rename tags to their names in this generation."""
     edits: dict[str, tuple[str, tuple[Edit, ...]]] = {}
     for item in items:
         new = _new_name(use, plugin, item)
@@ -128,7 +128,7 @@ def _rename(
 
 
 def _new_name(use: PluginUse, plugin: Plugin, item: PluginParameter) -> str | None:
-    """The name that a tag has here, unless the plugin has a tag of that name already."""
+    """The name of a tag in this generation, unless the plugin already has a tag of that name."""
     new = _renamed(item, plugin)
     return new if new and not use.values(new) and isinstance(item.at, Element) else None
 

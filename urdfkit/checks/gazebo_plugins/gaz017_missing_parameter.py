@@ -1,8 +1,8 @@
 """A required parameter of a plugin is missing.
 
-Some tags have no default, or one that names a joint which this robot does not have: the plugin
-writes an error and stays idle, and some end the whole simulator. A tag with an argument of the
-xacro that is empty unless it is passed is not reported.
+Some tags have no default, or a default joint that this robot does not have: the plugin writes an
+error and stays idle, and some plugins stop the whole simulator. A tag with an argument of the xacro
+that is empty by default is not reported.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -52,7 +52,7 @@ def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
 
 
 def _is_of_argument(at: Element | Attribute) -> bool:
-    """True if its value is that of an argument of the xacro, which is empty unless it is passed."""
+    """True if the value is that of an argument of the xacro, which is empty by default."""
     if isinstance(at, Attribute):
         return False
     tag = at.tag_at
@@ -60,7 +60,7 @@ def _is_of_argument(at: Element | Attribute) -> bool:
 
 
 def _is_of_another(use: PluginUse) -> bool:
-    """True if it is written for another generation; GAZ016 then reports its tags."""
+    """True if the plugin is written for another generation; GAZ016 then reports its tags."""
     assert use.plugin is not None
     others = [one for one in use.known if one.generation != use.plugin.generation]
     left = len(use.unread(use.plugin))

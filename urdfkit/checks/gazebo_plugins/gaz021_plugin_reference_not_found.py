@@ -1,7 +1,7 @@
-"""A plugin names a link or joint that does not exist in the simulation.
+"""A plugin refers to a link or joint that does not exist in the simulation.
 
-The plugin looks the name up in the simulated model; if it is not found, the plugin writes an error
-and stays idle, and some plugins end the simulator. There are three causes:
+The plugin searches for the name in the simulated model; if it is not found, the plugin writes an
+error and stays idle, and some plugins stop the simulator. There are three causes:
 
 - The robot has no such link or joint. Xacro prefixes are a usual reason.
 - Gazebo merged it: all links that fixed joints connect become one, and only the topmost keeps its

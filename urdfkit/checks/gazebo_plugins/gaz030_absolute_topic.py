@@ -1,7 +1,8 @@
-"""A plugin publishes or listens on a topic whose name begins with a slash.
+"""A plugin publishes or subscribes to a topic whose name begins with a slash.
 
-Such a name is absolute: the namespace of the robot is not put before it, and two robots of the same
-model share the topic, so that both obey one command. Without the slash the name is relative.
+Such a name is absolute: the namespace of the robot is not prepended, and two robots of the same
+model share the topic, so that both execute the same command. Without the slash the name is
+relative.
 
 Sources:
     ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html

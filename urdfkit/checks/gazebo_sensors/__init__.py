@@ -4,5 +4,5 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True if a ``<gazebo>`` element holds a sensor."""
+    """True if a ``<gazebo>`` element contains a sensor."""
     return any(part.tag == "sensor" for block in context.model.gazebo for part in block.walk())

@@ -1,15 +1,16 @@
 """Gazebo does not create a sensor: its type, its place or its noise is wrong.
 
-- The type is misspelt, or that of a product instead of a kind of sensor. An unknown type of a
-  sensor whose plugin is unknown, too, is taken for one that the plugin's package defines.
+- The type is misspelt, or the name of a product instead of a type of sensor. An unknown type of a
+  sensor with an unknown plugin is assumed to be defined by the plugin's package.
 - The type is of another generation of Gazebo than the target: `ray` and `gpu_ray` became
-  `gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. An info where no Gazebo is
-  among the targets, or where the robot has plugins of both generations: one of them has the type.
-- Force and torque are measured in a joint: `<gazebo reference="JOINT">`. On a link gz-sim creates a
-  sensor that never sends, and Gazebo Classic none. Cameras, lidars and the like belong to links.
+  `gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. An info if no Gazebo is among
+  the targets, or if the robot has plugins of both generations: one of them has the type.
+- Force and torque are measured in a joint: `<gazebo reference="JOINT">`. On a link, gz-sim creates
+  a sensor that never publishes, and Gazebo Classic creates none. Cameras and lidars belong to
+  links.
 - The noise of an IMU, a GPS, a magnetometer, an altimeter, a pressure or force sensor has its type
   in an attribute, `<noise type="gaussian">`, and SDF requires it; only that of images and scans has
-  a child `<type>`. It happens where the block of a lidar is copied into an IMU.
+  a child `<type>`. The usual cause is a block of a lidar that was copied into an IMU.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -126,7 +127,7 @@ def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
 
 
 def _is_made(type: SensorType, targets: Targets) -> bool:
-    """True if a Gazebo that the robot is for makes such sensors, or none is known."""
+    """True if a target Gazebo creates such sensors, or no target is known."""
     gz = any(name.startswith("gz") for name in targets.names)
     classic = any(name.startswith("classic") for name in targets.names)
     return (type.gz and gz) or (type.classic and classic) or not (gz or classic)

@@ -1,8 +1,7 @@
 """The update rate of a sensor is negative, or that of a camera or lidar is zero or missing.
 
-Zero, which is also the default, means every step of the simulation, a thousand times a second: a
-camera or a lidar then slows the simulation down to a fraction of real time. A negative rate is
-invalid.
+Zero, the default, means every step of the simulation, a thousand times a second: a camera or a
+lidar then slows the simulation down to a fraction of real time. A negative rate is invalid.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -21,7 +20,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace(">0<", ">30<")
 
-#: In the types of sensors that are rendered, or cast rays.
+#: Parts of the types of sensors that are rendered, or cast rays.
 _HEAVY = ("camera", "depth", "lidar", "ray")
 
 

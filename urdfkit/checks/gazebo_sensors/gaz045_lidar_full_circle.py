@@ -1,8 +1,8 @@
-"""The first and last beam of a lidar have the same direction, or its beams go round more than once.
+"""The first and last beam of a lidar have the same direction, or its beams exceed a full circle.
 
-The angles span a full circle, and both ends are sampled: the same place is measured twice, and
-programs that match scans see a seam. With more than a circle, many places are. Leave one step out:
-with n samples the last angle is 2 pi (1 - 1/n) after the first.
+The angles span a full circle, and both ends are sampled: the same direction is measured twice, and
+scan matching has a seam. With more than a circle, many directions are measured twice. Omit one
+step: with n samples the last angle is 2 pi (1 - 1/n) after the first.
 
 Sources:
     SteveMacenski/slam_toolbox#293: https://github.com/SteveMacenski/slam_toolbox/issues/293

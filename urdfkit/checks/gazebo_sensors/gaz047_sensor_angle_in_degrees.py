@@ -1,7 +1,7 @@
 """An angle of a sensor is in degrees.
 
 SDF expects radians. A lidar of 180 degrees then spans 180 radians, 28 full turns, and a sensor that
-is turned by 90 in its `<pose>` looks 117 degrees to the side. For the `<horizontal_fov>` of a
+is rotated by 90 in its `<pose>` looks 117 degrees to the side. For the `<horizontal_fov>` of a
 camera it is an error: Gazebo rejects the model ("horizontal fov must be greater than zero and less
 than or equal to two pi").
 
@@ -46,7 +46,7 @@ def check(context: Context) -> Findings:
 
 
 def _turned_far(sensor: Sensor) -> Findings:
-    """A sensor whose pose turns it by more than a full turn."""
+    """A sensor whose pose rotates it by more than a full turn."""
     for pose in sensor.at.all("pose"):
         values = numbers(pose.text)
         if not values or len(values) != 6 or (pose.get("degrees") or "").lower() in ("true", "1"):

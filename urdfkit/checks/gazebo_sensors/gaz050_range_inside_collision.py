@@ -1,8 +1,8 @@
 """The minimum range of a lidar is inside the collision geometry of its own link.
 
-The rays of Gazebo hit every collision shape, that of their own link too. With a minimum range
-inside of it, every ray returns the distance of the housing and the lidar sees nothing else. Raise
-the minimum range, or make the collision shape smaller.
+The rays of Gazebo hit every collision shape, including that of their own link. If the minimum range
+is inside it, every ray returns the distance of the housing and the lidar detects nothing else.
+Raise the minimum range, or make the collision shape smaller.
 
 Sources:
     gazebosim/gazebo-classic#1564: https://github.com/gazebosim/gazebo-classic/issues/1564
@@ -40,7 +40,7 @@ def check(context: Context) -> Findings:
 
 
 def _around_origin(body: Body) -> float:
-    """How far a primitive reaches in every horizontal direction; 0 if the origin is outside."""
+    """Least horizontal distance from the origin to the surface of a primitive; 0 if outside."""
     extents = body.shape.half_extents if body.shape else None
     if extents is None or body.origin.rotation != IDENTITY:
         return 0.0

@@ -1,8 +1,8 @@
-"""A contact sensor names no collision, or one that its link does not have in Gazebo.
+"""A contact sensor refers to no collision, or to one that its link does not have in Gazebo.
 
-Gazebo renames collisions when it converts URDF: an unnamed one becomes `LINK_collision`, and those
-of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one, or none,
-never detects a contact.
+Gazebo renames collisions when it converts URDF: an unnamed collision becomes `LINK_collision`, and
+collisions of merged links become `PARENT_fixed_joint_lump__LINK_collision`. A sensor that refers to
+another name, or to none, never detects a contact.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc

@@ -1,13 +1,13 @@
 """A planar lidar on a robot with wheels does not scan level.
 
-Its beams lie in the plane across z of its frame. Where that frame is pitched, the scan meets the
-floor in front of the robot and takes it for a wall, and walls behind are seen at other distances
-than at the height of the lidar; mapping and AMCL need a level scan. A scan that stands upright,
-often an optical frame or a roll of 90°, sees a line of the floor. A lidar that hangs upside down is
-an info: programs that look up its frame, as AMCL does, turn the scan over; others see a map that is
-a mirror image.
+The beams of a planar lidar are in the plane perpendicular to z of its frame. If that frame is
+pitched, the scan hits the floor in front of the robot, which looks like a wall, and measures other
+distances to walls than at the height of the lidar; mapping and AMCL need a level scan. A vertical
+scan, often due to an optical frame or a roll of 90°, measures a line of the floor. A lidar that is
+mounted upside down is an info: programs that look up its frame, as AMCL does, flip the scan; other
+programs show a mirrored map.
 
-Lidars behind a joint that moves, those with several layers, and narrow ones are left out.
+Lidars below a movable joint, with several layers, or with a narrow scan are not reported.
 
 Sources:
     sensor_msgs, LaserScan: https://docs.ros.org/en/rolling/p/sensor_msgs/msg/LaserScan.html

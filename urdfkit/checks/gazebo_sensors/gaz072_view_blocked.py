@@ -1,14 +1,14 @@
-"""A planar lidar or a camera sees little but the robot itself.
+"""The robot itself blocks the view of a planar lidar or a camera.
 
-- Many beams of a planar lidar end at the robot, at the zero pose: it is mounted at the height of
-  the deck, of an arm or of wheels. Navigation takes that for obstacles around the robot that move
-  with it. It is an info from a tenth of the beams on, a warning from three tenths on. The `ray` of
-  Gazebo Classic meets collision shapes, from inside, too; a `gpu_lidar` sees visuals from outside.
-  What is nearer than the minimum range is not seen.
+- Many beams of a planar lidar hit the robot in the zero pose: it is mounted at the height of the
+  deck, of an arm or of wheels. Navigation reads these hits as obstacles that move with the robot.
+  It is an info from a tenth of the beams on, a warning from three tenths on. The `ray` of Gazebo
+  Classic hits collision shapes, also from inside; a `gpu_lidar` detects visuals from outside.
+  Shapes nearer than the minimum range are not detected.
 - The whole image of a camera is covered by parts of the robot nearer than half a metre: it looks
   into its housing, or backwards into the body.
 
-Raise the sensor, turn it, or give a lidar the range of angles that is free.
+Raise the sensor, rotate it, or limit the angles of a lidar to the unblocked range.
 
 Sources:
     gazebo-classic, RaySensor: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/sensors/RaySensor.cc
@@ -34,9 +34,9 @@ from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
 
-#: The part of the beams of a lidar from which it is an info and a warning.
+#: Blocked part of the beams of a lidar, from which it is an info and a warning.
 SOME, MANY = 0.1, 0.3
-#: In m: what a camera sees farther away is what it is for, such as the hand of its robot.
+#: In m: a camera is intended to see parts farther away, such as the hand of its robot.
 NEAR = 0.5
 _CLIP = 0.1
 

@@ -1,22 +1,21 @@
 """A size or a scale of a shape is negative or zero.
 
-- A negative size is an error: MuJoCo rejects the robot, other engines fail or make an inverted box,
-  RViz draws it inside out. Often a formula in the xacro subtracts more than there is.
-- A size of 0 is often written to mean "no shape here". RViz draws nothing, Gazebo and Drake make a
-  point of it; MuJoCo rejects the robot, and some collision engines divide by the volume. Remove the
-  whole `<visual>` or `<collision>`: a link without one is valid. An error for MuJoCo, else an info.
-- A scale factor of 0 makes a mesh a sheet, a line or a point, on whose triangles without area
-  collision engines fail: an error. A decimal point was misplaced, as in `0.000 0.001 0.001`, or an
-  argument of the xacro was left at 0. Millimetres are `0.001 0.001 0.001`.
-- One or three negative scale factors mirror a mesh: every triangle is inside out. Where a program
-  does not flip them back, the part is shaded wrongly, inside and outside of a collision are
-  swapped, and a volume computed from the mesh is negative. A mirrored mesh file is right
-  everywhere. An info.
+- A negative size is an error: MuJoCo rejects the robot, other engines fail or create an inverted
+  box, RViz draws it inside out. Often a formula in the xacro subtracts too much.
+- A size of 0 is often written to mean "no shape". RViz draws nothing, Gazebo and Drake create a
+  point; MuJoCo rejects the robot, and some collision engines divide by the volume. Remove the whole
+  `<visual>` or `<collision>`: a link without one is valid. An error for MuJoCo, otherwise an info.
+- A scale factor of 0 flattens a mesh to a sheet, a line or a point, and collision engines fail with
+  triangles without area: an error. A decimal point is misplaced, as in `0.000 0.001 0.001`, or an
+  argument of the xacro is 0. Millimetres are `0.001 0.001 0.001`.
+- One or three negative scale factors mirror a mesh: every triangle is inside out. If a program does
+  not flip them back, the part is shaded wrongly, inside and outside of a collision are swapped, and
+  a volume computed from the mesh is negative. A mirrored mesh file works in all programs. An info.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
-    measured: 19 of 676 public models mirror meshes so, on purpose
+    measured: 19 of 676 public models mirror meshes like this, on purpose
     Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 

@@ -1,15 +1,15 @@
 """A link has no collision, no visual, or neither.
 
-- A visual and no collision: in Gazebo it passes through the floor and other objects, and a lidar
-  simulated on the CPU does not see it; MoveIt plans through it. That is right for a label, a marker
-  or the glass of a lens. Otherwise add a `<collision>` with a simple shape. It is a warning for
-  MoveIt, and for a caster or wheel without which a robot on wheels does not stand.
-- A collision and no visual: RViz and Gazebo show nothing where the robot collides. That is right
+- A visual without collision: in Gazebo it passes through the floor and other objects, and a lidar
+  simulated on the CPU does not detect it; MoveIt plans through it. This is right for a label, a
+  marker or the glass of a lens. Otherwise add a `<collision>` with a simple shape. A warning for
+  MoveIt, and for a caster or wheel without which a wheeled robot does not stand.
+- A collision without visual: RViz and Gazebo show nothing where the robot collides. This is right
   for a bumper zone or a sphere that replaces a caster. Otherwise copy the shape to a `<visual>`.
-- A link with mass at the end of a chain that moves, with neither, while other links have
-  collisions: forces act on it, and nothing can touch it.
-- A robot without any shape: RViz shows frames only. That is right for a purely kinematic model;
-  otherwise the shapes were lost, for instance in an include that an argument switched off.
+- A link with mass, but without visual and collision, at the end of a moving chain, while other
+  links have collisions: forces act on it, and nothing can touch it.
+- A robot without any shape: RViz shows frames only. This is right for a purely kinematic model;
+  otherwise the shapes were lost, for example in an include that an argument disabled.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -30,7 +30,7 @@ BAD = robot_xml(
 )
 GOOD = link_xml("base", visual_xml(_BOX), collision_xml(_BOX))
 
-#: In kg: less is a number that a simulator required.
+#: In kg: a smaller mass is a placeholder that a simulator requires.
 _HEAVY = 1e-3
 
 
@@ -104,9 +104,9 @@ def _is_bare_end(body: RigidBody, context: Context) -> bool:
 
 
 def _needed(context: Context) -> tuple[str, ...]:
-    """The links whose visuals a robot on wheels stands on, if it falls over on its collisions.
+    """Links on whose visuals a wheeled robot stands, if it falls over on its collisions.
 
-    None where its meshes cannot be read.
+    Empty if its meshes cannot be read.
     """
     wheeled = any(joint.kind == "continuous" for joint in context.model.joints)
     if not wheeled or context.is_part or not context.tree.is_sound:
@@ -115,22 +115,26 @@ def _needed(context: Context) -> tuple[str, ...]:
         return ()
     links = context.model.links_by_name
     try:
-        seen = stand(context, visuals=True)
-        if seen is None or seen.tips or not is_freestanding(context.tree, seen.links):
+        on_visuals = stand(context, visuals=True)
+        if (
+            on_visuals is None
+            or on_visuals.tips
+            or not is_freestanding(context.tree, on_visuals.links)
+        ):
             return ()
-        touching = [name for name in seen.links if links[name].collisions]
-        found = stand(context, contacts=touching)
-        return () if _holds(found) or _lacks_meshes(context) else seen.links
+        touching = [name for name in on_visuals.links if links[name].collisions]
+        on_collisions = stand(context, contacts=touching)
+        return () if _is_stable(on_collisions) or _lacks_meshes(context) else on_visuals.links
     except ImportError:
         return ()
 
 
-def _holds(found: Stability | None) -> bool:
-    return found is not None and not found.tips
+def _is_stable(stability: Stability | None) -> bool:
+    return stability is not None and not stability.tips
 
 
 def _lacks_meshes(context: Context) -> bool:
-    """True if a collision may reach the ground in a mesh that cannot be read."""
+    """True if a collision mesh, which may reach the ground, cannot be read."""
     return any(
         body.shape and body.shape.filename and context.meshes.mesh(body.shape) is None
         for link in context.model.links

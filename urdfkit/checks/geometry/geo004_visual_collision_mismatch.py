@@ -1,21 +1,21 @@
 """The collision geometry of a link does not match the visual geometry.
 
-What is compared is the bounding boxes of all collisions and of all visuals of a link.
+The rule compares the bounding box of all collisions of a link with that of all visuals.
 
-- Their sizes differ by a factor of 5 in every direction; for two meshes, by 1.5 if it is the same
-  factor in all. One of the two has the wrong unit: a mesh in millimetres or inches without its
-  `scale` (unless MSH012 says so), one with a scale that it does not need, a radius in centimetres.
+- The sizes differ by a factor of 5 in every direction; for two meshes, by 1.5 if the factor is the
+  same in all directions. One of the two has the wrong unit: a mesh in millimetres or inches without
+  its `scale` (unless MSH012 reports it), a mesh with an unnecessary scale, a radius in centimetres.
 - One is rotated: after a quarter turn about the origin of one, the boxes would nearly coincide.
   Often a mesh was exported with other axes, or an `rpy` was written for the visual only. Meshes
   that programs rotate differently (MSH013) are not reported.
-- They are apart, with no more than a third of their volume in common, as where the `<origin>` of
-  half the height stands in the visual alone: visual and collision do not share it. A collision that
-  is larger or smaller about the same place is not reported, nor is a primitive in the place of a
-  part of a mesh.
+- The boxes have at most a third of their volume in common, for example because only the visual has
+  the `<origin>` at half the height: visual and collision do not share it. A larger or smaller
+  collision around the same centre is not reported, nor is a primitive that replaces a part of a
+  mesh.
 - A radius is exactly twice that of the same shape in the other: a diameter. An info.
 
-Wheels sink into the floor or hover, grippers close on nothing, and MoveIt avoids a place that is
-free while it drives into what is there.
+Wheels sink into the floor or hover, grippers close without contact, and MoveIt avoids free space
+and plans through the real part.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -43,21 +43,21 @@ _BOX, _ORIGIN = '<box size="0.2 0.3 0.1"/>', '<origin rpy="0 0 1.570796326794896
 BAD = link_xml("base", visual_xml(_BOX, _ORIGIN), collision_xml(_BOX))
 FIXED = GOOD = BAD.replace("<collision>", f"<collision>\n    {_ORIGIN}")
 
-#: Factors between units of length, and what they are made of.
+#: Causes of a wrong size, by the factor.
 _UNITS = {
-    1000.0: "millimetres taken for metres",
-    100.0: "centimetres taken for metres",
-    39.37: "inches taken for metres",
-    25.4: "inches taken for millimetres, or the other way round",
+    1000.0: "millimetres read as metres",
+    100.0: "centimetres read as metres",
+    39.37: "inches read as metres",
+    25.4: "inches read as millimetres, or the reverse",
     10.0: "a decimal point",
 }
-#: Times their length: of two bodies farther apart than this either one may be misplaced.
+#: Distance as a multiple of the length, above which either body may be misplaced.
 _FAR = 10.0
 
-#: Sine of the angle up to which two axes are one.
+#: Sine of the angle up to which two axes are parallel.
 _PARALLEL = 0.1
 
-#: A factor is that of two units if it is this near to it: visual and collision are rarely equal.
+#: Relative tolerance of a factor of units: visual and collision are rarely equal.
 _NEAR = 1.08
 
 
@@ -78,19 +78,19 @@ def check(context: Context) -> Findings:
 
 def _apart(one: VisualCollisionPair, context: Context) -> Finding:
     link = one.link
-    how = _how(link) if one.has_one_shape else ""
-    wrong, right, is_known = _sides(one, context)
-    is_known = is_known and bool(how) and not _is_far(one)
+    difference = _difference(link) if one.has_one_shape else ""
+    wrong, right, is_known = _misplaced(one, context)
+    is_known = is_known and bool(difference) and not _is_far(one)
     return Finding(
         wrong.at,
         f"link '{link.name}': the bounding boxes of collision and visual have only "
-        f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{how}",
+        f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{difference}",
         _help(one, wrong, right),
         _fix(wrong.at, right.at) if is_known else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
         weight=1 - one.overlap,
-        group_key="moved" if how else "apart",
+        group_key="moved" if difference else "apart",
     )
 
 
@@ -100,16 +100,15 @@ def _is_far(one: VisualCollisionPair) -> bool:
 
 
 def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
-    """The origin of the other body, or how far to move where that does not help."""
+    """Help: use the origin of the other body, or move by a distance if both origins are equal."""
     if wrong.origin != right.origin:
         return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
     shift = minus(one.visual.bounds.center, one.collision.bounds.center)
-    way = rounded(shift, 4)
-    return f"add {way} to the <origin> of the collision, to center it on the visual"
+    return f"add {rounded(shift, 4)} to the <origin> of the collision, to center it on the visual"
 
 
 def _is_in_millimetres(body: Body, context: Context) -> bool:
-    """True for a mesh of which MSH012 says so, with a fix."""
+    """True for a mesh that MSH012 reports, with a fix."""
     if body.shape is None or body.shape.kind != "mesh":
         return False
     uses = context.measured.defects.get(MeshDefect.MILLIMETRES, ())
@@ -175,7 +174,7 @@ def _diameters(context: Context) -> Findings:
 
 
 def _radius(body: Body, other: Body) -> float | None:
-    """The radius of a shape that equals the other one in all but the radius."""
+    """The radius of a shape, if the other shape differs at most in the radius; else None."""
     one, two = body.shape, other.shape
     if one is None or two is None or one.kind != two.kind or one.length != two.length:
         return None
@@ -186,12 +185,12 @@ def _edges(box: BoundingBox) -> str:
     return " x ".join(f"{edge:.3g}" for edge in box.edges) + " m"
 
 
-def _sides(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
-    """The body that is probably misplaced, the other one, and whether nothing contradicts that.
+def _misplaced(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
+    """The body that is probably misplaced, the other body, and whether nothing contradicts that.
 
-    That is the collision, unless its origin is that of the inertia as well. A tensor that fits the
-    collision and not the visual was forgotten like that one, or the visual was turned by mistake:
-    only a cylinder on a joint shows which, as it turns about its own axis.
+    The misplaced body is the collision, unless the inertia has the same origin. If the tensor fits
+    the collision and not the visual, either the tensor was not updated, like the collision, or the
+    visual is wrong: only a cylinder on a joint shows which, as it turns about its own axis.
     """
     link = one.link
     collision, visual = link.collisions[0], link.visuals[0]
@@ -208,7 +207,7 @@ def _sides(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool
 
 
 def _turns_about_own_axis(body: Body, joint: Joint) -> bool:
-    """True of a cylinder along the axis of the joint above it."""
+    """True for a cylinder along the axis of its joint."""
     if body.shape is None or body.shape.kind != "cylinder" or joint.axis is None:
         return False
     axis, own = joint.axis.value, rotate(body.origin.rotation, (0.0, 0.0, 1.0))
@@ -217,7 +216,7 @@ def _turns_about_own_axis(body: Body, joint: Joint) -> bool:
 
 def _fix(wrong: Element, right: Element) -> Fix | None:
     """Gives one body the origin of the other, which has the same shape."""
-    if wrong.frame is not right.frame:  # expressions mean something else there
+    if wrong.frame is not right.frame:  # expressions have other values in another macro call
         return None
     old, new = wrong.child("origin"), right.child("origin")
     title = f"give the {wrong.tag} the <origin> of the {right.tag}"
@@ -228,8 +227,8 @@ def _fix(wrong: Element, right: Element) -> Fix | None:
     return Fix(title, (Edit(old.tag_at.whole_span, new.tag_at.whole_span.text),))
 
 
-def _how(link: Link) -> str:
-    """How the origins of two equal shapes differ."""
+def _difference(link: Link) -> str:
+    """The difference between the origins of two equal shapes."""
     (one,), (other,) = link.collisions, link.visuals
     shift = [b - a for a, b in zip(one.origin.position, other.origin.position, strict=True)]
     parts = []

@@ -1,10 +1,11 @@
 """A colour has a component outside 0 to 1, or is invisible.
 
-URDF's colours go from 0 to 1. urdfdom rejects any other with an error, and the part is drawn in
-the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
+Colour components in URDF range from 0 to 1. urdfdom rejects other values with an error, and the
+part is drawn in the default colour (red in RViz). Values up to 255 are from a colour picker: divide
+them by 255.
 
 An alpha of 0, the fourth number, is transparent: RViz shows nothing. An info. Write 1; or, if the
-link should be invisible, remove the `<visual>`, or call the material `invisible`.
+link should be invisible, remove the `<visual>`, or name the material `invisible`.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -28,13 +29,13 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 
-#: Components up to this are 1 with an error, not values up to 255.
+#: Components up to this are inaccurate, not values up to 255.
 _SLIGHTLY = 2.0
 
-#: An alpha that is 1 in another unit, next to components from 0 to 1.
+#: Values of an opaque alpha in another unit, next to components from 0 to 1.
 _OPAQUE = (100.0, 255.0)
 
-#: Components up to this may be percents, with an alpha that says so: 100, or 10 of tenths.
+#: Components up to this may be percents or tenths, if alpha is 100 or 10.
 _PERCENT = 100.0
 _FULL = (10.0, 100.0)
 
@@ -81,7 +82,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
 
 
 def _fixed(values: tuple[float, ...]) -> str:
-    """The colour from 0 to 1; empty if it is unknown."""
+    """The colour in the range 0 to 1; empty if it is unknown."""
     if min(values) < 0 or max(values) > 255:
         return ""
     color, alpha = values[:3], values[3:]

@@ -1,9 +1,9 @@
 """A link has one colour in RViz and another one in Gazebo.
 
-Gazebo draws what `<gazebo reference="...">` names as `<material>`, RViz what stands in the
-`<visual>`, so that the two windows differ. Give both the same colour. Gazebo Classic needs a
-material of its own, for it does not read the URDF's colours; from Fortress on Gazebo does, and the
-`<material>` in `<gazebo>` can go.
+Gazebo uses the `<material>` in `<gazebo reference="...">`, RViz that in the `<visual>`, so the two
+windows differ. Give both the same colour. Gazebo Classic needs its own material, as it does not
+read the URDF's colours; Gazebo reads them from Fortress on, and the `<material>` in `<gazebo>` can
+be removed.
 
 Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
@@ -26,7 +26,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("Gazebo/Red", "Gazebo/Black")
 
-#: Red, green or blue differ by more than this between colours that nobody confuses.
+#: Difference in red, green or blue, above which two colours are clearly different.
 _TOLERANCE = 0.4
 
 
@@ -42,13 +42,17 @@ def check(context: Context) -> Findings:
         of_urdf.setdefault(link.name, []).append(material)
     for name, element in _gazebo_materials(context).items():
         rgb = _color(element, in_gz=in_gz)
-        seen = [one for one in of_urdf.get(name, ()) if one.rgba and not one.texture]
-        if rgb and seen and not any(_alike(element, rgb, material) for material in seen):
-            yield _finding(name, element, rgb, seen[0])
+        plain = [material for material in of_urdf.get(name, ()) if _is_plain(material)]
+        if rgb and plain and not any(_is_similar(element, rgb, material) for material in plain):
+            yield _finding(name, element, rgb, plain[0])
+
+
+def _is_plain(material: Material) -> bool:
+    return bool(material.rgba and not material.texture)
 
 
 def _gazebo_materials(context: Context) -> dict[str, Element]:
-    """The element that gives each link its Gazebo material: the last one."""
+    """The last ``<material>`` for Gazebo of each link, by link name."""
     return {
         block.get("reference") or "": child
         for block in context.model.gazebo
@@ -61,7 +65,7 @@ def _named(element: Element) -> str:
 
 
 def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
-    """Red, green and blue that Gazebo draws; None for a texture and an unknown name."""
+    """Red, green and blue in Gazebo; None for a texture or an unknown name."""
     material = materials().get(_named(element))
     if material is None or material.is_textured:
         return None
@@ -69,8 +73,8 @@ def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
     return rgba[:3] or None
 
 
-def _alike(element: Element, rgb: tuple[float, ...], material: Material) -> bool:
-    """True if the colours are near one another, or have the same name."""
+def _is_similar(element: Element, rgb: tuple[float, ...], material: Material) -> bool:
+    """True if the colours are similar, or have the same name."""
     assert material.rgba is not None
     word = _named(element).rpartition("/")[2].lower()
     if material.name and word in material.name.value.lower():

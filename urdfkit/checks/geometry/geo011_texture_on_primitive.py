@@ -1,8 +1,8 @@
 """A box, a cylinder or a sphere has a texture.
 
-RViz wraps the image around the shape in its own way. Gazebo does not read `<texture>` and draws the
-plain colour, or grey. For an image that all programs show in the same place, use a mesh with
-texture coordinates (COLLADA or glTF).
+RViz maps the image to the shape in its own way. Gazebo ignores `<texture>` and draws the plain
+colour, or grey. For an image that all programs show in the same place, use a mesh with texture
+coordinates (COLLADA or glTF).
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link

@@ -1,16 +1,17 @@
 """An element is unknown to URDF, or in a place where URDF does not have it.
 
-URDF parsers ignore it without a message, with all that is in it. Usually the name is misspelt, or
+URDF parsers ignore the element and its content without a message. Usually the name is misspelt, or
 the tag belongs to another format (SDF, an old ROS tutorial, another simulator). A `<material>`
-inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
+inside `<geometry>` sets no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
-namespace prefix, such as `drake:proximity_properties`, is an extension and is reported only where
-Drake has another one of nearly that name. What the root of an included file is, xacro drops: a
-`<link>` there puts its shapes directly into the `<robot>`. An element that a program reads, in its
-package, one next to it or one that it depends on, is an info, as is an old tag whose attributes are
-all zero, one in the axis of a fixed joint, and one that `<xacro:element>` makes.
+namespace prefix, such as `drake:proximity_properties`, is an extension and is reported only if
+Drake defines another tag with nearly the same name. xacro drops the root element of an included
+file: if it is a `<link>`, its shapes are directly in the `<robot>`. An info is an element that a
+program in the same package, in a neighbouring one or in a dependency reads, an old tag whose
+attributes are all zero, a tag in the axis of a fixed joint, and a tag that `<xacro:element>`
+creates.
 
-It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
+It is an error if a required element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
 without `<parent>` or `<child>` it rejects the robot.
 
@@ -39,13 +40,13 @@ from urdfkit.workspace.program_strings import xml_readers
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
 
-#: What replaced an element of early versions.
+#: Replacements for elements of early versions.
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
 
 #: The first element of a file.
 _ROOT = re.compile(rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)")
 
-#: Elements of one tag in the same wrong place that are shown.
+#: Number of elements with the same tag in the same wrong place that a finding lists.
 _SHOWN = 5
 
 
@@ -81,8 +82,8 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
     """An unknown element.
 
     Args:
-        suggested: what it should be; empty if nothing is like it.
-        reader: the source file of a program that reads it; None if there is none.
+        suggested: the intended tag; empty if no tag is similar.
+        reader: the source file of a program that reads the element; None if there is none.
     """
     assert element.parent is not None
     is_computed = element.tag_at.name_span.text == "xacro:element"
@@ -102,7 +103,7 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
 
 
 def _has_no_effect(element: Element) -> bool:
-    """True for an old tag with zeros, and for the axis of a joint that has none."""
+    """True for an old tag with zeros, and for a tag in the axis of a joint without axis."""
     parent = element.parent
     joint = parent.parent if parent is not None and parent.tag == "axis" else None
     if joint is not None and joint.attributes.get("type"):
@@ -124,28 +125,28 @@ def _fix(element: Element, suggested: str) -> Fix | None:
     if suggested:
         edits = rename_element(element, suggested)
         fix = Fix.of(f"rename <{element.tag}> to <{suggested}>", edits)
-        # What was not read as a block may move the robot once it is.
+        # A block that parsers ignored so far may change the robot once they read it.
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
     if element.children or element.text.strip() or not _is_zero(element):
         return None  # its values may belong elsewhere
-    # In a xacro it may be the call of a macro that lacks its prefix, and its include.
+    # In a xacro it may be a call of a macro without its prefix and its include.
     is_call = is_xacro(element.tag_at.source)
     safe = not element.attributes and not is_call
     return Fix(f"remove the <{element.tag}>", remove_element(element), safe=safe)
 
 
 def _misplaced(elements: list[Element]) -> Findings:
-    """Elements that URDF has in other places."""
-    alike: dict[tuple[str, str], list[Element]] = {}
+    """Elements that URDF defines in other places."""
+    by_place: dict[tuple[str, str], list[Element]] = {}
     for element in elements:
         assert element.parent is not None
         fix = _moved(element, element.parent)
         if fix is None:
-            alike.setdefault((element.tag, element.parent.tag), []).append(element)
+            by_place.setdefault((element.tag, element.parent.tag), []).append(element)
         else:
             yield _in_place(element, element.parent, fix=fix)
     rootless: set[str] = set()
-    for first, *others in alike.values():
+    for first, *others in by_place.values():
         assert first.parent is not None
         source = first.tag_at.source
         root = _ROOT.search(without_comments(source.data)) if first.parent.tag == "robot" else None
@@ -158,7 +159,7 @@ def _misplaced(elements: list[Element]) -> Findings:
 
 
 def _without_robot(element: Element, root: str) -> Finding:
-    """What an include put into the robot without the root of its file."""
+    """Elements that an include added to the robot without the root of its file."""
     file = os.path.basename(element.tag_at.source.path)
     return Finding(
         element,
@@ -171,7 +172,7 @@ def _without_robot(element: Element, root: str) -> Finding:
 def _in_place(
     element: Element, parent: Element, others: Sequence[Element] = (), fix: Fix | None = None
 ) -> Finding:
-    """One finding for an element and others of its tag in the same wrong place."""
+    """One finding for all elements with the same tag in the same wrong place."""
     places = " or ".join(f"<{place}>" for place in places_of(element))
     message = (
         f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "

@@ -1,10 +1,10 @@
-"""An attribute has a name that URDF does not know.
+"""An attribute has a name that URDF does not define.
 
 URDF parsers ignore it and use the default of the intended attribute: a joint with `velocty="2"`
 has no velocity limit. Correct the name, or remove the attribute.
 
-An attribute that is like none of URDF and holds none of its numbers belongs to some other program,
-or is a note: that is an info.
+An attribute that resembles no attribute of URDF and contains no number that URDF uses belongs to
+another program, or is a note: an info.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -26,7 +26,7 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("fricton", "friction")
 
-#: Foreign attributes, and elements that have them, that are shown.
+#: Number of foreign attributes, and of elements with them, that a finding lists.
 _SHOWN = 5
 
 
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
 
 
 def _mistake(element: Element, attribute: Attribute, suggested: str) -> Finding:
-    """An attribute that is probably a misspelt one."""
+    """An attribute that is probably misspelt."""
     edits = rename_attribute(attribute, suggested)
     return Finding(
         attribute,
@@ -59,16 +59,16 @@ def _mistake(element: Element, attribute: Attribute, suggested: str) -> Finding:
 
 
 def _is_misplaced(attribute: Attribute) -> bool:
-    """True for numbers that URDF has in another element, and that say something.
+    """True for numbers other than defaults that belong into another element of URDF.
 
-    All other attributes are of another program, or notes.
+    All other attributes belong to another program, or are notes.
     """
     is_of_urdf = attribute.name in schema.numeric_attributes()
     return is_of_urdf and any(word.strip("+-0.") for word in attribute.value.split())
 
 
 def _foreign(attributes: list[Attribute]) -> Finding:
-    """Attributes of some other program; one finding for all elements of a tag that have them."""
+    """Attributes of another program; one finding for all elements of a tag that have them."""
     first = attributes[0]
     element = first.element
     names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]

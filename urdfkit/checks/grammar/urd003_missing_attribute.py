@@ -1,10 +1,10 @@
 """An element lacks a required attribute, or a link or joint has an empty name.
 
-In a joint or in `<robot>`, urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot. In a
-link it logs one line and drops every visual and collision of that link. A `<dynamics>` needs at
-least one of its two attributes. Values in elements or as text, `<box><size>1 1 1</size></box>` or
-`<parent>base</parent>`, are SDF: in URDF they are attributes. Only a xacro file that others include
-can do without the name of the robot.
+If an attribute is missing in a joint or in `<robot>`, urdfdom (RViz, MoveIt, Gazebo, Pinocchio)
+rejects the robot. In a link, urdfdom logs one line and drops every visual and collision of that
+link. A `<dynamics>` needs at least one of its two attributes. Values in elements or as text,
+`<box><size>1 1 1</size></box>` or `<parent>base</parent>`, are SDF: in URDF they are attributes.
+The name of the robot is optional only in a xacro file that others include.
 
 urdfdom reads an empty name, but TF ignores such a frame, Drake rejects the link and PyBullet
 crashes. In a xacro an empty name is usually a prefix with nothing after it.
@@ -61,14 +61,14 @@ def check(context: Context) -> Findings:
 
 
 def _as_attribute(element: Element, missing: str) -> str:
-    """How to write a value that stands in the element, as SDF has it; empty if there is none."""
+    """Help for a value in the element, as in SDF; empty if there is none."""
     child = element.child(missing)
     value = (child.text if child is not None else element.text).strip()
     return f'write <{element.tag} {missing}="{value[:40]}"/>, an attribute' if value else ""
 
 
 def _named_for_file(element: Element) -> Fix | None:
-    """The name of the file without its suffixes, if a name can be that."""
+    """The name of the file without its suffixes, if that is a valid name."""
     source, _, end = element.tag_at.name_span
     name = os.path.basename(source.path).partition(".")[0]
     if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):

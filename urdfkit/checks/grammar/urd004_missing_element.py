@@ -1,11 +1,11 @@
 """An element lacks a required child element.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects a robot with a joint without `<parent>` or
-`<child>`. Of an `<inertial>` without `<mass>` or `<inertia>` it drops the inertia; of a visual or
-collision without `<geometry>`, or whose `<geometry>` does not begin with a shape, it drops all
-visuals and collisions of the link, with one line in the log. The shapes are box, cylinder, sphere,
-mesh and, from version 1.1, capsule. A plane is a thin box: only Bullet reads `<plane>`, which is
-an info unless a target is known. A `<material>` belongs after the `<geometry>`.
+`<child>`. It ignores an `<inertial>` without `<mass>` or `<inertia>`; if a visual or collision has
+no `<geometry>`, or the `<geometry>` does not begin with a shape, it drops all visuals and
+collisions of the link, with one line in the log. The shapes are box, cylinder, sphere, mesh and,
+from version 1.1, capsule. Write a plane as a thin box: only Bullet reads `<plane>`, which is an
+info unless a target is known. A `<material>` belongs after the `<geometry>`.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -39,14 +39,14 @@ def check(context: Context) -> Findings:
 
 
 def _calls_macro(context: Context, element: Element) -> bool:
-    """True if a child has the name of a macro, which may make what is missing."""
+    """True if a child has the name of a macro, which may create the missing element."""
     xacro = context.reading.xacro
     macros = {macro.name for macro in xacro.macros} if xacro else set()
     return any(child.tag in macros for child in element.children)
 
 
 def _without_shape(context: Context, element: Element, who: str) -> Finding:
-    """A geometry without a shape, or what comes first in it."""
+    """Finding about a geometry without a shape, or whose first element is not a shape."""
     message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
     if has_element("geometry", element.tag):
         message = f"{who}: <geometry> begins with <{element.tag}>, which only Bullet reads"

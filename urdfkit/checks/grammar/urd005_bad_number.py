@@ -1,16 +1,17 @@
-"""A value is not a number, has too many or too few of them, or is no word that a program knows.
+"""A value is not a number, has too many or too few numbers, or is not a known keyword.
 
 URDF parsers read digits with a decimal point and an exponent, such as `-1.5e-3`, with spaces
 between the numbers. They reject a decimal comma, a unit, `inf`, `nan`, a tab between two numbers
-and white space after the last. `xyz`, `rpy`, `size` and `scale` take three numbers, `rgba` four.
+and white space after the last. `xyz`, `rpy`, `size` and `scale` have three numbers, `rgba` four.
 
-In a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot, in a link it drops the
-inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a vector of
-the wrong length; PyBullet continues with a wrong number. MuJoCo reads what C reads: hexadecimal
-numbers, any white space, `inf` in a `<limit>`. These are a warning where it is the only target.
+For a value in a joint, urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects the robot; in a link it
+drops the inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a
+vector of the wrong length; PyBullet continues with a wrong number. MuJoCo accepts the numbers of C:
+hexadecimal numbers, any white space, `inf` in a `<limit>`. These are a warning if MuJoCo is the
+only target.
 
-In `<mujoco>` some attributes take one of a few words, as `strippath="true"`: MuJoCo rejects others
-("invalid keyword"), also in upper case.
+In `<mujoco>` some attributes require a keyword, as `strippath="true"`: MuJoCo rejects other words
+("invalid keyword"), and keywords in upper case.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -33,7 +34,7 @@ BAD = link_xml("ball", collision_xml('<sphere radius="0,05"/>', '<origin xyz="0,
 FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
 _PROPERTY = re.compile(rb"<xacro:property\s[^<>]*\bname=[\"']([A-Za-z_][A-Za-z_0-9]*)[\"']").findall
-#: What C reads as a number, and urdfdom does not.
+#: Numbers of C that urdfdom does not read.
 _HEXADECIMAL = re.compile(r"(?ai)[-+]?0x([\da-f]+\.?[\da-f]*|\.[\da-f]+)(p[-+]?\d+)?")
 _INFINITE = re.compile(r"(?i)[-+]?inf(inity)?")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
@@ -71,7 +72,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_read_by_c(attribute: Attribute, length: int) -> bool:
-    """True if ``strtod`` reads so many numbers, of which only limits may be infinite."""
+    """True if ``strtod`` reads this many numbers; only limits may be infinite."""
     parts = attribute.value.split()
     is_limit = attribute.element.tag == "limit"
     return len(parts) == length and all(
@@ -105,7 +106,7 @@ def _of_words(attribute: Attribute, words: list[str]) -> Finding:
 
 
 def _reason(text: str, length: int, better: str) -> str:
-    """What is wrong with a value, after its name; ``better`` is what it should be, if known."""
+    """The defect of a value, as text after its name; ``better`` is the correct value, if known."""
     count = len(text.split())
     if count == 0:
         return "is empty"
@@ -126,7 +127,7 @@ def _reason(text: str, length: int, better: str) -> str:
 
 
 def _fixed(text: str, length: int) -> str | None:
-    """The value with correct commas and white space, if that is enough."""
+    """The value with correct decimal points and white space, if it is valid then."""
     parts = [part.rstrip(",") for part in text.split()]
     spaced = " ".join(parts)
     for candidate in (spaced, spaced.replace(",", "."), " ".join(text.replace(",", " ").split())):
@@ -137,7 +138,7 @@ def _fixed(text: str, length: int) -> str | None:
 
 
 def _completed(name: str, kind: str, parts: list[str]) -> str | None:
-    """The vector where only one is possible: a scale for all axes, an opaque colour."""
+    """The vector, if only one is possible: a scale for all axes, an opaque colour."""
     if name == "scale" and len(parts) == 1:
         return " ".join(parts * 3)
     return " ".join([*parts, "1"]) if kind == schema.RGBA and len(parts) == 3 else None

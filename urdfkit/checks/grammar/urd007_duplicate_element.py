@@ -1,10 +1,10 @@
-"""An element is given twice where parsers read one.
+"""An element is written twice where parsers read only one.
 
-urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet read the first and ignore the
-second without a message. MuJoCo rejects the robot, an error where it is a target, unless it does
-not read the element: a `<texture>`, a `<safety_controller>`, a `<calibration>`, the `<limit>` of a
-fixed joint. A `<geometry>` holds one shape, an `<inertial>` one mass. Remove one of them, or put a
-second shape into a visual or collision of its own.
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet read the first and ignore the second
+without a message. MuJoCo rejects the robot (an error if it is a target), unless it does not read
+the element: a `<texture>`, a `<safety_controller>`, a `<calibration>`, the `<limit>` of a fixed
+joint. A `<geometry>` contains one shape, an `<inertial>` one mass. Remove one of them, or put a
+second shape into a separate visual or collision.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -32,8 +32,8 @@ FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIG
 
 @rule(Severity.WARNING, help="remove one of them")
 def check(context: Context) -> Findings:
-    rejecting = [one for one in context.given_facts if one.rejects_repeated]
-    names = " and ".join(one.title for one in rejecting)
+    rejecting = [target for target in context.given_facts if target.rejects_repeated]
+    names = " and ".join(target.title for target in rejecting)
     for element, *_ in context.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)
@@ -53,12 +53,12 @@ def check(context: Context) -> Findings:
             related=related,
             group_key=f"{element.tag} in {place}",
             severity=Severity.ERROR if is_rejected else None,
-            targets=tuple(one.name for one in rejecting) if is_rejected else (),
+            targets=tuple(target.name for target in rejecting) if is_rejected else (),
         )
 
 
 def _is_read_by_mujoco(element: Element, first: Element) -> bool:
-    """True if MuJoCo looks for one element of this tag there, and rejects a second one."""
+    """True if MuJoCo reads one element of this tag there, and rejects a second one."""
     if element.tag != first.tag or element.tag in _UNREAD:
         return False
     joint = element.parent
@@ -75,7 +75,7 @@ def _fix(element: Element, first: Element) -> Fix | None:
 
 
 def _is_same(one: Element, other: Element) -> bool:
-    """True if two elements hold the same, element by element."""
+    """True if two elements have the same content."""
     pairs = zip_longest(one.walk(), other.walk())
     return all(a and b and _content(a) == _content(b) for a, b in pairs)
 
@@ -86,6 +86,6 @@ def _content(element: Element) -> tuple[object, ...]:
 
 
 def _first(element: Element, parent: Element) -> Element:
-    """The one that parsers read."""
+    """The element that parsers read."""
     alternatives = SHAPES if parent.tag == "geometry" else (element.tag,)
     return next(child for child in parent.children if child.tag in alternatives)

@@ -1,9 +1,9 @@
-"""A tag that only Gazebo reads stands outside a `<gazebo>` block.
+"""A tag that only Gazebo reads is outside a `<gazebo>` block.
 
-Gazebo gets the robot through a URDF parser, which ignores what is not URDF: friction
-(`mu1`, `mu2`), contact stiffness (`kp`, `kd`), `preserveFixedJoint`, sensors and plugins inside a
-link or joint are lost without a message. Move the tag into `<gazebo reference="...">` with
-the name of the link or joint.
+Gazebo reads the robot with a URDF parser, which ignores tags that are not URDF: friction (`mu1`,
+`mu2`), contact stiffness (`kp`, `kd`), `preserveFixedJoint`, sensors and plugins inside a link or
+joint are lost without a message. Move the tag into `<gazebo reference="...">` with the name of the
+link or joint.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -31,7 +31,7 @@ def check(context: Context) -> Findings:
     for element in misplaced:
         assert element.parent is not None
         if element.parent.tag == "mujoco":
-            continue  # such a <sensor> is MuJoCo's
+            continue  # a <sensor> of MuJoCo
         yield Finding(
             element,
             f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",
@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
 
 
 def _fixes(context: Context, misplaced: list[Element]) -> dict[Element, Fix]:
-    """The move of all tags of one link or joint at once, for each of those tags."""
+    """The fix that moves all tags of one link or joint at once, by tag."""
     groups: dict[Element, list[Element]] = {}
     for element in misplaced:
         owner = _owner(element)
@@ -57,19 +57,19 @@ def _fixes(context: Context, misplaced: list[Element]) -> dict[Element, Fix]:
 
 
 def _is_for(element: Element, owner: Element) -> bool:
-    """True if Gazebo reads a tag in the block of such an owner."""
+    """True if Gazebo reads a tag in the block of a link or joint."""
     extension = extensions().get(element.tag)
     return extension is not None and extension.on in (owner.tag, "both")
 
 
 def _moved(context: Context, owner: Element, elements: list[Element]) -> Fix | None:
-    """Into the block that there is for the owner, else into a new one behind it."""
+    """Edits that move tags into the existing block of the owner, or into a new block after it."""
     name = owner.attributes.get("name")
     if name is None or name.written_in is not None:
         return None
     blocks = [one for one in context.model.gazebo if one.get("reference") == name.value]
     if any(block.child(element.tag) for block in blocks for element in elements):
-        return None  # one of two values would win
+        return None  # the block has the tag already
     removals = remove_elements(elements)
     lines = [line for element in elements for line in lines_of(element)]
     title = f'move it into <gazebo reference="{name.value}">'
@@ -80,7 +80,7 @@ def _moved(context: Context, owner: Element, elements: list[Element]) -> Fix | N
 
 
 def _help(element: Element) -> str:
-    if element.tag == "pose":  # SDF's word for what URDF has, too
+    if element.tag == "pose":  # an <origin> in URDF
         return "use the <origin> of the joint, or that of the shape"
     owner = _owner(element)
     name = owner.get("name") if owner else None
@@ -88,13 +88,13 @@ def _help(element: Element) -> str:
 
 
 def _is_zero_pose(element: Element) -> bool:
-    """True for a ``<pose>`` that would move nothing."""
+    """True for a ``<pose>`` without effect."""
     words = element.text.split()
     return element.tag == "pose" and all(word.strip("+-0.") == "" for word in words)
 
 
 def _owner(element: Element) -> Element | None:
-    """The link or joint that an element is in."""
+    """The link or joint that contains an element."""
     owners = [ancestor for ancestor in _ancestors(element) if ancestor.tag in ("link", "joint")]
     return owners[-1] if owners else None
 

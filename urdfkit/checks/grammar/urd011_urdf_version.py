@@ -1,17 +1,17 @@
-"""The URDF version does not exist, is too new for older parsers, or too low for what is used.
+"""The URDF version does not exist, is too new for older parsers, or too low for the elements used.
 
-`version` is that of the format, not that of your robot: 1.0, 1.1 or 1.2; without it, it is 1.0.
+`version` is the version of the format, not of your robot: 1.0, 1.1 or 1.2; the default is 1.0.
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects any other text.
 
 Version 1.1 brought capsules and quaternions, 1.2 more joint limits. urdfdom 6 reads them; urdfdom
 3.0.1, the version in Debian 12, rejects the robot: a warning. In a robot of version 1.0 a
 `<capsule>` is not a shape, and urdfdom drops every visual and collision of the link; `quat_xyzw` is
 ignored, and the part is not rotated. Build the capsule from a cylinder and two spheres and write
-`rpy`, which every parser reads, or declare the version. MuJoCo and Drake read a `<capsule>` of any
-version; where they are the only targets it is not reported.
+`rpy`, which every parser reads, or declare the version. MuJoCo and Drake read a `<capsule>` in any
+version; if they are the only targets, it is not reported.
 
-With the version, urdfdom rejects an `<origin>` with both `rpy` and `quat_xyzw`. MuJoCo, Drake,
-PyBullet, Newton and yourdfpy ignore `quat_xyzw` all the same: an error for these targets.
+In version 1.1 and later, urdfdom rejects an `<origin>` with both `rpy` and `quat_xyzw`. MuJoCo,
+Drake, PyBullet, Newton and yourdfpy ignore `quat_xyzw` in any version: an error for these targets.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp

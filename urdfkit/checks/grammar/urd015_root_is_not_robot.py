@@ -1,10 +1,10 @@
 """The file is XML, but its root element is not `<robot>`.
 
-It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML is
+The file has another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML is
 case-sensitive. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
 
-A world of Gazebo is no robot either. The rules WLD compare it with the robot, when the launch file
-that starts both is checked: `urdfkit check PACKAGE`.
+A Gazebo world is not a robot, either. The WLD rules compare a world with the robot if you check the
+launch file that starts both: `urdfkit check PACKAGE`.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -16,7 +16,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
 
-#: What checks other formats, by root element.
+#: Programs that check other formats, by root element.
 _ELSEWHERE = {
     "sdf": "gz sdf --check FILE checks SDF, worlds too",
     "COLLADA": "name the file that holds the <robot>; urdfkit mesh info FILE inspects a mesh",
@@ -41,7 +41,7 @@ def check(context: Context) -> Findings:
 
 
 def _help(element: Element) -> str:
-    """What checks a file with this root."""
+    """The program that checks a file with this root."""
     if element.tag == "sdf" and element.child("world"):
         return (
             "this is a world of Gazebo: check the package or the launch file that starts it with "

@@ -1,9 +1,8 @@
-"""Text stands where URDF has none.
+"""An element contains text, which URDF does not use.
 
-All values of URDF are attributes; parsers ignore text between the tags. A value that is written
-as in SDF, `<origin>0 0 0.1</origin>`, is lost without a message, and a piece of a comment or a
-doubled `>` shows that something was cut or typed by mistake. A comment in the style of another
-language, `## wheels`, is an info.
+All values in URDF are attributes; parsers ignore text between the tags. A value that is written as
+in SDF, `<origin>0 0 0.1</origin>`, is lost without a message, and a part of a comment or a doubled
+`>` is a mistake in editing. A comment in the style of another language, `## wheels`, is an info.
 
 Sources:
     URDF, XML specification: http://wiki.ros.org/urdf/XML
@@ -21,7 +20,7 @@ BAD = link_xml("arm", visual_xml('<box size="0.1 0.1 0.2"/>', "<origin>0 0 0.1</
 GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
 
 _TAGS = rb"<!--[\s\S]*?-->|<[^<>]*>"
-#: Characters of a text that a message shows.
+#: Number of characters of a text that a message contains.
 _SHOWN = 40
 
 
@@ -38,7 +37,7 @@ def check(context: Context) -> Findings:
 
 
 def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Location | Element:
-    """Where the text stands, if it stands there word for word; else the tag around it."""
+    """The span of the text, if the source contains it literally; else that of the tag around it."""
     source, start, end = element.tag_at.inner_span
     inside = re.sub(_TAGS, _blank, source.data[start:end])
     if text not in inside:  # xacro writes > so
@@ -53,5 +52,5 @@ def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Locati
 
 
 def _blank(tag: re.Match[bytes]) -> bytes:
-    """As many blanks as a tag has characters, so that it is no text and places stay."""
+    """Spaces in place of a tag, so that offsets are preserved."""
     return b" " * len(tag.group())

@@ -1,4 +1,4 @@
-"""Findings about copies of one tensor, reported as one."""
+"""Merges findings about copies of one tensor."""
 
 from collections.abc import Callable, Iterable
 
@@ -11,19 +11,21 @@ from urdfkit.text.editing.edits import from_macro
 
 def together(
     findings: Iterable[tuple[LinkInertia, Finding]],
-    by: Callable[[LinkInertia], object] = lambda one: one.tensor,
+    by: Callable[[LinkInertia], object] = lambda inertia: inertia.tensor,
 ) -> Findings:
-    """Findings about copies of one tensor as one, the worst first.
+    """One finding for all copies of a tensor: that of the worst copy.
 
-    ``by`` gives what the copies have in common, where that is less than the whole tensor.
-    Tensors in macros are left to the engine, which merges the calls of a macro.
+    Tensors in macros are not merged here: the engine merges the calls of a macro.
+
+    Args:
+        by: the key that copies have in common.
     """
     groups: dict[object, list[tuple[LinkInertia, Finding]]] = {}
-    for one, finding in findings:
-        if from_macro(one.at):
+    for inertia, finding in findings:
+        if from_macro(inertia.at):
             yield finding
         else:
-            groups.setdefault(by(one), []).append((one, finding))
+            groups.setdefault(by(inertia), []).append((inertia, finding))
     for group in groups.values():
         group.sort(key=lambda pair: -pair[1].weight)
         (_, worst), *others = group
@@ -48,5 +50,5 @@ def _merged(fixes: list[Fix]) -> Fix | None:
 
 def and_more(others: list[tuple[LinkInertia, Finding]]) -> str:
     """Such as ``also 'b', 'c' and 3 more``."""
-    names = [f"'{one.link.name}'" for one, _ in others]
+    names = [f"'{inertia.link.name}'" for inertia, _ in others]
     return f"also {few(names, 2) if len(names) > 3 else listed(names)}"

@@ -3,8 +3,8 @@
 Gazebo drops a moving link of zero mass together with its children, MuJoCo rejects the robot,
 PyBullet fixes the link to the world; Gazebo rejects a robot with a negative mass, and in other
 engines it falls upwards. Write the mass in kg. A frame needs no `<inertial>` if its joint is fixed.
-Not reported, unless the robot is for a simulator, is a link without shape between two joints, such
-as in a ball joint.
+A link without shape between two joints, such as in a ball joint, is reported only if the robot is
+for a simulator.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -50,7 +50,7 @@ def check(context: Context) -> Findings:
 def _is_between_axes(link: Link, context: Context) -> bool:
     """True for a link without shape and inertia between two moving joints, such as in a ball joint.
 
-    Only simulators need its mass.
+    Only simulators need the mass of such a link.
     """
     tensor = link.inertial.tensor if link.inertial else None
     if link.visuals or link.collisions or (tensor and any(tensor.value)):

@@ -1,13 +1,13 @@
-"""No body can have the inertia tensor: it is physically inconsistent.
+"""An inertia tensor is physically inconsistent: no body can have it.
 
 The three principal moments, the eigenvalues of the matrix, must all be positive, and none may
-exceed the sum of the other two (the triangle inequality). The diagonal alone does not show that:
+exceed the sum of the other two (the triangle inequality). The diagonal alone is not sufficient:
 large products of inertia make an eigenvalue negative. Gazebo and MuJoCo reject such a body; engines
-that accept it gain energy from nothing or diverge, and controllers that compute with it are wrong.
+that accept it create energy or diverge, and controllers that use it compute wrong torques.
 
-MuJoCo allows for no rounding: where it is a target, a tensor that violates the inequality in its
-last digits is an error as well. With `<mujoco><compiler balanceinertia="true"/>` it makes the
-moments equal instead, a warning where it is the only target.
+MuJoCo has no tolerance for rounding: if it is a target, a tensor that violates the inequality in
+its last digits is an error as well. With `<mujoco><compiler balanceinertia="true"/>` MuJoCo makes
+the moments equal instead: a warning if it is the only target.
 
 Most often a digit is wrong, the numbers are in the wrong order (URDF has ixx ixy ixz iyy iyz izz,
 SDF and many programs ixx iyy izz first), the products have the opposite sign, or the tensor is
@@ -29,7 +29,7 @@ from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import inertial_xml, link_xml
 
-#: By which a moment exceeds the sum of the others, so that no other order of adding changes that.
+#: Relative excess over the sum of the other moments that no other order of addition changes.
 _LEAST_EXCESS = 1e-9
 
 BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
@@ -45,36 +45,38 @@ def check(context: Context) -> Findings:
     masses = context.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
         links = masses.defects.get(defect, ())
-        for finding in together((one, _finding(one, masses)) for one in links):
+        for finding in together((inertia, _finding(inertia, masses)) for inertia in links):
             is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(context)
             yield finding._replace(severity=Severity.WARNING) if is_balanced else finding
-    exact = tuple(one.name for one in context.given_facts if one.rejects_rounding)
+    exact = tuple(target.name for target in context.given_facts if target.rejects_rounding)
     if exact and not context.mujoco.balances_inertia:
-        for one in masses.inertias:
-            low, middle, high = one.moments
-            if not one.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
-                yield _finding(one, masses)._replace(targets=exact)
+        for inertia in masses.inertias:
+            low, middle, high = inertia.moments
+            if not inertia.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
+                yield _finding(inertia, masses)._replace(targets=exact)
 
 
 def _is_balanced(context: Context) -> bool:
-    """True if only MuJoCo, which is as strict, reads the tensors, and it corrects them."""
-    given = context.given_facts
-    is_exact = bool(given) and all(one.rejects_rounding for one in given)
+    """True if MuJoCo is the only target, and corrects the tensors."""
+    targets = context.given_facts
+    is_exact = bool(targets) and all(target.rejects_rounding for target in targets)
     return is_exact and context.mujoco.balances_inertia
 
 
-def _finding(one: LinkInertia, masses: Masses) -> Finding:
-    low, middle, high = one.moments
-    if one.is_indefinite:
-        message = f"principal moments of inertia {values(one.moments)} are not all positive"
+def _finding(inertia: LinkInertia, masses: Masses) -> Finding:
+    low, middle, high = inertia.moments
+    if inertia.is_indefinite:
+        message = f"principal moments of inertia {values(inertia.moments)} are not all positive"
         weight = -low / max(abs(high), -low)
     else:
-        which = "moments" if one.is_diagonal else "principal moments"
+        which = "moments" if inertia.is_diagonal else "principal moments"
         message = (
             f"the {which} of inertia violate the triangle inequality: "
             f"{high:.3g} > {low:.3g} + {middle:.3g} kg·m²"
         )
         weight = (high - low - middle) / high
-    diagnosis = of_impossible(one, masses)
-    fix = replacement(one, diagnosis.tensor)
-    return Finding(one.at, f"link '{one.link.name}': {message}", str(diagnosis), fix, weight=weight)
+    diagnosis = of_impossible(inertia, masses)
+    fix = replacement(inertia, diagnosis.tensor)
+    return Finding(
+        inertia.at, f"link '{inertia.link.name}': {message}", str(diagnosis), fix, weight=weight
+    )

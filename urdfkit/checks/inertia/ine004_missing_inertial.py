@@ -1,20 +1,21 @@
 """A link that a joint moves has no mass.
 
-RViz and MoveIt do not need one. MuJoCo takes the mass from the collisions of a link without
-`<inertial>`, at 1000 kg/m³, and rejects the robot if there are none. Gazebo drops links:
+RViz and MoveIt do not use masses. MuJoCo computes the mass of a link without `<inertial>` from its
+collisions, at 1000 kg/m³, and rejects the robot if it has no collisions. Gazebo drops links:
 
-- A moving link without mass, of its own or of what is fixed to it, is dropped with all its
-  children, without an error in older versions; controllers then do not find their joints. Add an
-  `<inertial>`. A frame needs none if its joint is fixed: Gazebo merges it into its parent. A root
-  without mass, such as `world`, is fine when a fixed joint connects it to the robot.
-- Up to sdformat 9.10.0 and 12.7.1, a mass of up to 1e-6 kg counts as none. Use a gram.
-- In the same versions, a link without mass that is fixed to another one drops the children that
+- Gazebo drops a moving link with all its children if neither the link nor the links fixed to it
+  have a mass, in older versions without an error; controllers then do not find their joints. Add an
+  `<inertial>`. A frame with a fixed joint needs none: Gazebo merges it into its parent. A root
+  without mass, such as `world`, is fine if a fixed joint connects it to the robot.
+- sdformat up to 9.10.0 and 12.7.1 treats a mass of up to 1e-6 kg as none. Use a gram.
+- In the same versions, a link without mass that is fixed to another link loses the children that
   moving joints connect to it: the wheel on a bracket, the arm on a mounting plate. Make the joint a
-  child of the parent, with both origins added up, or give the link a mass of a gram.
-- If no link has a mass, Gazebo rejects the robot. For RViz and MoveIt, many arms are published so.
+  child of the parent, with both origins combined, or give the link a mass of a gram.
+- If no link has a mass, Gazebo rejects the robot. Many arms are published without masses, for RViz
+  and MoveIt.
 
-An error for Gazebo and MuJoCo, a warning where MuJoCo computes a mass or where only older Gazebo
-drops links, else an info.
+An error for Gazebo and MuJoCo, a warning if MuJoCo computes a mass or if only older Gazebo drops
+links, otherwise an info.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -37,13 +38,13 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("<collision>", f"{inertial_xml('0.5', '0.002 0.002 0.002')}<collision>")
 
-#: Links below that a message names.
+#: Number of children that a message lists.
 _NAMED = 4
 
-#: Targets with an sdformat that drops tiny masses.
+#: Targets whose sdformat drops tiny masses.
 _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
 
-#: Of a link with an <inertial> whose mass is 0.
+#: Help for a link with an <inertial> whose mass is 0.
 _HELP_OF_ZERO = "write its mass in kg, or give it a fixed joint if it is only a frame"
 
 
@@ -55,7 +56,7 @@ _HELP_OF_ZERO = "write its mass in kg, or give it a fixed joint if it is only a 
     reports_missing=True,
 )
 def check(context: Context) -> Findings:
-    strict = [one for one in context.given_facts if one.rejects_massless or one.density]
+    strict = [target for target in context.given_facts if target.rejects_massless or target.density]
     if strict and not context.is_part and not context.mujoco.least_mass:
         for target in strict:
             yield from _in_target(context, target)
@@ -66,14 +67,14 @@ def check(context: Context) -> Findings:
 def _in_gazebo(context: Context) -> Findings:
     if context.masses.total == 0:
         yield from _without_any_mass(context)
-    elif not context.is_part:  # what a part lacks, the whole may have
+    elif not context.is_part:  # the robot that includes a part may define the mass
         yield from _without_mass(context)
     yield from _of_tiny_mass(context)
     yield from _on_massless_frames(context)
 
 
 def _in_target(context: Context, target: TargetFacts) -> Findings:
-    """What joints move without a mass, and what they move with one that nobody wrote."""
+    """Moving links without mass, or with a mass that the target computes."""
     for body in context.masses.bodies:
         if body.joint is None:
             continue
@@ -130,7 +131,7 @@ def _without_mass(context: Context) -> Findings:
 
 
 def _finding(body: RigidBody, context: Context) -> Finding | None:
-    """None where only frames without shape and mass are dropped."""
+    """The finding; None if only frames without shape and mass are dropped."""
     name, links = body.top.name, context.model.links_by_name
     dropped = context.tree.below(name)
     if not any(links[n].visuals or links[n].collisions or links[n].mass for n in dropped):
@@ -141,7 +142,7 @@ def _finding(body: RigidBody, context: Context) -> Finding | None:
         named = few(children, _NAMED - 1) if len(children) > _NAMED else listed(children)
         others = f" and its children {named}"
     by = "the root"
-    if body.joint:  # a fixed one leads from the world
+    if body.joint:  # a fixed joint connects it to the world
         verb = "held" if body.joint.kind == "fixed" else "moved"
         by = f"{verb} by the {body.joint.kind} joint '{body.joint.name}'"
     message = f"link '{name}' is {by} and has no mass: Gazebo drops it{others}"

@@ -1,17 +1,17 @@
 """A link that a joint moves has a mass, but no moment of inertia about some axis.
 
-It can be rotated about that axis without effort: the equations of motion have no solution, or
+The link does not resist rotation about that axis: the equations of motion have no solution, or
 engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
-comes from a failed export, or from too few decimal places; compute it from mass and size, or take
-that of the left/right counterpart, with its centre of mass. A single
-zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
-thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
-and so is a link of at most a gram, a stand-in for a part that a plugin of Gazebo computes, and a
-tensor that is not zero, but less than 1e-15 kg·m².
+is the result of a failed export, or of too few decimal places; compute it from mass and size, or
+use the tensor and centre of mass of the left/right counterpart. A single zero moment was rounded,
+or a CAD program exported a wire or a surface: give the part its thickness, as even a rod has
+`mass / 2 * radius^2` about its length. A single zero moment is a warning, and so is a link of at
+most a gram, which is a placeholder for a part that a plugin of Gazebo computes, and a tensor that
+is not zero, but less than 1e-15 kg·m².
 
-Where MuJoCo is a target, it is an error for every link with a moment below 1e-14 kg·m², also for
-one that is fixed to a heavier one: MuJoCo reads each tensor before it merges links. A tensor of
-zeros is that of a link without inertia, and may be fixed to another one.
+If MuJoCo is a target, every link with a moment below 1e-14 kg·m² is an error, also if it is fixed
+to a heavier link: MuJoCo reads each tensor before it merges links. A tensor of zeros is allowed for
+a link that is fixed to another one: it has no inertia.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -52,10 +52,10 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
 
-#: In kg: UUV's thrusters are links of a gram without a tensor, which Gazebo Classic moves.
+#: In kg: thrusters of UUV Simulator are links of a gram without a tensor.
 STAND_IN = 0.001
 
-#: In kg/m³: air has 1.2.
+#: In kg/m³: the density of air is 1.2.
 MIN_DENSITY = 1.0
 
 #: In m.
@@ -74,71 +74,80 @@ def check(context: Context) -> Findings:
         worst, *others = thin
         yield worst._replace(
             message=worst.message + more_like_this(len(others)),
-            related=tuple(Related(one.at.span, one.message) for one in others[:MAX_RELATED]),
+            related=tuple(Related(other.at.span, other.message) for other in others[:MAX_RELATED]),
             severity=worst.severity or Severity.WARNING,
         )
 
 
 def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
     masses = context.masses
-    is_rejected = any(one.least_moment for one in context.given_facts)
+    is_rejected = any(target.least_moment for target in context.given_facts)
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
-            if one := masses.by_name.get(link.name):
-                found = _finding(one, body.joint, context)
+            if inertia := masses.by_name.get(link.name):
+                finding = _finding(inertia, body.joint, context)
                 is_stand_in = body.mass <= STAND_IN or masses.moments_of(body)[2] > 0
                 is_warning = is_stand_in and not is_rejected
-                yield one, found._replace(severity=Severity.WARNING) if is_warning else found
+                yield (
+                    inertia,
+                    finding._replace(severity=Severity.WARNING) if is_warning else finding,
+                )
 
 
-def _finding(one: LinkInertia, joint: Joint, context: Context) -> Finding:
-    help, fix = _of_counterpart(one, context) or _of_shape(one)
+def _finding(inertia: LinkInertia, joint: Joint, context: Context) -> Finding:
+    help, fix = _from_counterpart(inertia, context) or _from_shape(inertia)
     message = (
-        f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
-        f"{joint.kind} joint '{joint.name}'"
+        f"link '{inertia.link.name}' of {inertia.mass:g} kg has no moment of inertia and is moved "
+        f"by the {joint.kind} joint '{joint.name}'"
     )
-    return Finding(one.at, message, help, fix, weight=one.mass)
+    return Finding(inertia.at, message, help, fix, weight=inertia.mass)
 
 
-def _of_counterpart(one: LinkInertia, context: Context) -> tuple[str, Fix | None] | None:
-    """The tensor of the link on the other side, if that of the shape differs from it."""
-    other = context.masses.counterpart(one)
+def _from_counterpart(inertia: LinkInertia, context: Context) -> tuple[str, Fix | None] | None:
+    """Help and fix with the tensor of the counterpart; None if the shape gives about the same."""
+    other = context.masses.counterpart(inertia)
     if other is None or other.is_noise or not is_possible(other.tensor):
         return None
-    if _is_of_shape(one, other):
+    if _matches_shape(inertia, other):
         return None
-    image = mirror_image(one, other, frames(context.tree, {}))
-    fix = image and _fix(one, along_inertial(one, image.tensor), center_edits(one, image.center))
+    image = mirror_image(inertia, other, frames(context.tree, {}))
+    fix = image and _fix(
+        inertia, along_inertial(inertia, image.tensor), center_edits(inertia, image.center)
+    )
     return f"its counterpart '{other.name}' of the same mass has {values(other.diagonal)}", fix
 
 
-def _is_of_shape(one: LinkInertia, other: LinkInertia) -> bool:
-    """True if another link has about the tensor of the shape of a link."""
-    if not one.is_measured or one.expected is None:
+def _matches_shape(inertia: LinkInertia, other: LinkInertia) -> bool:
+    """True if the tensor of ``other`` is about that of the shape of this link."""
+    if not inertia.is_measured or inertia.expected is None:
         return False
-    pairs = zip(principal_moments(one.expected), other.moments, strict=True)
+    pairs = zip(principal_moments(inertia.expected), other.moments, strict=True)
     return all(max(pair) <= PAIR_MOMENTS * min(pair) for pair in pairs)
 
 
-def _of_shape(one: LinkInertia) -> tuple[str, Fix | None]:
-    if not one.is_measured or one.solid is None or one.expected is None:
+def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
+    if not inertia.is_measured or inertia.solid is None or inertia.expected is None:
         return "", None
-    if one.mass < MIN_DENSITY * one.solid.volume:  # a placeholder, which gives no tensor
-        size = f"{one.solid.volume:.3g} m³"
+    if (
+        inertia.mass < MIN_DENSITY * inertia.solid.volume
+    ):  # a placeholder mass: no tensor follows from it
+        size = f"{inertia.solid.volume:.3g} m³"
         help = f"write the mass of the link, which has {size}, and its tensor"
-        if LIGHTEST < one.mass / (one.solid.volume * MILLIMETRE**3) < HEAVIEST:
+        if LIGHTEST < inertia.mass / (inertia.solid.volume * MILLIMETRE**3) < HEAVIEST:
             help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
         return help, None
-    is_unplaced = not any(one.inertial.origin.position)  # a failed export has zeros there as well
-    center = one.solid.properties(one.mass).center
-    edits = center_edits(one, center) if is_unplaced else ()
-    return as_solid(one), _fix(one, one.expected, edits or ())
+    is_unplaced = not any(
+        inertia.inertial.origin.position
+    )  # a failed export writes zeros here, too
+    center = inertia.solid.properties(inertia.mass).center
+    edits = center_edits(inertia, center) if is_unplaced else ()
+    return as_solid(inertia), _fix(inertia, inertia.expected, edits or ())
 
 
-def _fix(one: LinkInertia, tensor: Tensor, center: tuple[Edit, ...] | None) -> Fix | None:
-    """Writes a tensor, and the centre of mass if it is another one."""
-    fix = replacement(one, tensor)
+def _fix(inertia: LinkInertia, tensor: Tensor, center: tuple[Edit, ...] | None) -> Fix | None:
+    """Writes a tensor, and the centre of mass if it differs."""
+    fix = replacement(inertia, tensor)
     if fix is None or center is None:
         return None
     title = " and ".join([fix.title, *(f'xyz="{edit.text}"' for edit in center)])
@@ -153,36 +162,36 @@ def _thin(context: Context) -> Findings:
         return
     for body in masses.singular:
         assert body.joint is not None
-        one = masses.by_name.get(body.top.name)
-        if one is not None:
+        inertia = masses.by_name.get(body.top.name)
+        if inertia is not None:
             low, middle, high = masses.moments_of(body)
             others = " with the links fixed to it" if len(body.links) > 1 else ""
             yield Finding(
-                one.at,
+                inertia.at,
                 f"link '{body.top.name}'{others}, moved by the {body.joint.kind} joint "
                 f"'{body.joint.name}', has principal moments of inertia of {low:.1g}, "
                 f"{middle:.3g} and {high:.3g} kg·m²: almost 0 about one axis",
                 "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod"
-                if any(one.tensor)
+                if any(inertia.tensor)
                 else "write the tensor of the link: it is 0",
                 weight=body.mass,
             )
 
 
 def _rejected(context: Context) -> Findings:
-    """The tensors that a target rejects, of links that joints move or not."""
-    targets = [one for one in context.given_facts if one.least_moment]
+    """Tensors that a target rejects, of moving and of fixed links."""
+    targets = [target for target in context.given_facts if target.least_moment]
     if not targets or context.mujoco.least_moment:
         return
-    least = max(one.least_moment for one in targets)
-    names = " and ".join(one.title for one in targets)
+    least = max(target.least_moment for target in targets)
+    names = " and ".join(target.title for target in targets)
     for link in context.model.links:
         tensor = link.inertial.tensor if link.inertial else None
         if tensor is None or not any(tensor.value):
             continue
         low, middle, high = principal_moments(tensor.value)
-        one = context.masses.by_name.get(link.name)
-        if low < least and not (one and one.is_indefinite):
+        inertia = context.masses.by_name.get(link.name)
+        if low < least and not (inertia and inertia.is_indefinite):
             yield Finding(
                 tensor,
                 f"link '{link.name}' has principal moments of inertia of {low:.1g}, {middle:.3g} "
@@ -190,5 +199,5 @@ def _rejected(context: Context) -> Findings:
                 "write all three moments, or zeros for a frame that a fixed joint holds",
                 weight=link.mass,
                 severity=Severity.ERROR,
-                targets=tuple(one.name for one in targets),
+                targets=tuple(target.name for target in targets),
             )

@@ -1,10 +1,10 @@
 """The inertia tensor differs from that of the link's shape.
 
-It is possible, but a solid of uniform density has clearly more or less, or has it about other axes.
-Hollow parts have up to twice as much as solid ones, and a motor in the middle means less; otherwise
-the numbers were guessed. It hardly matters for a light link, or one that is fixed to a heavy one; a
-wheel or an arm moves incorrectly. Write the tensor of the shape, or suppress this for a link whose
-tensor you know.
+The tensor is possible, but a solid of uniform density has clearly larger or smaller moments, or
+other principal axes. Moments of hollow parts are up to twice as large, and those of a part with a
+motor in its centre are smaller; otherwise the numbers were guessed. The effect is small for a light
+link, or a link that is fixed to a heavy one; a wheel or an arm moves incorrectly. Write the tensor
+of the shape, or suppress this for a link whose tensor you know.
 
 Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
@@ -29,16 +29,16 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 )
 def check(context: Context) -> Findings:
     masses = context.masses
-    for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
-        assert one.expected is not None
-        diagnosis = of_unlike_shape(one, masses)
-        ratios = one.ratios(one.expected)
+    for inertia in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
+        assert inertia.expected is not None
+        diagnosis = of_unlike_shape(inertia, masses)
+        ratios = inertia.ratios(inertia.expected)
         yield Finding(
-            one.at,
-            f"link '{one.link.name}' of {one.mass:g} kg has moments of inertia of "
-            f"{values(one.diagonal)}; {as_solid(one)}",
-            advice(one, diagnosis),
-            replacement(one, diagnosis.tensor),
+            inertia.at,
+            f"link '{inertia.link.name}' of {inertia.mass:g} kg has moments of inertia of "
+            f"{values(inertia.diagonal)}; {as_solid(inertia)}",
+            advice(inertia, diagnosis),
+            replacement(inertia, diagnosis.tensor),
             confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
             group_key="other shape",

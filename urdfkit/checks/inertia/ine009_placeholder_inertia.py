@@ -1,9 +1,9 @@
 """An inertia tensor is a placeholder such as 1, 1, 1.
 
 A moment of 1 kg·m² is that of a car wheel: a link of an arm or a finger of a gripper resists
-rotation like one, so motors stall, the robot oscillates, and the simulation says nothing about the
+rotation like one, so motors stall, the robot oscillates, and the simulation does not predict the
 real robot. Take the tensor from the CAD program, or compute it from mass and size; a box around the
-mesh is close enough.
+mesh is accurate enough.
 
 Sources:
     Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
@@ -31,12 +31,14 @@ FILES = {"arm.stl": PLATE}
 )
 def check(context: Context) -> Findings:
     links = context.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
-    yield from together((one, _finding(one)) for one in links)
+    yield from together((inertia, _finding(inertia)) for inertia in links)
 
 
-def _finding(one: LinkInertia) -> Finding:
+def _finding(inertia: LinkInertia) -> Finding:
     message = (
-        f"link '{one.link.name}' of {one.mass:g} kg: placeholder inertia "
-        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)"
+        f"link '{inertia.link.name}' of {inertia.mass:g} kg: placeholder inertia "
+        f"{values(inertia.diagonal)} (radius of gyration {inertia.radius_of_gyration:.3g} m)"
     )
-    return Finding(one.at, message, confidence=Confidence.INFERRED, weight=one.radius_of_gyration)
+    return Finding(
+        inertia.at, message, confidence=Confidence.INFERRED, weight=inertia.radius_of_gyration
+    )

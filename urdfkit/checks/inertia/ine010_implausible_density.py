@@ -1,12 +1,12 @@
-"""Mass and size of a link give a density that no robot material has.
+"""The density computed from mass and size of a link is that of no robot material.
 
-Hollow plastic has some 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
-grams, a size in millimetres or a missing zero puts a link far outside: forces and torques in the
-simulation are wrong. Correct the mass or the size. If most links of a robot are wrong, they are one
-finding: the unit was mistaken for all of them. It is an info up to twice outside of what robot
-parts have, and for a light body of more than 1 m³, such as a wall of a scene, unless its mass is
-that of a part in millimetres. Suppress this where a
-collision shape is intentionally much smaller or larger than the part.
+Hollow plastic has about 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
+grams, a size in millimetres or a missing zero results in a density far outside this range: forces
+and torques in the simulation are wrong. Correct the mass or the size. If most links of a robot are
+wrong, they are one finding: all of them have the wrong unit. It is an info if the density is at
+most a factor of two outside the range of robot parts, and for a light body of more than 1 m³, such
+as a wall of a scene, unless its mass is that of a part in millimetres. Suppress this if a collision
+shape is intentionally much smaller or larger than the part.
 
 Sources:
     measured: mass over volume of 2 042 public links: median 1 180, from 238 to 6 975 for 90 %
@@ -36,12 +36,12 @@ FIXED = GOOD = (
     BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
 )
 
-#: A density that is so many times too high or too low may be that of a coarse shape.
+#: A density that is too high or too low by this factor may be due to a coarse shape.
 _NEAR = 2.0
-#: In m³: larger than the parts of robots.
+#: In m³: volume above which a body is not a robot part.
 _ROOM = 1.0
 
-#: The help for most links of a robot, by the unit that was mistaken for another.
+#: Help if most links of a robot are wrong, by the unit in which the values are written.
 _COMMON = {
     "g": "the masses are probably in g: divide them by 1000, and the tensors with them",
     "mm": 'the sizes are probably in mm: write them in m, and scale="0.001 0.001 0.001" for meshes',
@@ -51,24 +51,27 @@ _COMMON = {
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
 def check(context: Context) -> Findings:
-    found = [(one, _finding(one)) for one in context.masses.defects.get(InertiaDefect.DENSITY, ())]
+    findings = [
+        (inertia, _finding(inertia))
+        for inertia in context.masses.defects.get(InertiaDefect.DENSITY, ())
+    ]
     if context.masses.consistently_wrong:
-        yield _of_the_robot(found)
+        yield _of_the_robot(findings)
     else:
-        yield from together(found)
+        yield from together(findings)
 
 
-def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
-    """One for most links of a robot: a unit was mistaken for another."""
-    (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
-    unit = _common_unit([one for one, _ in found])
-    fixes = [finding.fix for _, finding in found]
+def _of_the_robot(findings: list[tuple[LinkInertia, Finding]]) -> Finding:
+    """One finding for most links of a robot, which have the wrong unit."""
+    (_, worst), *others = sorted(findings, key=lambda pair: -pair[1].weight)
+    unit = _common_unit([inertia for inertia, _ in findings])
+    fixes = [finding.fix for _, finding in findings]
     edits = [edit for fix in fixes if fix for edit in fix.edits]
     return worst._replace(
         message=f"{worst.message} ({and_more(others)}: most links of the robot)",
         help=_COMMON[unit],
         related=tuple(
-            Related(one.at.span, finding.message) for one, finding in others[:MAX_RELATED]
+            Related(inertia.at.span, finding.message) for inertia, finding in others[:MAX_RELATED]
         ),
         fix=Fix(f"divide {len(fixes)} masses by 1000", tuple(dict.fromkeys(edits)))
         if all(fixes)
@@ -78,48 +81,48 @@ def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
 
 def _common_unit(links: list[LinkInertia]) -> str:
     """The unit that explains most of the links; empty if there is none."""
-    units = [unit_mistake(one) for one in links]
+    units = [unit_mistake(inertia) for inertia in links]
     return next((unit for unit in ("g", "mm") if 2 * units.count(unit) > len(links)), "")
 
 
-def _finding(one: LinkInertia) -> Finding:
-    density = implausible_density(one)
+def _finding(inertia: LinkInertia) -> Finding:
+    density = implausible_density(inertia)
     assert density is not None
-    assert one.inertial.mass is not None
+    assert inertia.inertial.mass is not None
     return Finding(
-        one.inertial.mass,
-        f"link '{one.link.name}': {one.mass:g} kg in a {one.solid} make "
+        inertia.inertial.mass,
+        f"link '{inertia.link.name}': {inertia.mass:g} kg in a {inertia.solid} make "
         f"{density:.3g} kg/m³; robot parts have {LIGHTEST:g} to {HEAVIEST:g}",
-        _advice(one),
-        _in_kilograms(one) if unit_mistake(one) == "g" else None,
+        _advice(inertia),
+        _in_kilograms(inertia) if unit_mistake(inertia) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / max(density, 1e-300)),
         group_key="density",
-        severity=Severity.INFO if _is_harmless(one, density) else None,
+        severity=Severity.INFO if _is_harmless(inertia, density) else None,
     )
 
 
-def _is_harmless(one: LinkInertia, density: float) -> bool:
-    """True near a bound, and for the walls of a scene."""
+def _is_harmless(inertia: LinkInertia, density: float) -> bool:
+    """True for a density near a bound, and for the walls of a scene."""
     is_near = LIGHTEST / _NEAR <= density <= HEAVIEST * _NEAR
-    is_wall = density < LIGHTEST and one.solid is not None and one.solid.volume > _ROOM
-    return is_near or (is_wall and unit_mistake(one) != "mm")
+    is_wall = density < LIGHTEST and inertia.solid is not None and inertia.solid.volume > _ROOM
+    return is_near or (is_wall and unit_mistake(inertia) != "mm")
 
 
-def _in_kilograms(one: LinkInertia) -> Fix | None:
-    """The mass by 1000, and the tensor as well if it was computed from the mass in grams."""
-    assert one.inertial.mass is not None
-    assert one.expected is not None
-    at = one.inertial.mass.at
-    edits = rewrite(at, f"{one.mass / 1000:g}")
-    if edits and one.fits(one.expected, 3):
-        tensor = replacement(one, scaled(one.tensor, 1e-3))
+def _in_kilograms(inertia: LinkInertia) -> Fix | None:
+    """Divides the mass by 1000, and also a tensor that was computed from the mass in grams."""
+    assert inertia.inertial.mass is not None
+    assert inertia.expected is not None
+    at = inertia.inertial.mass.at
+    edits = rewrite(at, f"{inertia.mass / 1000:g}")
+    if edits and inertia.fits(inertia.expected, 3):
+        tensor = replacement(inertia, scaled(inertia.tensor, 1e-3))
         edits = (*edits, *tensor.edits) if tensor else None
-    return Fix.of(f"write {one.mass / 1000:g} kg", edits)
+    return Fix.of(f"write {inertia.mass / 1000:g} kg", edits)
 
 
-def _advice(one: LinkInertia) -> str:
-    unit = unit_mistake(one)
+def _advice(inertia: LinkInertia) -> str:
+    unit = unit_mistake(inertia)
     if unit == "g":
-        return f"the mass is probably in g: write {one.mass / 1000:g}, and the tensor in kg·m²"
+        return f"the mass is probably in g: write {inertia.mass / 1000:g}, and the tensor in kg·m²"
     return "the size is probably in mm: write it in m" if unit == "mm" else ""

@@ -1,11 +1,11 @@
-"""The centre of mass lies outside the shapes of the link.
+"""The centre of mass is outside the shapes of the link.
 
-With the centre of mass outside, gravity acts at a wrong lever arm: the robot tips over, arms need
-torque to hold still, and a wheel drives in circles. It is measured in the link's own frame. Most
-often the `<origin>` of the `<inertial>` was copied from the joint or from the visual of another
-link, or is in millimetres: then it is farther outside than the link is long. Closer ones are
-reported where a mistake explains them: a sign, two coordinates swapped, or an `<origin>` left at
-zero while the shapes are elsewhere.
+Gravity then acts with a wrong lever arm: the robot tips over, arms need torque to hold still, and a
+wheeled robot drives in circles. The centre of mass is in the link's own frame. Most often the
+`<origin>` of the `<inertial>` was copied from the joint or from the visual of another link, or is
+in millimetres: then the distance exceeds the length of the link. Smaller distances are reported if
+a mistake explains them: a wrong sign, two swapped coordinates, or an `<origin>` left at zero while
+the shapes are elsewhere.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -28,14 +28,14 @@ BAD = GOOD.replace("<mass", '<origin xyz="-0.4 0 0"/>\n    <mass')
 
 @rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
 def check(context: Context) -> Findings:
-    for one in context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
-        distance = center_is_outside(one)
+    for inertia in context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
+        distance = center_is_outside(inertia)
         assert distance is not None
-        mistake = center_mistake(one)
-        outline, center = one.outline, one.inertial.origin.position
+        mistake = center_mistake(inertia)
+        outline, center = inertia.outline, inertia.inertial.origin.position
         yield Finding(
-            one.inertial.at.child("origin") or one.inertial.at,
-            f"link '{one.link.name}': the centre of mass at {spaced(center, 3)} m is "
+            inertia.inertial.at.child("origin") or inertia.inertial.at,
+            f"link '{inertia.link.name}': the centre of mass at {spaced(center, 3)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
             f"about {spaced(outline.center, 3)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,

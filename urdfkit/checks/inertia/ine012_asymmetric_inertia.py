@@ -1,9 +1,9 @@
 """A link and its left/right counterpart differ in mass or inertia.
 
-Mirror images have the same mass and the same principal moments. One side here has clearly more: a
-decimal point was misplaced, or one side was edited and the other was not. The robot pulls to one
-side, and a controller tuned for one hand oscillates with the other. Compare the two, and give both
-the right value.
+Mirror images have the same mass and the same principal moments. If one side has clearly more, a
+decimal point is misplaced, or only one side was edited. The robot pulls to one side, and a
+controller tuned for one hand oscillates with the other. Compare the two, and give both the right
+value.
 
 Sources:
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269

@@ -2,8 +2,8 @@
 
 Iterative solvers, such as those of Gazebo, Bullet and PhysX (Isaac Sim), converge slowly with a
 large mass ratio: joints separate, and the robot jitters or explodes. A light hand on a heavy arm is
-no problem; a gram that carries a kilogram is. Move mass from the heavy link to the light one, or
-merge the two joints into one link.
+not a problem, but a link of a gram that carries a kilogram is. Move mass from the heavy link to the
+light one, or merge the two joints into one link.
 
 Sources:
     gazebosim/gazebo-classic#895: https://github.com/gazebosim/gazebo-classic/issues/895

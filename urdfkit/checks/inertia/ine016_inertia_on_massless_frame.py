@@ -1,8 +1,8 @@
 """A link without mass has an inertia tensor.
 
-When Gazebo merges a link into its parent, it adds the tensor, even without mass: a sensor frame of
-0 kg with 1, 1, 1 multiplies the inertia of a small robot. Other programs ignore it. A frame needs
-no `<inertial>`; a real part needs a mass.
+Gazebo adds the tensor of a link that it merges into its parent, even without mass: a sensor frame
+of 0 kg with a tensor of 1, 1, 1 multiplies the inertia of a small robot. Other programs ignore it.
+A frame needs no `<inertial>`; a real part needs a mass.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc

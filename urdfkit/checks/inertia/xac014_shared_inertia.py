@@ -1,9 +1,9 @@
 """Links of different mass have the same inertia tensor.
 
-A tensor grows with the mass: of two links of one shape, the one of twice the mass has twice the
-moments. At most one of the links moves as it should in a simulation: a wheel of 0.5 kg with the
-tensor of a body of 8 kg resists rotation like a flywheel, and links of a gram make the solver
-unstable.
+A tensor is proportional to the mass: of two links with the same shape, the link of twice the mass
+has twice the moments. At most one of the links moves correctly in a simulation: a wheel of 0.5 kg
+with the tensor of a body of 8 kg resists rotation like a flywheel, and links of a gram make the
+solver unstable.
 
 - A macro has the tensor as numbers while the mass is a parameter: a warning. Compute the tensor
   from mass and size in the macro: for a box of x, y, z it is `ixx="${mass / 12 * (y*y + z*z)}"`,
@@ -81,7 +81,7 @@ def check(context: Context) -> Findings:
             fix = None
         yield _by_macro(links, tag)._replace(fix=fix)
     for group in context.masses.copies:
-        yield _copied(sorted(group, key=lambda one: -one.mass))
+        yield _copied(sorted(group, key=lambda inertia: -inertia.mass))
 
 
 def _by_macro(links: list[Link], tag: Tag) -> Finding:
@@ -89,7 +89,7 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
     calls = [(link, step) for link in links if (step := _innermost_call(link, tag))]
     macro = calls[0][1]
     assert macro.definition is not None
-    written = tag.attribute_spans()  # in which a moment may be missing: urdfdom takes it for 0
+    written = tag.attribute_spans()  # a moment may be missing: urdfdom reads it as 0
     moments = ", ".join(written[key].text for key in ("ixx", "iyy", "izz") if key in written)
     return Finding(
         Location(macro.definition),
@@ -103,13 +103,13 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
 
 
 def _is_too_light(link: Link, masses: Masses) -> bool:
-    """True if the joint of a link has too much effort for the tensor of its shape."""
-    one = masses.by_name.get(link.name)
-    return bool(one and one.expected and excessive_joint(one, one.expected))
+    """True if the effort limit of the joint is too large for the tensor of the link's shape."""
+    inertia = masses.by_name.get(link.name)
+    return bool(inertia and inertia.expected and excessive_joint(inertia, inertia.expected))
 
 
 def _innermost_call(link: Link, tag: Tag) -> Step | None:
-    """The macro call that gave a link the tensor."""
+    """The macro call that created the tensor of a link."""
     tensor = link.inertial.at.child("inertia") if link.inertial else None
     return tensor.via[-1] if tensor is not None and tensor.tag_at == tag else None
 
@@ -123,8 +123,8 @@ def _copied(group: list[LinkInertia]) -> Finding:
         f"({values(heaviest.diagonal)})",
         "compute each tensor from the mass and size of its own link",
         related=tuple(
-            Related(one.at.span, f"link '{one.link.name}' of {one.mass:g} kg")
-            for one in group[:-1][:MAX_RELATED]
+            Related(inertia.at.span, f"link '{inertia.link.name}' of {inertia.mass:g} kg")
+            for inertia in group[:-1][:MAX_RELATED]
         ),
         confidence=Confidence.INFERRED,
         severity=Severity.INFO,

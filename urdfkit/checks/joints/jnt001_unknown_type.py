@@ -1,10 +1,10 @@
-"""A joint has a type that URDF does not know.
+"""A joint has a type that URDF does not define.
 
-The types are revolute, continuous, prismatic, fixed, floating and planar, in small letters.
-urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, rejects the whole robot; so does Drake.
-`spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
-in a row, with links of almost no size between them. It is not reported where these are the only
-targets.
+The types are revolute, continuous, prismatic, fixed, floating and planar, in lower case. urdfdom,
+and with it RViz, MoveIt, Gazebo and Pinocchio, rejects the whole robot; so does Drake. Only
+PyBullet and MuJoCo support `spherical`: for other programs, write a ball joint as three revolute
+joints in series, with links of almost no size between them. `spherical` is not reported if
+PyBullet and MuJoCo are the only targets.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint

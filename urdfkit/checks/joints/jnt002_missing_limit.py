@@ -1,13 +1,14 @@
-"""A joint has no `<limit>`, or its `<limit>` no effort or velocity.
+"""A joint has no `<limit>`, or its `<limit>` has no effort or velocity.
 
-A revolute or prismatic joint needs a `<limit>`, and every `<limit>`, of whatever joint, needs
+A revolute or prismatic joint requires a `<limit>`, and every `<limit>`, of any joint, requires
 `effort` and `velocity`. Without them urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio,
-rejects the robot. `lower` and `upper` may be missing and are then 0. A joint that turns
-without end is continuous and needs no `<limit>`. MuJoCo and Drake read a missing limit as
-unlimited: where they are the only targets, nothing is reported.
+rejects the robot. `lower` and `upper` are optional and default to 0. A joint that turns without
+end is continuous and needs no `<limit>`. MuJoCo and Drake read a missing limit as unlimited: if
+they are the only targets, nothing is reported.
 
-A continuous joint without `<limit>` next to one that has it on the same link, such as one wheel of
-four, is an info: a simulation drives them differently once a controller exceeds the limit.
+A continuous joint without `<limit>` is an info if another continuous joint on the same link has
+one, such as three wheels of four: a simulation drives them differently once a controller exceeds
+the limit.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -27,13 +28,13 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
     yield from _unequal(context.model)
-    lacking = list(_lacking(context.model))
-    if lacking and not context.targets.all_are("ignores_limits"):
-        yield from lacking
+    incomplete = list(_incomplete(context.model))
+    if incomplete and not context.targets.all_are("ignores_limits"):
+        yield from incomplete
 
 
-def _lacking(model: RobotModel) -> Findings:
-    """Joints without what urdfdom wants of their limit."""
+def _incomplete(model: RobotModel) -> Findings:
+    """Joints whose limit lacks values that urdfdom requires."""
     for joint in model.joints:
         units = {"effort": effort_unit(joint), "velocity": f"{unit(joint)}/s"}
         if joint.limit is None:
@@ -53,7 +54,7 @@ def _lacking(model: RobotModel) -> Findings:
 
 
 def _unequal(model: RobotModel) -> Findings:
-    """Continuous joints without limit on a link on which another one has effort and velocity."""
+    """Continuous joints without limit, if another one on the same link has effort and velocity."""
     limited: dict[str, tuple[Joint, Limit]] = {}
     joints = [joint for joint in model.joints if joint.kind == "continuous" and joint.parent]
     for joint in joints:

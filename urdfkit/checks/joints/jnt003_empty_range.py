@@ -1,13 +1,13 @@
 """The lower limit of a joint is not below its upper limit.
 
-- Above it, an error: no position is between the two. Drake ends the program, Gazebo swaps them,
-  MuJoCo and PyBullet read the joint as unlimited, MoveIt and Pinocchio compute with an empty range.
-  A warning where MuJoCo, PyBullet and yourdfpy are the only targets.
-  PyBullet's own robots write lower="1" upper="-1" for a free joint: a free revolute joint is
-  `continuous` in URDF, and a free prismatic one has limits that are far apart.
-- Equal, a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves it
-  without limit. Limits that are not written are 0 for urdfdom, so a revolute joint with effort and
-  velocity alone cannot move either. A joint that never moves is fixed.
+- A lower limit above the upper limit is an error: the range contains no position. Drake ends the
+  program, Gazebo swaps them, MuJoCo and PyBullet read the joint as unlimited, MoveIt and Pinocchio
+  compute with an empty range. It is a warning if MuJoCo, PyBullet and yourdfpy are the only
+  targets. PyBullet's own robots write lower="1" upper="-1" for a free joint: in URDF a free
+  revolute joint is `continuous`, and a free prismatic joint has limits that are far apart.
+- Equal limits are a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves
+  it without limit. urdfdom reads missing limits as 0, so a revolute joint with effort and velocity
+  alone cannot move either. A joint that never moves is fixed.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -27,7 +27,7 @@ from urdfkit.text.editing.edits import swap
 BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
 FIXED = GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
 
-#: How robots made for PyBullet say that a joint is free.
+#: Limits with which robots made for PyBullet mark a joint as free.
 _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 
 
@@ -79,7 +79,7 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
 
 
 def _is_locked(limit: Limit) -> bool:
-    """True if ends and motion are written as 0: the usual way to keep Gazebo from merging it."""
+    """True if the limits are 0 and so is effort or velocity: this keeps Gazebo from merging it."""
     effort, velocity, *ends = (
         number(limit.at.get(key) or "") == 0 for key in ("effort", "velocity", "lower", "upper")
     )

@@ -1,14 +1,15 @@
 """The axis of a joint is not a unit vector.
 
-- Length 0 is an error: MuJoCo and Drake reject the robot, Gazebo drops the model, Pinocchio
-  computes with an invalid rotation. An `<axis>` without `xyz` is 0 0 0 for urdfdom, not the default
-  axis.
-- Another length: Gazebo, MuJoCo, Drake, MoveIt and KDL normalise it; viewers that do not, move a
-  prismatic joint too far by the same factor. Often angles or a position were written instead of a
-  direction.
-- Nearly, but not exactly, x, y or z is an info: noise of CAD exporters. An error of 0.002 rad moves
-  a hand at one metre by 2 mm, closed-form inverse kinematics, which needs axes that are exactly
-  parallel or perpendicular, fails, and Pinocchio uses its slower joint for arbitrary axes.
+- An axis of length 0 is an error: MuJoCo and Drake reject the robot, Gazebo drops the model,
+  Pinocchio computes with an invalid rotation. urdfdom reads an `<axis>` without `xyz` as 0 0 0, not
+  as the default axis.
+- An axis of another length than 1 is a warning: Gazebo, MuJoCo, Drake, MoveIt and KDL normalise it;
+  viewers that do not normalise it move a prismatic joint too far by the same factor. Often angles
+  or a position were written instead of a direction.
+- An axis that is nearly, but not exactly, x, y or z is an info: it is noise of a CAD exporter. An
+  error of 0.002 rad moves a hand at one metre by 2 mm, closed-form inverse kinematics, which needs
+  axes that are exactly parallel or perpendicular, fails, and Pinocchio uses its slower joint for
+  arbitrary axes.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -33,16 +34,14 @@ BAD = arm_xml(
 )
 FIXED = GOOD = BAD.replace("0 3 4", "0 0.6 0.8")
 
-#: sdformat's bound for no direction; MuJoCo's is smaller.
+#: Length below which sdformat rejects an axis; MuJoCo's bound is smaller.
 _ZERO = 1e-6
 
-#: A direction rounded to two decimals, such as 0.71 0.71 0, is nearer to 1 than this.
+#: Unit vectors rounded to two decimals, such as 0.71 0.71 0, differ less from length 1.
 _TOLERANCE = 0.01
 
-#: In rad: a third of a degree. A larger angle is likely intended.
-_MAX_NOISE = 5e-3
-#: In rad; less is the rounding of a number with sixteen digits.
-_MIN_NOISE = 1e-9
+#: In rad: a larger angle is likely intended, a smaller one is rounding of a 16-digit number.
+_MAX_NOISE, _MIN_NOISE = 5e-3, 1e-9
 
 
 @rule(Severity.WARNING)
@@ -77,10 +76,12 @@ def _noise(joint: Joint, axis: Placed[Vector]) -> Findings:
     """A unit vector that deviates a little from x, y or z."""
     sizes = [abs(part) for part in axis.value]
     main = sizes.index(max(sizes))
-    off = hypot(*sizes[:main], *sizes[main + 1 :])
-    if _MIN_NOISE < off < _MAX_NOISE:
+    deviation = hypot(*sizes[:main], *sizes[main + 1 :])
+    if _MIN_NOISE < deviation < _MAX_NOISE:
         sign = "-" if axis.value[main] < 0 else ""
         suggested = " ".join(f"{sign}1" if index == main else "0" for index in range(3))
-        message = f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {off:.2g} rad"
+        message = (
+            f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {deviation:.2g} rad"
+        )
         help = "write the intended axis"
         yield Finding(axis, message, help, fix_value(axis.at, suggested), severity=Severity.INFO)

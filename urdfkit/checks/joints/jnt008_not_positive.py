@@ -1,17 +1,17 @@
 """An effort or velocity limit is zero or negative, or damping or friction is negative.
 
-A limit of 0 is a limit. Gazebo and ros2_control cut every effort command to 0, and PyBullet's usual
-call with the URDF's limit leaves the robot limp. ros2_control and DART, Gazebo's default physics,
-hold a joint with a velocity limit of 0 where it is, even against gravity; MoveIt reads it as "no
-limit" and then cannot time a trajectory. CAD exporters write 0 for "unknown". Joints without a
-transmission or ros2_control are passive where others have one, and are not reported.
+A limit of 0 is a limit. Gazebo and ros2_control clamp every effort command to 0, and in PyBullet a
+motor command with the URDF's limit has no effect. ros2_control and DART, Gazebo's default physics
+engine, stop a joint with a velocity limit of 0, even against gravity; MoveIt reads it as "no limit"
+and then cannot time a trajectory. CAD exporters write 0 for "unknown". If some joints have a
+transmission or ros2_control, joints without one are passive and are not reported.
 
 A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a negative velocity,
 Gazebo reads it as "no limit", ros2_control and MoveIt drop the sign. Write what the motor can
 deliver, or a generous limit if you do not know it.
 
-Damping and friction take energy out of the motion; negative, they add energy, and the joint speeds
-up by itself. Drake rejects a negative damping, Pinocchio a negative friction.
+Damping and friction dissipate energy; negative values add energy, and the joint accelerates by
+itself. Drake rejects a negative damping, Pinocchio a negative friction.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -51,7 +51,7 @@ _HELP = {
 
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
-    """One finding for each limit: exporters write the same number for every joint."""
+    """One finding per kind of limit: exporters write the same number for every joint."""
     joints = [joint for joint in context.model.joints if joint.kind in MOVING]
     active = driven(context.model)
     for key in _HELP:
@@ -68,25 +68,25 @@ def check(context: Context) -> Findings:
         if negative:
             yield _finding(negative, key, f"{negative[0][1].value:g}", Severity.ERROR)
     for joint in context.model.joints:
-        yield from _of_dynamics(joint)
+        yield from _negative_dynamics(joint)
 
 
 def _finding(
-    found: list[tuple[Joint, Placed[float]]], key: str, value: str, severity: Severity
+    limits: list[tuple[Joint, Placed[float]]], key: str, value: str, severity: Severity
 ) -> Finding:
-    first, limit = found[0]
+    first, limit = limits[0]
     in_unit = effort_unit(first) if key == "effort" else f"{unit(first)}/s"
     sign = ", below 0" if severity is Severity.ERROR else ""
     return Finding(
         limit,
-        f"{several([joint for joint, _ in found])}: {key} limit is {value} {in_unit}{sign}",
+        f"{several([joint for joint, _ in limits])}: {key} limit is {value} {in_unit}{sign}",
         _HELP[key],
-        related=related((joint, limit.span) for joint, limit in found),
+        related=related((joint, limit.span) for joint, limit in limits),
         severity=severity,
     )
 
 
-def _of_dynamics(joint: Joint) -> Findings:
+def _negative_dynamics(joint: Joint) -> Findings:
     dynamics = joint.at.child("dynamics")
     effort = effort_unit(joint)
     for key, in_unit in (("damping", f"{effort}·s/{unit(joint)}"), ("friction", effort)):

@@ -1,18 +1,18 @@
 """An angle, a limit or a velocity looks like degrees.
 
-Angles are radians in URDF, velocities radians per second, and every parser reads them so.
+In URDF, angles are in radians and velocities in radians per second; all parsers agree.
 
-- Limits of a revolute joint: a limit of 180 lets it turn 28 times, which is no limit at all. They
-  are reported if they are whole numbers up to 360, exceed two turns, and are common angles (45, 90,
-  135, 180, 270, 360), or multiples of 5 that differ from joint to joint; the other joints or the
-  other end may also show that radians are used elsewhere. So are numbers with one or two decimals,
-  such as 177.6, next to other joints that differ or are in radians; multiples of pi are not. So are
-  those that were converted the wrong way: 177.617 is what 3.1 rad is in degrees.
-- An `rpy` of a joint, a shape or an inertia: 90 is 14.3 turns, so the part is rotated by 116.6
+- Limits of a revolute joint: a limit of 180 rad is 28 turns and does not limit anything. Limits are
+  reported if they are whole numbers up to 360, exceed two turns, and are common angles (45, 90,
+  135, 180, 270, 360) or multiples of 5 that differ from joint to joint, or if the other joints or
+  the other end are in radians. Numbers with one or two decimals, such as 177.6, are reported next
+  to joints that differ or are in radians; multiples of pi are not. Radians that were converted by
+  mistake are reported, too: 177.617 is 3.1 rad in degrees.
+- An `rpy` of a joint, a shape or an inertia: 90 rad is 14.3 turns, so the part is rotated by 116.6
   degrees. It is reported if an angle is more than a turn and a whole or half number.
-- The velocity of a revolute joint: data sheets of arms have 150 or 225 degrees per second. It is
+- The velocity of a revolute joint: data sheets of arms state 150 or 225 degrees per second. It is
   reported if it is a whole number of 45 or more, not a round placeholder, and either other joints
-  have other such numbers, or it is a common one (90, 120, 180, 360 ...), or all other joints are
+  have other such numbers, or it is a common speed (90, 120, 180, 360 ...), or all other joints are
   slow.
 
 Write radians, or, in xacro, `${radians(90)}`.
@@ -39,35 +39,36 @@ from urdfkit.text.grammar import owner
 BAD = arm_xml("revolute", '<limit lower="-90" upper="90" effort="10" velocity="1"/>')
 FIXED = GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
 
-#: Further than two turns to one side, in rad.
+#: Limits beyond two turns are suspect, in rad.
 _FAR = 4 * pi
+#: Limits below this are in radians.
 _ONE_TURN = 7.0
 
-#: Angles that have a name of their own.
-_NAMED = frozenset((45, 90, 135, 180, 270, 360))
+#: Common angles in degrees.
+_COMMON_ANGLES = frozenset((45, 90, 135, 180, 270, 360))
 
-#: Numbers that stand for "far enough".
+#: Placeholders for "far enough".
 _ROUND = frozenset((50, 100, 200, 300))
 
-#: A turn in rad, with room for rounding.
+#: A turn in rad, with a tolerance for rounding.
 _TURN = 2 * pi + 1e-3
 
 #: In degrees per second; motors of legs reach 40 rad/s.
 _MIN_SPEED, _MAX_SPEED = 45, 1000
 
-#: Speeds that data sheets of arms have and nothing else.
-_NAMED_SPEEDS = frozenset((90, 120, 135, 150, 180, 225, 270, 360))
+#: Speeds in data sheets of arms, which are unusual in rad/s.
+_COMMON_SPEEDS = frozenset((90, 120, 135, 150, 180, 225, 270, 360))
 
-#: Numbers that stand for "fast enough".
+#: Placeholders for "fast enough".
 _ROUND_SPEEDS = frozenset((50, 100, 200, 300, 400, 500, 1000))
 
-#: 1000 degrees in rad, of which "far enough" is a multiple where somebody converted it.
+#: 1000 degrees in rad; placeholders that were converted to radians are multiples of it.
 _ROUND_ANGLE = radians(1000)
 
-#: Between the ends of a joint of an arm, in rad.
+#: Largest range of a joint of an arm, in rad; joints with a larger one are wheels.
 _TURNS = 8 * pi
 
-#: The fastest of the other joints of an arm, in rad/s.
+#: Largest velocity limit of the other joints of a slow arm, in rad/s.
 _SLOW = 10.0
 
 
@@ -79,18 +80,22 @@ def check(context: Context) -> Findings:
 
 
 def _limits(model: RobotModel) -> Findings:
-    revolute = [(one, ends) for one in model.joints if (ends := _ends(one))]
-    suspects = [one for one in revolute if _may_be_degrees(one[1]) and max(map(abs, one[1])) > _FAR]
+    revolute = [(joint, ends) for joint in model.joints if (ends := _ends(joint))]
+    suspects = [
+        (joint, ends)
+        for joint, ends in revolute
+        if _may_be_degrees(ends) and max(map(abs, ends)) > _FAR
+    ]
     sizes = {abs(end) for _, ends in suspects for end in ends if abs(end) > _ONE_TURN}
-    # Of a joint that turns about once at most, somebody thought in radians.
+    # A limit of at most about one turn is in radians.
     in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
-    lonely = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
-    many = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND
+    are_exceptions = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
+    are_various = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND
     for joint, ends in revolute:
         if _is_converted(ends):
             yield _limit(joint, *ends)
     for joint, ends in suspects:
-        if many or lonely or {abs(end) for end in ends} & _NAMED:
+        if are_various or are_exceptions or {abs(end) for end in ends} & _COMMON_ANGLES:
             yield _limit(joint, *ends)
 
 
@@ -101,47 +106,43 @@ def _ends(joint: Joint) -> tuple[float, float] | None:
 def _limit(joint: Joint, lower: float, upper: float) -> Finding:
     assert joint.limit is not None
     turns = max(abs(lower), abs(upper)) / (2 * pi)
-    both = all(end == int(end) or abs(end) > _ONE_TURN for end in (lower, upper))
-    edits = scale_limits(joint.limit.at, pi / 180) if both else None
+    are_degrees = all(end == int(end) or abs(end) > _ONE_TURN for end in (lower, upper))
+    edits = scale_limits(joint.limit.at, pi / 180) if are_degrees else None
     return Finding(
         joint.limit.at,
         f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] rad, {turns:.1f} turns, which "
-        f"looks like degrees{'' if both else ' or a missing decimal point'}",
+        f"looks like degrees{'' if are_degrees else ' or a missing decimal point'}",
         fix=Fix.of("write the limits in radians", edits),
         confidence=Confidence.INFERRED,
     )
 
 
 def _may_be_degrees(ends: tuple[float, float]) -> bool:
-    """True for angles that a person wrote in degrees, at one end at least."""
+    """True if at least one end looks like an angle that a person wrote in degrees."""
     small, large = sorted(map(abs, ends))
-    if ends[0] >= ends[1] or large > 360 or not _is_written_in_degrees(large):
+    if ends[0] >= ends[1] or large > 360 or not _looks_like_degrees(large):
         return False
-    return small < _ONE_TURN or _is_written_in_degrees(small)
+    return small < _ONE_TURN or _looks_like_degrees(small)
 
 
-def _is_written_in_degrees(size: float) -> bool:
-    """True for a whole number, and for one of two decimals that is no round angle in radians."""
+def _looks_like_degrees(size: float) -> bool:
+    """True for a number with up to two decimals that is not a round angle in radians."""
     if size == int(size):
         return True
-    has_few_decimals = abs(100 * size - round(100 * size)) < 1e-6
-    return has_few_decimals and not (
-        _is_near_multiple(size, pi) or _is_near_multiple(size, _ROUND_ANGLE)
-    )
+    is_rounded = abs(100 * size - round(100 * size)) < 1e-6
+    return is_rounded and not (_is_near_multiple(size, pi) or _is_near_multiple(size, _ROUND_ANGLE))
 
 
 def _is_converted(ends: tuple[float, float]) -> bool:
-    """True for ends beyond two turns that are whole hundredths of a rad, written in degrees."""
-    if not _FAR < max(map(abs, ends)) <= 360 or any(
-        map(_is_written_in_degrees, filter(None, ends))
-    ):
+    """True for ends beyond two turns that are whole hundredths of a rad, converted to degrees."""
+    if not _FAR < max(map(abs, ends)) <= 360 or any(map(_looks_like_degrees, filter(None, ends))):
         return False
     hundredths = [100 * radians(end) for end in ends]
-    return all(abs(one - round(one)) < 1e-3 for one in hundredths)
+    return all(abs(number - round(number)) < 1e-3 for number in hundredths)
 
 
 def _is_near_multiple(size: float, unit: float) -> bool:
-    """True for a multiple that may be rounded to one decimal, such as 12.6 for four times pi."""
+    """True for a multiple, also if rounded to one decimal, such as 12.6 for four times pi."""
     return abs(size / unit - round(size / unit)) < 0.02
 
 
@@ -158,17 +159,17 @@ def _rotations(root: Element) -> Findings:
             continue
         assert origin.parent is not None
         at = origin.parent
-        what = owner(at) if at.tag == "joint" else f"{owner(at)}: <{at.tag}>"
+        part = owner(at) if at.tag == "joint" else f"{owner(at)}: <{at.tag}>"
         worst = max(filter(_is_degrees, angles), key=abs)
         message = (
-            f"{what} has an rpy of {worst:g} rad, {abs(worst) / (2 * pi):.1f} turns, which looks "
+            f"{part} has an rpy of {worst:g} rad, {abs(worst) / (2 * pi):.1f} turns, which looks "
             "like degrees"
         )
         yield Finding(rpy, message, fix=_in_radians(rpy, angles), confidence=Confidence.INFERRED)
 
 
 def _origins(root: Element) -> Iterator[Element]:
-    """Of joints, and of the shapes and inertias of links."""
+    """The origins of joints, and of the shapes and inertias of links."""
     in_links = (part for link in root.all("link") for part in link.children)
     parts = (part for part in in_links if part.tag in ("visual", "collision", "inertial"))
     for part in (*root.all("joint"), *parts):
@@ -177,7 +178,7 @@ def _origins(root: Element) -> Iterator[Element]:
 
 @lru_cache(maxsize=1024)
 def _with_degrees(rpy: str) -> tuple[float, ...]:
-    """The three angles of a text, if one of them looks like degrees; models repeat a few texts."""
+    """The three angles of an rpy, if one of them looks like degrees; models repeat texts."""
     angles = numbers(rpy) or ()
     return angles if len(angles) == 3 and any(map(_is_degrees, angles)) else ()
 
@@ -191,10 +192,10 @@ def _is_half_number(angle: float) -> bool:
 
 
 def _in_radians(rpy: Attribute, angles: tuple[float, ...]) -> Fix | None:
-    """All angles are degrees if none of them is a fraction; else those beyond a turn."""
-    whole = all(map(_is_half_number, angles))
+    """Converts all angles if each is a whole or half number; else only those beyond a turn."""
+    are_all_degrees = all(map(_is_half_number, angles))
     texts = [
-        f"{radians(angle):.10g}" if angle and (whole or _is_degrees(angle)) else text
+        f"{radians(angle):.10g}" if angle and (are_all_degrees or _is_degrees(angle)) else text
         for angle, text in zip(angles, rpy.value.split(), strict=True)
     ]
     return fix_value(rpy, " ".join(texts))
@@ -211,12 +212,12 @@ def _speeds(model: RobotModel) -> Findings:
     rest = [velocity.value for _, velocity in known if velocity.value not in values]
     is_slow = bool(rest) and max(rest) <= _SLOW
     for joint, velocity in suspects:
-        if len(values) > 1 or is_slow or velocity.value in _NAMED_SPEEDS:
+        if len(values) > 1 or is_slow or velocity.value in _COMMON_SPEEDS:
             yield _speed(joint, velocity)
 
 
 def _spins(joint: Joint) -> bool:
-    """True for a wheel or roller: its ends are too far apart to be ends."""
+    """True for a wheel or roller: its limits are too far apart to be mechanical stops."""
     limit = joint.limit
     if limit is None or limit.lower is None or limit.upper is None:
         return False
@@ -229,10 +230,10 @@ def _is_suspect(velocity: float) -> bool:
 
 
 def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
-    right = f"{radians(velocity.value):.10g}"
+    in_radians = f"{radians(velocity.value):.10g}"
     message = (
         f"joint '{joint.name}' has velocity limit {velocity.value:g} rad/s, which looks like "
-        f"degrees per second ({float(right):.3g} rad/s)"
+        f"degrees per second ({float(in_radians):.3g} rad/s)"
     )
-    fix = fix_value(velocity.at, right)
+    fix = fix_value(velocity.at, in_radians)
     return Finding(velocity, message, fix=fix, confidence=Confidence.INFERRED, group_key="velocity")

@@ -3,14 +3,14 @@
 Lengths are metres in URDF.
 
 - An `<origin>` of a joint of 10 m or more is reported if the rest of the model contradicts it: the
-  other joints are less than 1 m apart and a hundredth of it, or the meshes are scaled by 0.001, or
-  no shape has a hundredth of that size.
+  other joints are less than 1 m and less than a hundredth of that distance apart, or the meshes are
+  scaled by 0.001, or no shape has a hundredth of that size.
 - Limits of a prismatic joint are reported if they are whole numbers of 5 m or more, and 20 times
   the longest part of the robot. A gripper that opens by 30 m instead of 30 mm flies apart in the
   simulator.
 - A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
-  thicker than all of that: in RViz it is a wall, with which everything collides. If most links are
-  so large, they are the walls of a scene and are not reported.
+  thicker than the rest is long: in RViz it is a wall, and everything collides with it. If most
+  links are so large, they are the walls of a scene and are not reported.
 
 Divide by 1000.
 
@@ -33,21 +33,21 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 
-#: In m; few robots reach so far from one joint to the next, and in mm most do.
+#: In m; few robots have such a distance between two joints, but most do in mm.
 _FAR = 10.0
 #: In m; shorter origins are rounding.
 _NONE = 1e-4
-#: How much further than what it is compared with.
+#: Least ratio to the distances and sizes of the rest of the model.
 _RATIO = 100.0
 
-#: Of limits: times the length of the longest part of the robot, and in m.
+#: Least travel that is reported: times the longest part of the robot, and in m.
 _TIMES = 20.0
 _MIN_TRAVEL = 5.0
 
-#: Of shapes: times the size of the other links, and in m.
+#: Least size of a shape that is reported: times the size of the other links, and in m.
 _TIMES_THE_REST = 50.0
 _MIN_SIZE = 5.0
-#: Words in the names of links that are surroundings.
+#: Words in the names of links of an environment.
 _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
 
 
@@ -59,7 +59,7 @@ def check(context: Context) -> Findings:
 
 
 def _origins(model: RobotModel) -> Findings:
-    # A robot may stand anywhere in the world.
+    # A robot can be anywhere in the world.
     placed = (joint for joint in model.joints if joint.parent_name != "world")
     reaches = [(joint, length(joint.origin.position)) for joint in placed]
     far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
@@ -81,11 +81,11 @@ def _origins(model: RobotModel) -> Findings:
 
 
 def _evidence(model: RobotModel, least: float, near: list[float], count: int) -> str:
-    """What speaks against origins of ``least`` metres and more; empty if nothing does."""
+    """The evidence against origins of ``least`` metres and more; empty if there is none."""
     if len(near) > max(2, count):
         median = near[len(near) // 2]
         if median < 1 and least > _RATIO * median:
-            return f"half of the other {len(near)} joints lie less than {median:.2g} m apart"
+            return f"half of the other {len(near)} joints are less than {median:.2g} m apart"
         return ""
     shapes = model.shapes
     if any(shape.filename and max(map(abs, shape.scale)) == 0.001 for shape in shapes):
@@ -124,16 +124,16 @@ def _limits(model: RobotModel) -> Findings:
 
 def _shapes(model: RobotModel) -> Findings:
     sizes = _sizes(model)
-    usual = [size for found in sizes.values() for size, _, _ in found if size < _MIN_SIZE]
+    usual = [size for bodies in sizes.values() for size, _, _ in bodies if size < _MIN_SIZE]
     longest = max(usual, default=0.0)
     suspects: dict[str, list[tuple[float, Body]]] = {}
     for name, bodies in sizes.items() if usual else ():
-        # A rail may be long; what is in millimetres is thick as well.
+        # A rail is long but thin; a shape in millimetres is thick as well.
         least = max(_MIN_SIZE, _TIMES_THE_REST * longest)
-        found = [(size, body) for size, thick, body in bodies if size >= least and thick > longest]
-        if found and not any(word in name.lower() for word in _GROUNDS):
-            suspects[name] = found
-    usual_links = sum(any(size < _MIN_SIZE for size, _, _ in found) for found in sizes.values())
+        large = [(size, body) for size, thick, body in bodies if size >= least and thick > longest]
+        if large and not any(word in name.lower() for word in _GROUNDS):
+            suspects[name] = large
+    usual_links = sum(any(size < _MIN_SIZE for size, _, _ in bodies) for bodies in sizes.values())
     if len(suspects) > usual_links:
         return  # the walls of a scene
     for name, ((size, body), *others) in suspects.items():
@@ -141,13 +141,13 @@ def _shapes(model: RobotModel) -> Findings:
             body.shape.at if body.shape else body.at,
             f"link '{name}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "
             f"{longest:.3g} m",
-            related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in others),
+            related=tuple(Related(other.at.span, f"{edge:g} m, too") for edge, other in others),
             confidence=Confidence.INFERRED,
         )
 
 
 def _sizes(model: RobotModel) -> dict[str, list[tuple[float, float, Body]]]:
-    """The longest and the shortest edge of each shape, in m, by the name of the link."""
+    """The longest and the shortest edge of each shape, in m, by link name."""
     sizes: dict[str, list[tuple[float, float, Body]]] = {}
     for link in model.links:
         for body in (*link.visuals, *link.collisions):

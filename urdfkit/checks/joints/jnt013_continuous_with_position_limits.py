@@ -1,10 +1,10 @@
 """A continuous joint has position limits.
 
 A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio ignore
-`lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
-all with 0 and 0. Remove them, or make the joint revolute if it has an end. Limits of a whole turn
-or more, and zeros, as exporters write them, are an info, unless Drake is a given target: nobody
-counts on them. The fix removes these alone: with others the joint may be revolute.
+`lower` and `upper`; Drake enforces them, so that the same robot moves differently there, and not at
+all with 0 and 0. Remove them, or make the joint revolute if it has stops. Limits of a whole turn or
+more, and zeros, as exporters write them, are an info, unless Drake is a given target: no robot
+relies on them. The fix removes only these limits: with narrower ones the joint may be revolute.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -26,7 +26,7 @@ BAD = arm_xml(
 )
 FIXED = GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
 
-#: In rad, with limits such as 3.14.
+#: A turn in rad, with a tolerance for rounded limits such as 3.14.
 _TURN = 2 * pi - 0.01
 
 
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
             yield Finding(
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
-                # What narrows is more often right than the type, and lost once it is removed.
+                # Narrow limits are right more often than the type, and lost once removed.
                 fix=None
                 if narrows
                 else Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
@@ -57,6 +57,6 @@ def check(context: Context) -> Findings:
 
 
 def _narrows(limit: Limit) -> bool:
-    """True if somebody who counts on the limits expects less than a turn."""
+    """True if the limits allow less than a turn."""
     lower, upper = (number(limit.at.get(key)) or 0.0 for key in ("lower", "upper"))
     return lower != upper and upper - lower < _TURN

@@ -1,15 +1,14 @@
-"""A soft limit or calibration position lies outside the limits of its joint.
+"""A soft limit or calibration position is outside the limits of its joint.
 
-Soft limits slow a joint down before it reaches its stop, so they lie within `<limit>`.
+Soft limits slow a joint down before it reaches its stop, so they must be within `<limit>`.
 
-- Outside of it they never act: the controllers of ros_control (ROS 1) brake at the stop itself, and
-  MoveIt uses the narrower of both.
-- `soft_lower_limit` and `soft_upper_limit` are 0 for urdfdom where they are missing. Where nothing
-  is left between them, MoveIt plans with a joint that may only be at 0, and ros_control holds it
-  there.
+- Soft limits outside of it have no effect: the controllers of ros_control (ROS 1) brake at the stop
+  itself, and MoveIt uses the narrower of both.
+- urdfdom reads a missing `soft_lower_limit` or `soft_upper_limit` as 0. If the range between them
+  is empty, MoveIt plans with a joint that can only be at 0, and ros_control holds it there.
 - `rising` and `falling` of a `<calibration>` are the positions at which a sensor switches while the
-  joint searches for its zero. Outside the limits the search runs into the stop, or every position
-  is off afterwards.
+  joint searches for its zero. If they are outside the limits, the search runs into the stop, or all
+  positions have an offset afterwards.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -38,7 +37,7 @@ BAD = arm_xml(
 )
 GOOD = BAD.replace("-1.6", "-1.4")
 
-#: Part of the range that is rounding: of a calibration, and of a soft limit.
+#: Tolerance for rounding as a part of the range: of a calibration, and of a soft limit.
 _TOLERANCE, _ROUNDING = 1e-3, 1e-4
 
 
@@ -67,13 +66,13 @@ class _Soft(Record):
 
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
-    """One finding for all soft limits with one defect: mostly every joint has the same margin."""
+    """One finding per defect of soft limits: usually all joints have the same margin."""
     soft = list(_soft_limits(context.model))
-    if outside := [one for one in soft if one.is_outside and not one.is_empty]:
+    if outside := [limits for limits in soft if limits.is_outside and not limits.is_empty]:
         lower, upper = outside[0].hard
         reason = f"{outside[0].shown} exceed the limits [{lower:g}, {upper:g}]"
         yield _finding(outside, reason, "move the soft limits inwards")
-    if empty := [one for one in soft if one.is_empty and one.hard[0] < one.hard[1]]:
+    if empty := [limits for limits in soft if limits.is_empty and limits.hard[0] < limits.hard[1]]:
         missing = [key for key in SOFT_LIMITS if key not in empty[0].at.attributes]
         why = f" (missing: {', '.join(missing)})" if missing else ""
         reason = f"{empty[0].shown}{why} leave no range within the limits"
@@ -89,12 +88,12 @@ def _soft_limits(model: RobotModel) -> Iterator[_Soft]:
             yield _Soft(joint, at, soft, hard)
 
 
-def _finding(found: list[_Soft], reason: str, help: str) -> Finding:
+def _finding(defects: list[_Soft], reason: str, help: str) -> Finding:
     return Finding(
-        found[0].at,
-        f"{several([one.joint for one in found])}: {reason}",
+        defects[0].at,
+        f"{several([limits.joint for limits in defects])}: {reason}",
         f"{help}, or remove the <safety_controller>",
-        related=related((one.joint, one.at.span) for one in found),
+        related=related((limits.joint, limits.at.span) for limits in defects),
     )
 
 

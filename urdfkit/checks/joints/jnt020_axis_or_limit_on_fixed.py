@@ -1,8 +1,8 @@
 """A fixed joint has an axis or position limits.
 
-They have no effect: the joint does not move, and URDF parsers ignore them. They are left over from
-a joint that once moved, or the joint should be revolute or prismatic. Limits of zero, as exporters
-write them, are not reported.
+An axis and limits have no effect on a fixed joint: URDF parsers ignore them. They are left over
+from a joint that once moved, or the joint should be revolute or prismatic. Limits of zero, as
+exporters write them, are not reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint

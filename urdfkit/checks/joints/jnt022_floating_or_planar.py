@@ -1,10 +1,11 @@
 """A joint is floating or planar.
 
-Few programs support it. Gazebo drops the joint: the link and its children become a body of their
-own, which falls. KDL, and with it robot_state_publisher, reads both types as fixed. Drake sets a
-floating link free. MuJoCo, Pinocchio and MoveIt support both, but the last two move a planar joint
-across z, whatever its axis. Two prismatic joints and a revolute one are planar everywhere; a robot
-that moves freely needs no joint at its root.
+Few programs support these types. Gazebo drops the joint: the link and its children become a
+separate body, which falls. KDL, and with it robot_state_publisher, reads both types as fixed. Drake
+makes a floating link a free body. MuJoCo, Pinocchio and MoveIt support both, but Pinocchio and
+MoveIt move a planar joint perpendicular to z, ignoring its axis. All programs support two prismatic
+joints and a revolute one as a replacement for a planar joint; a robot that moves freely needs no
+joint at its root.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp

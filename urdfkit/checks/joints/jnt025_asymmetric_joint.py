@@ -1,18 +1,19 @@
 """A joint differs from its left or right counterpart.
 
-Counterparts are found by name (left and right, l and r, FL and FR, ...) or, for numbers, by
-mirrored places on one link, and are on different branches.
+Counterparts are matched by name (left and right, l and r, FL and FR, ...) or, for numbered joints,
+by mirrored positions on one link, and are on different branches.
 
-- Limits, type, damping, friction: where the left elbow has 80 N·m and the right one 1000, one was
-  forgotten in a correction, and the robot pulls to one side. Limits may be equal or mirrored; the
+- Limits, type, damping, friction: if the left elbow has 80 N·m and the right one 1000, only one of
+  them was corrected, and the robot pulls to one side. Limits may be equal or mirrored; the
   tolerance is a twentieth of the range, 1 % of effort and velocity, and a factor of two of damping
   and friction.
-- Origin: counterparts on one link differ in the sign of one coordinate. At the same place, or
-  further forward or higher, a sign was forgotten: the robot stands on three wheels. The misplaced
-  one is determined by the other joints on that link, and else by left being +y. In the zero pose, a
-  pair is reported too that alone of several pairs is not a mirror image.
-- Axis: where the left hip turns about x, so does the right one, in either direction. Joints that
-  turn are compared if their frames are mirror images in the plane y = 0 of the root.
+- Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
+  place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
+  The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
+  zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
+  image.
+- Axis: if the left hip turns about x, so does the right one, in either direction. Rotary joints are
+  compared if their frames are mirror images in the plane y = 0 of the root.
 
 Sources:
     unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
@@ -38,14 +39,15 @@ _LEFT, _RIGHT = '<origin xyz="0 0.2 0"/>', '<origin xyz="0 -0.2 0"/>'
 BAD = hand_xml("revolute", [_LEFT, _AXIS, _LIMIT], [_RIGHT, _AXIS, _LIMIT.replace("80", "1000")])
 GOOD = BAD.replace("1000", "80")
 
+#: Relative tolerance of effort and velocity.
 _TOLERANCE = 0.01
-#: In m: of mirrored frames.
+#: Tolerance of the positions of mirrored frames, in m.
 _NEAR = 1e-3
-#: Cosine of the angle of two axes that are different, not rounded.
+#: Cosine of the angle between two axes below which they are different, not rounded.
 _ACROSS = 0.5
-#: Damping and friction are measured, and differ.
+#: Allowed ratio of damping and friction, which are measured.
 _LOSSES = 2.0
-#: Of the range; the legs of a NAO differ by 0.005 of it.
+#: Tolerance as a part of the range; the legs of a NAO differ by 0.005 of it.
 _RANGE_TOLERANCE = 0.05
 
 
@@ -62,19 +64,19 @@ def check(context: Context) -> Findings:
                 confidence=Confidence.INFERRED,
                 group_key="counterparts",
             )
-    for one, other, reason in misplaced(context):
+    for correct, misplaced_joint, reason in misplaced(context):
         yield Finding(
-            other.at.child("origin") or other.at,
-            f"joint '{other.name}' {reason}",
+            misplaced_joint.at.child("origin") or misplaced_joint.at,
+            f"joint '{misplaced_joint.name}' {reason}",
             "mirror its origin in the plane between the two",
-            related=(Related(one.at.span, f"counterpart '{one.name}'"),),
+            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
     yield from _axes(context)
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:
-    """What differs, as ``effort 1000, not 80 N·m``: the second's value before the first's."""
+    """The differences, as ``effort 1000, not 80 N·m``: the second's value before the first's."""
     if first.kind != second.kind:
         yield f"{second.kind}, not {first.kind}"
         return
@@ -82,12 +84,12 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
     one, other = first.limit, second.limit
     if one is None or other is None:
         return
-    for name, a, b, of in (
+    for name, a, b, unit_of_value in (
         ("effort", one.effort, other.effort, effort_unit(first)),
         ("velocity", one.velocity, other.velocity, f"{unit(first)}/s"),
     ):
         if a and b and _differ(a, b):
-            yield f"{name} {b.value:g}, not {a.value:g} {of}"
+            yield f"{name} {b.value:g}, not {a.value:g} {unit_of_value}"
     ours, theirs = bounds(first), bounds(second)
     if ours is None or theirs is None or ours[0] >= ours[1] or theirs[0] >= theirs[1]:
         return
@@ -98,7 +100,7 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
 
 
 def _losses(first: Joint, second: Joint) -> Iterator[str]:
-    """Damping and friction, unless one of the two follows the other."""
+    """Differences in damping and friction, unless one of the joints mimics another."""
     one, other = (joint.at.child("dynamics") for joint in (first, second))
     if one is None or other is None or first.mimic or second.mimic:
         return
@@ -120,7 +122,7 @@ def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
 
 
 def _axes(context: Context) -> Findings:
-    """Joints that turn about another axis than their counterparts."""
+    """Joints that turn about an axis other than that of their counterparts."""
     frames = context.tree.frames
     for left, right in context.symmetric_joints:
         if left.kind not in TURNING or right.kind not in TURNING:
@@ -148,5 +150,5 @@ def _are_mirrored(one: Transform, other: Transform) -> bool:
 
 
 def _axis(joint: Joint, frame: Transform) -> Vector:
-    """Of a joint, in the frame of the root."""
+    """The axis of a joint in the root frame."""
     return rotate(frame.rotation, direction(joint))

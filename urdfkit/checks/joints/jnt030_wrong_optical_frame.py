@@ -3,13 +3,13 @@
 The frame of a camera has x forward, y left and z up; its optical frame has z forward, x right and y
 down: rpy="-pi/2 0 -pi/2" rotates the one into the other (REP 103).
 
-- A joint rotates the optical frame otherwise: images, point clouds and detections appear beside,
-  above or behind the robot; with rpy="pi/2 0 pi/2" they are upside down. That one is right where z
-  of the camera's frame points down: a camera mounted upside down, and a vehicle under water.
+- A joint rotates the optical frame differently: images, point clouds and detections appear next to,
+  above or behind the robot; with rpy="pi/2 0 pi/2" they are upside down. This rpy is right if z of
+  the camera's frame points down, as for a camera mounted upside down or an underwater vehicle.
 - A camera of Gazebo is on an optical frame: a sensor looks along x of its link, so the camera looks
   to the right. Put it on the camera's own link.
-- The images have the frame_id of the camera's own link, which is x-forward: what is straight ahead
-  appears above the robot. Name an optical frame. An info.
+- The images have the frame_id of the camera's own link, which is x-forward: objects straight ahead
+  appear above the robot. Use an optical frame. An info.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
@@ -33,17 +33,17 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
 
-#: From the frame of a camera to its optical frame; its columns are the optical axes.
+#: Rotation from the frame of a camera to its optical frame; the columns are the optical axes.
 _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
-#: The same where z points down.
+#: The same rotation if z of the camera's frame points down.
 _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
-#: Beginnings of words in the names of cameras that do not look forward, whatever their frame does.
+#: Beginnings of words in the names of cameras that do not look forward.
 _ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
-#: Words in the names of links of vehicles under water, some of which have z down everywhere.
+#: Words in the link names of underwater vehicles, some of which have z down in all frames.
 _UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov")
-#: People write pi with four digits.
+#: Allows for pi with few digits.
 _TOLERANCE = 0.01
-#: Where a camera's plugin or sensor names the frame of its images.
+#: Elements of a camera's plugin or sensor that contain the frame of its images.
 _FRAME_IDS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_frame_id")
 
 
@@ -76,24 +76,24 @@ def check(context: Context) -> Findings:
             confidence=Confidence.INFERRED,
         )
     if context.model.gazebo:
-        yield from _of_gazebo(context)
+        yield from _gazebo_cameras(context)
 
 
 def _has_misspelt_origin(joint: Joint) -> bool:
-    """True if the rotation stands in an element that is no origin, as URD001 reports."""
+    """True if the rotation is in an element with a misspelt name, which URD001 reports."""
     tags = {child.tag for child in joint.at.children}
     return "origin" not in tags and any("origin" in tag for tag in tags)
 
 
 def _from_mount(context: Context, camera: str, rotation: Rotation) -> Rotation:
-    """The rotation of an optical frame from what the frame of its camera is fixed to."""
+    """The rotation of an optical frame relative to the link that its camera is fixed to."""
     for joint in context.tree.parents.get(camera, ()):
         if joint.kind == "fixed":
             return multiply(joint.origin.rotation, rotation)
     return rotation
 
 
-def _of_gazebo(context: Context) -> Findings:
+def _gazebo_cameras(context: Context) -> Findings:
     from urdfkit.ros.gazebo.sensors import sensors
 
     for sensor in sensors(context.model):
@@ -107,7 +107,7 @@ def _of_gazebo(context: Context) -> Findings:
                 yield Finding(sensor.at, message, help, group_key="optical")
             continue
         parents = (sensor.at, *sensor.plugins)
-        for frame in (one for parent in parents for tag in _FRAME_IDS for one in parent.all(tag)):
+        for frame in (at for parent in parents for tag in _FRAME_IDS for at in parent.all(tag)):
             if frame.text.strip() == link:
                 yield Finding(
                     frame,
@@ -120,7 +120,7 @@ def _of_gazebo(context: Context) -> Findings:
 
 
 def _looks_aside(context: Context, optical: str) -> bool:
-    """True if z of an optical frame points forward, so that x does not."""
+    """True if z of an optical frame points forward, so that x points aside."""
     joints = context.tree.parents.get(optical, ())
     return any(rotate(joint.origin.rotation, (0.0, 0.0, 1.0))[0] > 0.99 for joint in joints)
 
@@ -131,7 +131,7 @@ def _is_rotated(pose: Element | None) -> bool:
 
 
 def _is_z_down(context: Context, camera: str) -> bool:
-    """True if z of a camera's frame points down: it is mounted so, or all frames may be."""
+    """True if z of a camera's frame points down, or may do so as in all frames of the vehicle."""
     frame = context.tree.frames.get(camera)
     if frame is not None and frame.rotation[2][2] < 0:
         return True
@@ -140,13 +140,13 @@ def _is_z_down(context: Context, camera: str) -> bool:
 
 
 def _has_sensor(context: Context, link: str) -> bool:
-    """True if a sensor of Gazebo is on a link: it looks along x, and would be rotated away."""
+    """True if a sensor of Gazebo is on a link: it looks along x, and a fix would rotate it."""
     blocks = (block for block in context.model.gazebo if block.get("reference") == link)
     return any(block.child("sensor") for block in blocks)
 
 
 def _is_of_one_camera(camera: str, optical: str) -> bool:
-    """True for ``camera_link`` and ``camera_optical_frame``: one name without its last words."""
+    """True if two names differ only in the last words, as camera_link, camera_optical_frame."""
     stem, word, _ = optical.partition("optical")
     stem = stem.rstrip("_")
     if not word or not stem or "optical" in camera:
@@ -155,7 +155,7 @@ def _is_of_one_camera(camera: str, optical: str) -> bool:
 
 
 def _is_square(rotation: Rotation) -> bool:
-    """True if every axis lies on an axis: a camera that is tilted may be tilted here."""
+    """True for multiples of 90 degrees; other angles may be the tilt of the camera."""
     return all(min(abs(v), abs(1 - abs(v))) < _TOLERANCE for row in rotation for v in row)
 
 
@@ -166,7 +166,7 @@ def _is_near(one: Rotation, other: Rotation) -> bool:
 
 
 def _forward(rotation: Rotation) -> str:
-    """Where z of a square rotation points, in the frame of the camera."""
+    """Direction of z of a square rotation, in the frame of the camera."""
     z = tuple(row[2] for row in rotation)
     axis = max(range(3), key=lambda i: abs(z[i]))
     names = ("backward", "to the right", "down"), ("forward, but rotated,", "to the left", "up")

@@ -1,11 +1,11 @@
 """A wheel cannot roll: its joint turns about another axis than its shape, or has position limits.
 
-- The axis of the joint is not the axis of the wheel: it tumbles, and the robot jumps or does not
-  move. Either the axis is wrong, or the shape is not rotated: a cylinder of URDF stands on its z
-  axis, and a wheel whose axle is y needs rpy="1.5707963 0 0". The axle of a mesh is taken to be the
-  short edge of its bounding box, where the other two are equal.
-- The joint is revolute: the wheel stops after half a turn or so, while the motor pushes on. A wheel
-  needs type="continuous".
+- The axis of the joint is not the axis of the wheel: the wheel tumbles, and the robot jumps or does
+  not move. Either the axis is wrong, or the shape is not rotated: the axis of a cylinder in URDF is
+  z, and a wheel whose axle is y needs rpy="1.5707963 0 0". The axle of a mesh is assumed to be the
+  short edge of its bounding box if the other two edges are equal.
+- The joint is revolute: the wheel stops at its limit, while the motor keeps pushing. A wheel needs
+  type="continuous".
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -30,16 +30,16 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>', 1)
 
-#: Names of links whose cylinder need not roll.
-_OTHERS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
+#: Words in the names of links whose cylinder need not roll.
+_NOT_WHEELS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
-#: Cosine of the angle of two axes: below, another axis; above, the same.
+#: Cosine of the angle between two axes, below which they differ, and above which they are equal.
 _ACROSS, _ALONG = 0.5, 0.9
 
-#: Some write a wheel with such limits, in rad.
+#: In rad: limits of wheels that are written as revolute joints without stops.
 _UNLIMITED = 100.0
 
-#: A mesh is a wheel if two of its edges are as long as one another, and the third is shorter.
+#: A mesh is a wheel if two of its edges are about equal, and the third is shorter.
 _ROUND, _FLAT = 0.94, 0.75
 
 
@@ -61,14 +61,14 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
         return
     (body, axle), axis = wheel, direction(joint)
     shape = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
-    what = f"{'collision' if body in link.collisions else 'visual'} {shape}"
+    shape_name = f"{'collision' if body in link.collisions else 'visual'} {shape}"
     if abs(dot(axis, axle)) < _ACROSS:
         yield Finding(
             joint.at.child("axis") or joint.at,
             f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
-            f"axis of its {what} is {rounded(axle, 3)}",
-            f"write the axis of the {what}, or rotate the shapes with their <origin>",
-            related=(Related(body.at.span, f"the {what}"),),
+            f"axis of its {shape_name} is {rounded(axle, 3)}",
+            f"write the axis of the {shape_name}, or rotate the shapes with their <origin>",
+            related=(Related(body.at.span, f"the {shape_name}"),),
             confidence=Confidence.INFERRED,
         )
 
@@ -99,13 +99,13 @@ def _rolls(link: Link, axis: Vector) -> bool:
 
 def _is_wheel(joint: Joint, link: Link) -> bool:
     names = f"{joint.name} {link.name}".lower()
-    return "wheel" in names and not any(word in names for word in _OTHERS)
+    return "wheel" in names and not any(word in names for word in _NOT_WHEELS)
 
 
 def _wheel_shape(
     link: Link, mesh_solid: Callable[[Body], MeshSolid | None]
 ) -> tuple[Body, Vector] | None:
-    """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
+    """The flat shape of a wheel around its joint, and the axis of that shape; None without one."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None
         if shape and shape.kind == "cylinder" and shape.radius and shape.length:
@@ -114,15 +114,15 @@ def _wheel_shape(
             is_centred = max(map(abs, body.origin.position)) < shape.radius
             axle = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
             return (body, axle) if is_flat and is_centred else None
-        found = mesh_solid(bodies[0]) if len(bodies) == 1 else None
-        axle_of_mesh = _axle(solid(bodies, mesh_solid)) if found else None
+        mesh = mesh_solid(bodies[0]) if len(bodies) == 1 else None
+        axle_of_mesh = _axle(solid(bodies, mesh_solid)) if mesh else None
         if axle_of_mesh:
             return bodies[0], axle_of_mesh
     return None
 
 
 def _axle(mesh: LinkSolid | None) -> Vector | None:
-    """The direction in which a mesh is thin, if it is round about it and about its link."""
+    """The direction in which a mesh is thin, if it is round about that axis and centred on it."""
     if mesh is None:
         return None
     box = mesh.bounds

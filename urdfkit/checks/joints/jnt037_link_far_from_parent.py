@@ -1,8 +1,8 @@
 """A link is far away from its parent link.
 
-The gap between their shapes is four times as long as either of the two, and no link that fixed
-joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45 for 0.245,
-or the origin is measured from the root of the robot instead of the parent link.
+The gap between the shapes of the two links is four times as long as either shape, and no link that
+fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45 for
+0.245, or the origin is measured from the root of the robot instead of the parent link.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -23,11 +23,11 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("2.4", "0.24")
 
-#: Times that the gap is longer than the longest shape; and in m.
+#: Least gap: times the longest shape, and in m.
 _TIMES = 4.0
 _LEAST = 0.5
 
-#: What moves along, or freely, may be anywhere.
+#: Types of joints whose links stay together; prismatic and free links may be anywhere.
 _HELD = ("fixed", "revolute", "continuous")
 
 
@@ -67,7 +67,7 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
-        frame: of the other one in that of the first.
+        frame: frame of the second link in that of the first.
     """
     first, second = (_solid(context, link) for link in (here, there))
     if first is None or second is None:
@@ -84,7 +84,7 @@ def _is_bridged(
     """True if a link that is merged with one of two links is near the other, or may be.
 
     Args:
-        body_of: the links that are merged with each link, by its name.
+        body_of: the rigid body that contains each link, by link name.
     """
     frames = context.tree.frames
     if not {parent.name, child.name} <= frames.keys():

@@ -1,10 +1,10 @@
 """An effort or velocity limit is out of proportion to those of the other joints.
 
-It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or 200
-times below the smallest. Its unit is wrong (N mm, degrees per second, turns per minute), its
-decimal point is misplaced, or it is a placeholder. Controllers and planners use it: one joint
-jerks, or slows all others down. Joints are compared with joints of the same type; a number that
-several joints share is not reported.
+The limit is 200 times the largest effort of the other joints, or 20 times the largest velocity; or
+200 times below the smallest. Its unit is wrong (N mm, degrees per second, turns per minute), its
+decimal point is misplaced, or it is a placeholder. Controllers and planners use the limit: one
+joint jerks, or slows all others down. Joints are compared with joints of the same type; a value
+that several joints share is not reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -26,48 +26,49 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("40000", "40")
 
-#: Times the others; real arms have stronger shoulders than wrists, and hands have weak fingers.
+#: Ratio to the largest of the others; shoulders are stronger than wrists, and fingers are weak.
 _TIMES = {"effort": 200.0, "velocity": 20.0}
 
-#: Times below the others; weak motors are DYN003.
+#: Ratio below the smallest of the others; DYN003 reports weak motors.
 _TIMES_LESS = 200.0
 
-#: So many others make a rule.
+#: Least number of other joints to compare with.
 _OTHERS = 3
 
 
 @rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
 def check(context: Context) -> Findings:
     joints = [joint for joint in context.model.joints if joint.kind in MOVING and joint.limit]
-    for kind in MOVING:  # wheels are other motors than arms
-        alike = [joint for joint in joints if joint.kind == kind]
-        for of, times in _TIMES.items():
-            yield from _odd(alike, of, times)
+    for kind in MOVING:  # wheels have other motors than arms
+        same_kind = [joint for joint in joints if joint.kind == kind]
+        for key, times in _TIMES.items():
+            yield from _outlier(same_kind, key, times)
 
 
-def _odd(joints: list[Joint], of: str, times: float) -> Findings:
+def _outlier(joints: list[Joint], key: str, times: float) -> Findings:
     """The one joint whose limit is far above, or far below, those of all others."""
-    known = [(joint, limit) for joint in joints if (limit := _limit(joint, of))]
+    known = [(joint, limit) for joint in joints if (limit := _limit(joint, key))]
     known.sort(key=lambda pair: pair[1].value)
     if len(known) <= _OTHERS:
         return
     (weakest, lowest), (_, low), (_, high), (strongest, highest) = *known[:2], *known[-2:]
     if highest.value >= times * high.value:
-        how = f"{highest.value / high.value:.3g} times the largest"
-        yield _finding(strongest, highest, of, how)
+        ratio = f"{highest.value / high.value:.3g} times the largest"
+        yield _finding(strongest, highest, key, ratio)
     elif lowest.value * _TIMES_LESS <= low.value:
-        yield _finding(weakest, lowest, of, f"{lowest.value / low.value:.2g} of the smallest")
+        yield _finding(weakest, lowest, key, f"{lowest.value / low.value:.2g} of the smallest")
 
 
-def _limit(joint: Joint, of: str) -> Placed[float] | None:
-    limit: Placed[float] | None = getattr(joint.limit, of)
+def _limit(joint: Joint, key: str) -> Placed[float] | None:
+    limit: Placed[float] | None = getattr(joint.limit, key)
     return limit if limit and limit.value > 0 else None
 
 
-def _finding(joint: Joint, limit: Placed[float], of: str, how: str) -> Finding:
-    in_unit = effort_unit(joint) if of == "effort" else f"{unit(joint)}/s"
+def _finding(joint: Joint, limit: Placed[float], key: str, ratio: str) -> Finding:
+    in_unit = effort_unit(joint) if key == "effort" else f"{unit(joint)}/s"
     return Finding(
         limit,
-        f"joint '{joint.name}': {of} limit {limit.value:g} {in_unit} is {how} of the other joints",
+        f"joint '{joint.name}': {key} limit {limit.value:g} {in_unit} is {ratio} of the other "
+        "joints",
         confidence=Confidence.INFERRED,
     )

@@ -1,8 +1,8 @@
 """The friction or damping of a joint exceeds its effort limit.
 
-A joint whose friction exceeds its effort never moves. Damping grows with the velocity; it is
-reported if it equals the effort at less than 0.1 rad/s or 0.01 m/s, and at a twentieth of the
-velocity limit. Friction is in N·m (or N), damping in N·m per rad/s: numbers of a data sheet in
+A joint whose friction exceeds its effort never moves. The damping torque grows with the velocity;
+it is reported if it equals the effort at less than 0.1 rad/s or 0.01 m/s, and at a twentieth of the
+velocity limit. Friction is in N·m (or N), damping in N·m per rad/s: values from a data sheet in
 N mm, or tuned for another simulator, are a thousand times too large. Gazebo, MuJoCo and Drake use
 them unchanged.
 
@@ -26,10 +26,10 @@ BAD = arm_xml(
 )
 GOOD = BAD.replace('"500"', '"0.5"')
 
-#: A joint that is driven with all its effort and moves more slowly creeps, in rad/s and m/s.
+#: Velocities at full effort below which damping is reported, in rad/s and m/s.
 _CREEPS = {"rad": 0.1, "m": 0.01}
 
-#: As a part of the velocity of the joint.
+#: The same bound as a part of the velocity limit.
 _SLOW = 0.05
 
 
@@ -37,25 +37,28 @@ _SLOW = 0.05
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         dynamics = joint.at.child("dynamics")
-        most = effort(joint)
-        if dynamics and most and joint.kind in MOVING and not joint.mimic:
-            yield from _judged(joint, dynamics, most)
+        limit = effort(joint)
+        if dynamics and limit and joint.kind in MOVING and not joint.mimic:
+            yield from _excessive(joint, dynamics, limit)
 
 
-def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
+def _excessive(joint: Joint, dynamics: Element, limit: float) -> Findings:
     friction, damping = (number(dynamics.get(key)) or 0.0 for key in ("friction", "damping"))
     who, of = f"joint '{joint.name}'", effort_unit(joint)
-    if friction > most:
-        message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}"
+    if friction > limit:
+        message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {limit:g} {of}"
         yield Finding(
-            dynamics.attributes["friction"], message, weight=friction / most, group_key="friction"
+            dynamics.attributes["friction"],
+            message,
+            weight=friction / limit,
+            group_key="friction",
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
-    reached = most / damping if damping > 0 else speed
+    reached = limit / damping if damping > 0 else speed
     if reached < min(_CREEPS[unit(joint)], _SLOW * speed):
         yield Finding(
             dynamics.attributes["damping"],
-            f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {most:g} "
+            f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {limit:g} "
             f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
             group_key="damping",

@@ -1,15 +1,15 @@
 """MuJoCo rejects a joint that URDF allows.
 
-Reported where MuJoCo is a target:
+Reported if MuJoCo is a target:
 
 - A `floating` joint below a link that moves: "free joint can only be used on top level". MuJoCo
-  merges what is fixed to the root into the world, so that such a joint may be on any of these
-  links; with `<compiler fusestatic="false"/>` only on a link `world`. Use prismatic joints and a
-  ball joint, or remove the joint.
+  merges links that are fixed to the root into the world, so that such a joint may be on any of
+  these links; with `<compiler fusestatic="false"/>` only on a link `world`. Use prismatic joints
+  and a ball joint, or remove the joint.
 - A `spherical` joint whose lower limit is not 0, and below the upper one: "range[0] should be 0 in
   ball joint". The limit of a ball joint is the largest angle in any direction.
-- A joint with limits or effort under `<compiler autolimits="false"/>`: a URDF has no attribute that
-  says that a joint is limited, so that MuJoCo rejects the range. Remove `autolimits`.
+- A joint with limits or effort under `<compiler autolimits="false"/>`: URDF has no attribute that
+  declares a joint as limited, so MuJoCo rejects the range. Remove `autolimits`.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -35,7 +35,7 @@ BAD = robot_xml(
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
-    if not any(one.reads_joints_as_mjcf for one in context.given_facts):
+    if not any(target.reads_joints_as_mjcf for target in context.given_facts):
         return
     for joint in context.model.joints:
         if joint.kind == "floating" and not _is_on_top(context, joint):
@@ -51,7 +51,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_on_top(context: Context, joint: Joint) -> bool:
-    """True if MuJoCo makes the parent of a joint a part of the world."""
+    """True if MuJoCo merges the parent of a joint into the world."""
     if not context.mujoco.fuses_static:
         return joint.parent_name == "world"
     return all(above.kind == "fixed" for above in context.tree.path(joint.parent_name))
@@ -78,7 +78,7 @@ def _without_autolimits(context: Context) -> Findings:
     if limited:
         yield Finding(
             autolimits,
-            f"autolimits is false, with which MuJoCo rejects the <limit> of {several(limited)}",
+            f"autolimits is false: MuJoCo rejects the <limit> of {several(limited)}",
             "remove autolimits",
         )
 
@@ -91,7 +91,7 @@ def _is_limited(joint: Joint) -> bool:
 
 
 def _lower(joint: Joint) -> float | None:
-    """The lower limit; None without a range, for which MuJoCo needs both limits."""
+    """The lower limit; None if there is no range, which requires both limits in MuJoCo."""
     if joint.limit is None:
         return None
     lower, upper = (number(joint.limit.at.get(key)) for key in ("lower", "upper"))

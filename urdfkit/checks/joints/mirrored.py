@@ -1,4 +1,4 @@
-"""Where a joint is, compared with its left or right counterpart."""
+"""Joints that are not at the mirror image of their left or right counterpart."""
 
 from __future__ import annotations
 
@@ -11,18 +11,21 @@ from urdfkit.lint.context import Context
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.symmetry import pairs
 
-#: In m; people round.
+#: In m: tolerance for rounding.
 _NEAR = 1e-4
 _AXES = "xyz"
 
-#: In m: robots are not quite symmetric. And the symmetric pairs next to the one that is not.
-_OFFSET, _OTHERS = 0.004, 2
+#: In m: tolerance, as robots are not quite symmetric.
+_OFFSET = 0.004
+
+#: Least number of symmetric pairs next to one that is not symmetric.
+_SYMMETRIC_PAIRS = 2
 
 
 class _Pair(Record):
-    """Counterparts that move, and the offset of the second from the first's mirror image.
+    """Movable counterparts, and the offset of the second from the first's mirror image.
 
-    The second one is the right one, unless the left one is misplaced.
+    The second is the right joint, unless the left joint is misplaced.
     """
 
     left: Joint
@@ -35,11 +38,15 @@ class _Pair(Record):
 
 
 def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
+    """Counterparts that are not mirror images: correct joint, misplaced joint, and the reason."""
     reported = set()
-    for one, other, reason in _on_one_link(context.model):
-        reported |= {one.name, other.name}
-        yield one, other, f"{_at(other)} {reason} its counterpart '{one.name}' {_at(one)}"
+    for correct, wrong, reason in _on_one_link(context.model):
+        reported |= {correct.name, wrong.name}
+        yield (
+            correct,
+            wrong,
+            f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}",
+        )
     for pair in _asymmetric(list(_pairs(context))):
         if pair.right.name in reported:
             continue
@@ -52,22 +59,22 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
 
 
 def _on_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts on one link of which one has a sign too many or too few."""
+    """Counterparts on one link of which one has a wrong sign in its position."""
     joints = {joint.name: joint for joint in model.joints if joint.name}
     for left, right in pairs(joints):
-        one, other = joints[left], joints[right]
-        if not one.parent_name or one.parent_name != other.parent_name:
+        first, second = joints[left], joints[right]
+        if not first.parent_name or first.parent_name != second.parent_name:
             continue
-        if one.kind == other.kind and (reason := _reason(one, other)):
+        if first.kind == second.kind and (reason := _reason(first, second)):
             yield (
-                (other, one, reason)
-                if _is_left_misplaced(model, one, other)
-                else (one, other, reason)
+                (second, first, reason)
+                if _is_left_misplaced(model, first, second)
+                else (first, second, reason)
             )
 
 
 def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
-    """True if the left one of two is misplaced, as the other joints on their link show."""
+    """True if the left counterpart is misplaced, judged by the other joints on their link."""
     others = [
         joint
         for joint in model.joints
@@ -88,7 +95,7 @@ def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
 
 
 def _count_mirrored(place: Vector, places: list[Vector]) -> int:
-    """How many places are at the same height and distance from the middle in x."""
+    """Number of places at the same height and the same distance from the centre in x."""
     x, _, z = place
     return sum(abs(abs(a) - abs(x)) < _NEAR and abs(c - z) < _NEAR for a, _, c in places)
 
@@ -106,19 +113,19 @@ def _pairs(context: Context) -> Iterator[_Pair]:
             yield _Pair(left, right, (a - x, b + y, c - z))
 
 
-def _asymmetric(found: list[_Pair]) -> list[_Pair]:
-    """The pairs that are no mirror images, though their parents are."""
-    known = {pair.right.child_name: pair.distance for pair in found}
+def _asymmetric(counterparts: list[_Pair]) -> list[_Pair]:
+    """The pairs that are not mirror images although their parents are."""
+    known = {pair.right.child_name: pair.distance for pair in counterparts}
     odd, inherited = [], 0
-    for pair in found:
+    for pair in counterparts:
         is_shared = pair.left.parent_name == pair.right.parent_name
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
         if above > _NEAR:
             inherited += 1
         elif pair.distance > _OFFSET:
             odd.append(pair)
-    exact = sum(pair.distance <= _NEAR for pair in found)
-    if len(odd) == 1 and exact >= _OTHERS and exact + inherited + 1 == len(found):
+    exact = sum(pair.distance <= _NEAR for pair in counterparts)
+    if len(odd) == 1 and exact >= _SYMMETRIC_PAIRS and exact + inherited + 1 == len(counterparts):
         x, _, z = odd[0].off
         return odd if max(abs(x), abs(z)) > _OFFSET else []  # the plane of symmetry is unknown
     return [pair for pair in odd if _is_shifted_along_one_axis(pair)]
@@ -146,7 +153,7 @@ def _shift(pair: _Pair) -> str:
 
 
 def _reason(one: Joint, other: Joint) -> str:
-    """What is wrong with two places that should be mirror images; empty if nothing is."""
+    """The defect of two positions that should be mirror images; empty if there is none."""
     if one.origin.rotation != other.origin.rotation:
         return ""
     first, second = one.origin.position, other.origin.position

@@ -1,23 +1,23 @@
-"""A mesh is in a format that programs do not load, or take for another.
+"""A mesh is in a format that programs do not load, or read as another format.
 
-By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, Open Inventor, X3D, AMF, 3MF,
-USD), which Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another
+The file contains a CAD model or a scene (STEP, IGES, Blender, 3DS, VRML, Open Inventor, X3D, AMF,
+3MF, USD), which Gazebo, MuJoCo and Drake do not read at all, or a mesh with the suffix of another
 format: programs choose their loader by the suffix and then fail or load nothing. Export it as STL,
-COLLADA or OBJ. Where no target simulates the robot, such a file is a warning: planners such as
+COLLADA or OBJ. If no target simulates the robot, such a file is a warning: planners such as
 OpenRAVE and Kautham read scene files. PLY, glTF and FBX are not reported: RViz, MoveIt and
 Pinocchio load them through assimp, new Gazebo loads glTF and FBX, Gazebo Classic none of the three.
 
-MuJoCo loads binary STL and OBJ only, Drake OBJ and glTF: where one of them is a target, a collision
-in another format, such as COLLADA, is an error. Drake leaves out visuals that it does not load,
-MuJoCo all, unless the robot has `<mujoco><compiler discardvisual="false"/>`. Of an OBJ MuJoCo loads
-the first object or group and leaves out the others without a message (warning).
+MuJoCo loads only binary STL and OBJ, Drake only OBJ and glTF: if one of them is a target, a
+collision in another format, such as COLLADA, is an error. Drake ignores visuals that it does not
+load, MuJoCo ignores all, unless the robot has `<mujoco><compiler discardvisual="false"/>`. From an
+OBJ, MuJoCo loads the first object or group and ignores the others without a message (warning).
 
-RViz 2 loads no ASCII STL up to ROS 2 Iron, so that Humble shows nothing of the link; since Jazzy it
-does. In a robot for ROS 2 such a visual is an info.
+RViz 2 does not load ASCII STL up to ROS 2 Iron, so that Humble does not show the visual; RViz loads
+it since Jazzy. In a robot for ROS 2 such a visual is an info.
 
-A binary STL that begins with `solid` is an info: ASCII files begin so, and the header of a binary
-one is free. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with a warning; simple parsers
-take it for a broken ASCII file. `urdfkit mesh convert` writes it without the word.
+A binary STL that begins with `solid` is an info: ASCII files begin with this word, and the header
+of a binary file can contain any text. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with
+a warning; simple parsers read it as a broken ASCII file. `urdfkit mesh convert` removes the word.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
@@ -74,33 +74,34 @@ def check(context: Context) -> Findings:
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
-def _not_for_target(context: Context, mesh: MeshReference, form: str) -> Findings:
-    """A format that a target does not load, of a mesh that it wants."""
+def _not_for_target(context: Context, mesh: MeshReference, format_name: str) -> Findings:
+    """Findings about meshes that a target reads, in a format that it does not load."""
     for target in context.given_facts:
-        is_wanted = context.loads_visuals and not target.leaves_out_visuals
-        if mesh.role != "collision" and not is_wanted:
+        reads_visuals = context.loads_visuals and not target.leaves_out_visuals
+        if mesh.role != "collision" and not reads_visuals:
             continue
-        if target.loads_first_object and form == OBJ and (number := _objects(mesh)) > 1:
+        if target.loads_first_object and format_name == OBJ and (number := _objects(mesh)) > 1:
             yield Finding(
                 mesh.at,
-                f"{mesh.who} holds {number} objects, of which {target.title} loads the first",
+                f"{mesh.who} contains {number} objects, of which {target.title} loads the first",
                 "urdfkit mesh convert FILE -o NEW.stl",
                 group_key=f"objects for {target.name}",
                 severity=Severity.WARNING,
                 targets=(target.name,),
             )
-        if target.meshes and form not in target.meshes:
+        if target.meshes and format_name not in target.meshes:
             yield Finding(
                 mesh.at,
-                f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
+                f"{mesh.who} is {format_name}; {target.title} loads "
+                f"{' and '.join(target.meshes)} only",
                 f"urdfkit mesh convert FILE -o NEW{_suffix(target.meshes[0])}",
-                group_key=f"{form} for {target.name}",
+                group_key=f"{format_name} for {target.name}",
                 targets=(target.name,),
             )
 
 
-def _suffix(form: str) -> str:
-    return next(suffix for suffix, forms in BY_SUFFIX.items() if form in forms)
+def _suffix(format_name: str) -> str:
+    return next(suffix for suffix, formats in BY_SUFFIX.items() if format_name in formats)
 
 
 def _not_in_rviz(context: Context, mesh: MeshReference) -> Findings:
@@ -122,5 +123,5 @@ def _objects(mesh: MeshReference) -> int:
         return 0
 
 
-def _is_mesh(form: str) -> bool:
-    return any(form in forms for forms in BY_SUFFIX.values())
+def _is_mesh(format_name: str) -> bool:
+    return any(format_name in formats for formats in BY_SUFFIX.values())

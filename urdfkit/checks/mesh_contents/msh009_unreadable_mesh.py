@@ -1,14 +1,15 @@
 """A mesh file cannot be read, or only a part of it.
 
-It is empty, as `touch` makes it, or contains no triangles; it is truncated, as by an interrupted
-download; it is something else: a web page saved instead of the file, the pointer that Git LFS
-leaves where `git lfs pull` was not run, an image, an archive; or its content contradicts itself: a
-vertex that is not three finite numbers, a face of a vertex that does not exist, XML with a wrong
-end tag. Some programs reject such a file, others silently load nothing or a part of it, and a
-physics engine loses a body whose collision has an infinite vertex. Export or download it again.
+The file is empty or contains no triangles; it is truncated, for example by an interrupted download;
+it is not a mesh: a web page saved instead of the file, a Git LFS pointer because `git lfs pull` was
+not run, an image, an archive; or its content is inconsistent: a vertex that is not three finite
+numbers, a face of a vertex that does not exist, XML with a wrong end tag. Some programs reject such
+a file, others silently load nothing or a part of it, and a physics engine loses a body whose
+collision has an infinite vertex. Export or download it again.
 
-It is a warning where only a part is broken, such as a reference to nothing or a colour that is no
-number: what RViz shows may be missing in Gazebo. `urdfkit mesh convert` writes what can be read.
+It is a warning if only a part is broken, such as an invalid reference or a colour that is not a
+number: parts that RViz shows may be missing in Gazebo. `urdfkit mesh convert` writes the readable
+parts.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
@@ -52,7 +53,7 @@ def check(context: Context) -> Findings:
             help = pull or _HELP.get(defect.kind, "")
             if defect.reason.endswith("archive"):
                 help = "unpack it, or export the mesh as STL, OBJ or COLLADA"
-            severity = Severity.WARNING if pull else None  # this checkout alone lacks it
+            severity = Severity.WARNING if pull else None  # only this checkout lacks the file
             message = f"{mesh.who} {defect.reason}"
             yield Finding(mesh.at, message, help, group_key=pull, severity=severity)
         elif mesh.facts.non_finite:
@@ -63,7 +64,7 @@ def check(context: Context) -> Findings:
 
 
 def _partly(context: Context) -> Findings:
-    """Of files that look whole; none where meshes are not measured."""
+    """Findings about partly readable files; none if meshes are not measured."""
     try:
         measured = context.measured
     except Unavailable:

@@ -1,14 +1,14 @@
 """A mesh has the wrong scale: its size is that of another unit.
 
-URDF is in metres. A part of 300 mm that a CAD program exports in millimetres becomes 300 m long:
-RViz shows only its inside, the robot collides with everything, and planners find no path. Add
-`scale="0.001 0.001 0.001"` to the `<mesh>`, or export the mesh in metres. A mesh is reported if it
-is more than 10 m long, and 20 times as long as joints and primitives of the robot.
+Lengths in URDF are in metres. A part of 300 mm that a CAD program exports in millimetres becomes
+300 m long: RViz shows only its inside, the robot collides with everything, and planners find no
+path. Add `scale="0.001 0.001 0.001"` to the `<mesh>`, or export the mesh in metres. A mesh is
+reported if it is more than 10 m long, and 20 times as long as joints and primitives of the robot.
 
 The opposite is a mesh in metres with a scale for millimetres: a part of 0.2 m becomes 0.2 mm long,
 too small to see or to touch. The attribute was copied from a mesh that needs it, or the mesh was
-exported again in metres. It is reported if a scale of 0.01 or less makes the mesh shorter than 1
-mm.
+exported again in metres. The mesh is reported if a scale of 0.01 or less makes it shorter than
+1 mm.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
@@ -62,7 +62,7 @@ def check(context: Context) -> Findings:
 
 
 def _fix(use: MeshUse) -> Fix | None:
-    """A thousandth of the scale, where the source holds this very mesh."""
+    """Writes a thousandth of the scale, if the file name is written in the source."""
     name = use.at.at
     if not isinstance(name, Attribute) or not name.literal:
         return None

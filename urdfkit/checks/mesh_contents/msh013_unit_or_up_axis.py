@@ -1,19 +1,19 @@
 """Programs read the unit or the up axis of a mesh file in different ways.
 
-- `<unit meter="0.001"/>` in a COLLADA file says that its lengths are millimetres. RViz and Gazebo
-  multiply by it; MoveIt, Pinocchio, coal and most Python tools do not. The robot looks right, and
-  its planner avoids something a thousand times as large, or the other way round. Bake the unit into
-  the vertices with `urdfkit mesh convert`. A warning; an info for a mesh that is only a visual,
-  unless Pinocchio is a target.
+- `<unit meter="0.001"/>` in a COLLADA file states that its lengths are millimetres. RViz and Gazebo
+  multiply by it; MoveIt, Pinocchio, coal and most Python tools do not. The robot looks right, but
+  its planner uses a shape a thousand times as large, or the reverse. Bake the unit into the
+  vertices with `urdfkit mesh convert`. A warning; an info for a mesh that is only a visual, unless
+  Pinocchio is a target.
 - `<up_axis>Y_UP</up_axis>` in a COLLADA file is ignored by RViz, Gazebo, MoveIt, Pinocchio and most
   Python tools. Bullet, and viewers in the browser, rotate the mesh by 90 degrees. `urdfkit mesh
   convert` writes Z_UP, with the same numbers. An info.
 - glTF 2.0 defines y as up, URDF z. RViz rotates such a mesh since 15.1.4 (ROS 2 Lyrical); so do
-  Drake, MeshCat and Blender. Gazebo, RViz before that, assimp and trimesh take the numbers as they
-  are. No file suits both: use COLLADA with Z_UP, OBJ or STL. `urdfkit mesh convert` keeps the
-  numbers, and with `--upright` rotates them as the new RViz does. An info.
+  Drake, MeshCat and Blender. Gazebo, earlier RViz, assimp and trimesh use the coordinates
+  unchanged. No file suits both: use COLLADA with Z_UP, OBJ or STL. `urdfkit mesh convert` keeps the
+  coordinates, and with `--upright` rotates them as the new RViz does. An info.
 
-A file that no given target loads, as MuJoCo loads no COLLADA, is not reported.
+A file that no given target loads, such as COLLADA for MuJoCo, is not reported.
 
 Sources:
     COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
@@ -83,30 +83,35 @@ def check(context: Context) -> Findings:
 
 
 def _is_loaded(context: Context, mesh: MeshReference, collisions: Collection[str | None]) -> bool:
-    """True unless no given target loads a file of this format, or only visuals that none loads."""
+    """True if a given target loads files of this format, or no target is given.
+
+    False for a file that only visuals use, if no target loads visuals.
+    """
     if not context.loads_visuals and mesh.located.path not in collisions:
         return False
-    given = context.given_facts
-    form = mesh.facts.format if mesh.facts else ""
-    return not given or any(not one.meshes or form in one.meshes for one in given)
+    targets = context.given_facts
+    mesh_format = mesh.facts.format if mesh.facts else ""
+    return not targets or any(
+        not target.meshes or mesh_format in target.meshes for target in targets
+    )
 
 
 def _once(
     context: Context,
     collisions: Collection[str | None],
-    concerns: Callable[[MeshFacts], bool],
+    predicate: Callable[[MeshFacts], bool],
     describe: Callable[[MeshFacts], str],
     effect: str,
     help: str,
 ) -> Findings:
-    """One info for all files of a robot that a predicate holds for."""
-    found = [
+    """One info for all files of a robot for which a predicate is true."""
+    meshes = [
         mesh
         for mesh in context.files.each_file
-        if mesh.facts and concerns(mesh.facts) and _is_loaded(context, mesh, collisions)
+        if mesh.facts and predicate(mesh.facts) and _is_loaded(context, mesh, collisions)
     ]
-    if found:
-        mesh, *others = found
+    if meshes:
+        mesh, *others = meshes
         assert mesh.facts
         more = more_like_this(len(others))
         message = f"{mesh.who} {describe(mesh.facts)}{more}: {effect}"

@@ -1,23 +1,23 @@
 """A mesh does not enclose a volume, or is inside out.
 
-- Its surface has holes, triangles that face opposite ways along an edge, or is a sheet with two
-  sides. Inside and outside are undefined: no volume, mass or inertia can be computed from it,
-  MuJoCo may reject it, and a thin object can enter through a hole. A quarter of the collision
-  meshes of real robots are like that, and simulators that only test triangles live with it.
-  `urdfkit mesh repair` closes small holes; `urdfkit mesh hull` makes a closed convex shape. An
+- The surface has holes, or triangles that face opposite ways along an edge, or it is a sheet with
+  two sides. Inside and outside are undefined: no volume, mass or inertia can be computed from the
+  mesh, MuJoCo may reject it, and a thin object can enter through a hole. A quarter of the collision
+  meshes of real robots have this defect, and simulators that only test triangles tolerate it.
+  `urdfkit mesh repair` closes small holes; `urdfkit mesh hull` creates a closed convex shape. An
   info.
-- It is flat: all of it lies in one plane. Simulators that take the convex hull reject it or make
-  it a sheet that fast parts tunnel through. Use a thin `<box>`. A warning; an error where MuJoCo is
-  a target, which also rejects a mesh of less than 1e-15 m³, of visuals as well if it is told to
-  load them (`discardvisual="false"`).
-- Its closed pieces overlap by more than a twentieth of the volume, which then counts twice in the
-  volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute. Unite them,
-  as with `urdfkit mesh repair --union`, or write the inertial by hand. An info; it is also reported
-  for a visual of a link without collisions.
+- The mesh is flat: all vertices are in one plane. Simulators that use the convex hull reject it or
+  make it a sheet that fast parts tunnel through. Use a thin `<box>`. A warning; an error if MuJoCo
+  is a target, which also rejects a mesh of less than 1e-15 m³, and checks visuals as well if it
+  loads them (`discardvisual="false"`).
+- Closed pieces of the mesh overlap by more than a twentieth of the volume, which then counts twice
+  in the volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute.
+  Unite them, for example with `urdfkit mesh repair --union`, or write the inertial by hand. An
+  info; it is also reported for a visual of a link without collisions.
 - A closed mesh, or a piece of one, is inside out: the vertices of its triangles are clockwise as
   seen from outside. Its volume is negative: tools that compute a mass from it fail or get a
-  negative one, MuJoCo rejects it, and its shading is wrong. It comes from a mirrored part or from
-  the export; `urdfkit mesh repair` flips it. A warning.
+  negative mass, MuJoCo rejects it, and its shading is wrong. The cause is a mirrored part or the
+  export; `urdfkit mesh repair` flips it. A warning.
 
 Sources:
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
@@ -49,7 +49,7 @@ FILES = {
 )
 def check(context: Context) -> Findings:
     defects = context.measured.defects
-    fatal = tuple(one.name for one in context.given_facts if one.least_volume)
+    fatal = tuple(target.name for target in context.given_facts if target.least_volume)
     severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
@@ -68,17 +68,17 @@ def check(context: Context) -> Findings:
             group_key="overlap",
         )
     for use in defects.get(MeshDefect.INVERTED, ()):
-        found = use.measures
-        what = "its triangles face inward"
-        if found.bodies > 1 and found.inverted_bodies:
-            what = f"{found.inverted_bodies} of its {found.bodies} pieces face inward"
-        message = f"{use.who} is inside out: {what}"
+        measures = use.measures
+        reason = "its triangles face inward"
+        if measures.bodies > 1 and measures.inverted_bodies:
+            reason = f"{measures.inverted_bodies} of its {measures.bodies} pieces face inward"
+        message = f"{use.who} is inside out: {reason}"
         help = "urdfkit mesh repair FILE"
         yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
 
 
 def _tiny(context: Context, target: TargetFacts) -> Findings:
-    """The meshes that a target loads and that have less volume than it takes."""
+    """Meshes that a target loads, with less volume than it accepts."""
     loads_visuals = not (target.drops_visuals and context.mujoco.drops_visuals)
     for use in context.measured.uses:
         volume = use.solid.volume if use.solid else 0.0
@@ -91,15 +91,20 @@ def _tiny(context: Context, target: TargetFacts) -> Findings:
 
 
 def _open(use: MeshUse) -> Finding:
-    found = use.measures
+    measures = use.measures
     parts = [
         counted(number, f"{kind} edge")
-        for number, kind in ((found.open_edges, "open"), (found.flipped_edges, "inconsistent"))
+        for number, kind in (
+            (measures.open_edges, "open"),
+            (measures.flipped_edges, "inconsistent"),
+        )
         if number
     ]
-    among = counted(found.triangles, "triangle")
-    what = f"is not closed: {' and '.join(parts)} among {among}"
+    among = counted(measures.triangles, "triangle")
+    reason = f"is not closed: {' and '.join(parts)} among {among}"
     if not parts:
-        what = f"encloses nothing: its {among} are two sides of a sheet"
+        reason = f"encloses nothing: its {among} are two sides of a sheet"
     help = "" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE"
-    return Finding(use.at, f"{use.who} {what}", help, weight=found.open_edges, group_key="open")
+    return Finding(
+        use.at, f"{use.who} {reason}", help, weight=measures.open_edges, group_key="open"
+    )

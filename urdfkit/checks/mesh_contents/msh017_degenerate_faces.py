@@ -1,8 +1,9 @@
 """Triangles of a mesh have no area.
 
-Two of their vertices coincide, or all three are on a line. They are invisible and have no normal:
-collision checks may get undefined contact directions from them, and normals computed at their
-vertices are wrong. A few of them matter little. `urdfkit mesh repair` removes them.
+Two vertices of such a triangle coincide, or all three are on a line. These triangles are invisible
+and have no normal: collision checks may get undefined contact directions from them, and normals
+computed at their vertices are wrong. A few of them have little effect. `urdfkit mesh repair`
+removes them.
 
 Sources:
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
@@ -26,11 +27,11 @@ FILES = {
 @rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
 def check(context: Context) -> Findings:
     for use in context.measured.defects.get(MeshDefect.DEGENERATE, ()):
-        found = use.measures
+        measures = use.measures
         yield Finding(
             use.at,
-            f"{use.who}: {found.degenerate} of {counted(found.triangles, 'triangle')} "
-            f"{'has' if found.degenerate == 1 else 'have'} no area",
-            weight=found.degenerate / found.triangles,
+            f"{use.who}: {measures.degenerate} of {counted(measures.triangles, 'triangle')} "
+            f"{'has' if measures.degenerate == 1 else 'have'} no area",
+            weight=measures.degenerate / measures.triangles,
             group_key="degenerate",
         )

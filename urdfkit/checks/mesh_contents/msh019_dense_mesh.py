@@ -1,15 +1,15 @@
 """A mesh has so many triangles that it slows down simulation, planning or rendering.
 
-- More than 20 000 in a collision: simulators and planners test it thousands of times a second.
-  Simulation falls behind real time, and MoveIt plans in seconds instead of milliseconds. A warning;
-  an error over the 200 000 of an STL file that MuJoCo loads, where it is a target.
-- More than 5 000 in a visual mesh that is used for collision as well: screws and fillets that make
-  a part look good make collision checks slow and contacts noisy. An info.
-- More than 100 000 in a visual: the robot loads slowly, and RViz, Gazebo and simulated cameras
-  render it slowly. An info.
+- More than 20 000 triangles in a collision: simulators and planners test it thousands of times a
+  second. Simulation falls behind real time, and MoveIt plans in seconds instead of milliseconds. A
+  warning; an error above 200 000 in an STL file, which MuJoCo rejects, if it is a target.
+- More than 5 000 triangles in a visual mesh that is used for collision as well: screws and fillets
+  that make a part look good make collision checks slow and contacts noisy. An info.
+- More than 100 000 triangles in a visual: the robot loads slowly, and RViz, Gazebo and simulated
+  cameras render it slowly. An info.
 
-For collisions, a box, a cylinder or a convex hull is faster and behaves better: `urdfkit mesh
-collision` finds the best. `urdfkit mesh simplify` keeps the shape with fewer triangles.
+For collisions, a box, a cylinder or a convex hull is faster and gives better contacts: `urdfkit
+mesh collision` suggests the best. `urdfkit mesh simplify` keeps the shape with fewer triangles.
 
 Sources:
     MuJoCo, stl_decoder.cc: https://github.com/google-deepmind/mujoco/blob/main/plugin/stl_decoder/stl_decoder.cc
@@ -81,10 +81,12 @@ def _slow_collisions(context: Context, bound: float) -> Findings:
         number = use.measures.triangles
         rejecting = []
         if context.files.facts(use.path).format == BINARY_STL:
-            known = map(targets.facts_of, context.given_targets or targets.TARGETS)
-            rejecting = [one for one in known if 0 < one.most_triangles < number]
-        bounds = [f"{one.title} rejects more than {one.most_triangles:,}" for one in rejecting]
-        fatal = tuple(one.name for one in rejecting if one.name in context.given_targets)
+            facts = map(targets.facts_of, context.given_targets or targets.TARGETS)
+            rejecting = [target for target in facts if 0 < target.most_triangles < number]
+        bounds = [
+            f"{target.title} rejects more than {target.most_triangles:,}" for target in rejecting
+        ]
+        fatal = tuple(target.name for target in rejecting if target.name in context.given_targets)
         yield Finding(
             use.at,
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "

@@ -1,11 +1,11 @@
 """A mesh refers to an image or a material file that does not exist.
 
-The path of a texture stands in the mesh file or in its .mtl, relative to it; the colours of an OBJ
-stand in the file that its `mtllib` names. It was not copied along, was renamed, or the path is that
-of another machine. RViz and Gazebo draw the part white, grey or black and fill the log with
+The mesh file or its .mtl contains the path of a texture, relative to itself; the `mtllib` line of
+an OBJ refers to the file with its colours. The file was not copied, was renamed, or the path is
+that of another machine. RViz and Gazebo draw the part white, grey or black and fill the log with
 warnings. Add the file next to the mesh, export the mesh with a plain colour, or delete the `mtllib`
-line and give the visual a `<material>` of URDF: an OBJ with one is not reported, and neither are
-collisions.
+line and give the visual a `<material>` of URDF: an OBJ in a visual with `<material>` is not
+reported, and neither are collisions.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp

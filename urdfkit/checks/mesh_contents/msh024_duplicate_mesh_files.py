@@ -1,7 +1,7 @@
 """Two mesh files of a robot have the same content.
 
-One copy gets fixed some day and the other does not, and both are loaded. Refer to one file from
-both places; a `<mesh>` can be mirrored with its scale and moved with its `<origin>`.
+A later correction of one copy is easily forgotten in the other, and programs load both. Refer to
+one file from both places; a `<mesh>` can be mirrored with its scale and moved with its `<origin>`.
 """
 
 from urdfkit.core.words import more_like_this

@@ -1,12 +1,12 @@
-"""A mesh file holds content that URDF programs ignore.
+"""A mesh file contains data that URDF programs ignore.
 
-Lines, cameras, lights, bones and animations that a modelling program exports along are not shown by
-RViz, and Gazebo Classic has drawn the lines as thick wire frames. They cost time to load. Export
-the selected mesh only, or write the file again with `urdfkit mesh convert`, which keeps the
+Modelling programs also export lines, cameras, lights, bones and animations. RViz does not show
+them, and Gazebo Classic has drawn the lines as thick wire frames. They cost time to load. Export
+only the selected mesh, or convert the file with `urdfkit mesh convert`, which keeps only the
 triangles.
 
 Some CAD programs store a colour in two spare bytes of each triangle of an STL file, in one of two
-ways that contradict each other. RViz, Gazebo and Python tools ignore it and show the part in the
+incompatible formats. RViz, Gazebo and Python tools ignore the colour and show the part in the
 colour of its `<material>`, or grey. Give the visual a `<material>`, or export COLLADA.
 
 Sources:
@@ -40,10 +40,10 @@ def check(context: Context) -> Findings:
     defects = context.measured.defects
     for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))
-        message = f"{use.who} also holds {content}; only triangles are shown"
+        message = f"{use.who} also contains {content}; only triangles are shown"
         yield Finding(use.at, message, group_key=content)
     for use in defects.get(MeshDefect.STL_COLOURS, ()):
         (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
-        message = f"{use.who} holds {colours}, which URDF programs ignore"
+        message = f"{use.who} contains {colours}, which URDF programs ignore"
         help = "give the visual a <material>, or export COLLADA"
         yield Finding(use.at, message, help, group_key="colours")

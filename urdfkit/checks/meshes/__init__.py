@@ -1,4 +1,4 @@
-"""Mesh files that a robot names: whether they exist."""
+"""Mesh files that a robot refers to: whether programs find them."""
 
 from urdfkit.lint.context import Context
 

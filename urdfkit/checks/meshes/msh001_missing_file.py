@@ -1,26 +1,27 @@
 """A mesh file does not exist.
 
-RViz shows the link white or not at all and reports an error; Gazebo leaves the shape out, so that a
-link without its collision falls through the floor; Pinocchio and MuJoCo reject the model. The
-package was found, the file in it was not: the name is misspelt, a directory has moved, or the file
-was never committed. A package that is not found is XAC011. Also reported:
+RViz shows the link white or not at all and reports an error; Gazebo omits the shape, so that a link
+without its collision falls through the floor; Pinocchio and MuJoCo reject the model. The package
+was found, but the file in it was not: the name is misspelt, a directory was moved, or the file was
+never committed. XAC011 reports packages that are not found. Also reported:
 
-- A name that differs from the file's in upper and lower case: it is found on Windows and on most
-  Macs, and missing on Linux.
-- Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
-- A third slash, as in `package:///arm/arm.stl`, and a file alone, as in `package://arm.stl`: they
-  name no package. PyBullet alone looks for the rest beside the URDF (a warning if it is there).
-- A file outside the workspace of the model and of the packages that are found: it is on this
+- A name that differs from the file's name in upper and lower case: Windows and most Macs find the
+  file, Linux does not.
+- Backslashes, which separate directories only on Windows. Write `/`.
+- A third slash, as in `package:///arm/arm.stl`, or a file alone, as in `package://arm.stl`: the
+  package is missing. Only PyBullet searches for the rest next to the URDF (a warning if it is
+  there).
+- A file outside the workspace of the model and of the packages that are found: it exists on this
   computer only, and urdfkit does not read it (a warning).
-- A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: whether
-  it exists is not known there (a warning).
-- A relative path that is found from a directory above: PyBullet alone looks there (a warning); of a
-  xacro, programs read it from where the expanded URDF is written (an info).
+- A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
+  cannot check whether it exists (a warning).
+- A relative path that is found from a parent directory: only PyBullet searches there (a warning);
+  in a xacro, the path is relative to the directory where the expanded URDF is written (an info).
 - A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
   info).
-- One slash behind a scheme, as in `package:/arm/arm.stl`.
-- An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
-  which RViz alone fetches, are not reported.
+- One slash after a scheme, as in `package:/arm/arm.stl`.
+- An unknown scheme: only `package://`, `model://` and `file://` refer to files. Meshes on the web,
+  which only RViz downloads, are not reported.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -54,13 +55,13 @@ FILES = {
 }
 
 _SCHEMES = ("package", "model", "file")
-#: A scheme that lacks a slash, or its colon.
+#: A scheme without its colon or one of its slashes.
 _CUT_SCHEME = re.compile(r"(package|model)(?::/?|//)(?=[^/:])")
-#: How far above a robot the directory of its URDF is looked for: description/urdf/parts.
+#: Number of parent directories to search for relative paths: description/urdf/parts.
 _LEVELS = 3
-#: Where packages of ROS are installed: `/opt/ros/humble`, `/opt/pal/ferrum`.
+#: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
 _INSTALLATION = re.compile(r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/")
-#: Fetched by some programs, and not by urdfkit.
+#: Schemes that some programs download, and urdfkit does not.
 _REMOTE = ("http", "https", "ftp", "fuel")
 
 
@@ -94,7 +95,7 @@ def check(context: Context) -> Findings:
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
-    """``package:///name/...``, whose package is the empty text, and ``package://file.stl``."""
+    """Finding about ``package:///name/...``, with an empty package, and ``package://file.stl``."""
     path, right = rest.lstrip("/"), f"{scheme}://PACKAGE/..."
     where = f"between '{scheme}://' and " + ("the next '/'" if "/" in rest else "the file")
     message = f"{mesh.who} names no package {where}"
@@ -109,7 +110,7 @@ def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: s
 
 
 def _cut_scheme(mesh: MeshReference, found: re.Match[str]) -> Finding:
-    """``package:/name/...``, which is taken for a relative path."""
+    """Finding about ``package:/name/...``, which programs read as a relative path."""
     right = f"{found[1]}://"
     message = f"{mesh.who} begins with '{found[0]}', not with '{right}'"
     fix = _fix(mesh, right + mesh.at.value[found.end() :], f"write {right}")
@@ -125,7 +126,7 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
 
 
 def _of_installation(mesh: MeshReference) -> Finding | None:
-    """The finding about a file of an installation that this computer does not have."""
+    """Finding about a file of an installation that does not exist on this computer; else None."""
     located = mesh.located
     found = _INSTALLATION.match(located.tried[0]) if located.scheme == "absolute" else None
     if found is None or disk.is_directory(found[0]):
@@ -149,7 +150,7 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         help = "for other programs, write a path relative to the URDF, or package://PACKAGE/..."
         return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
     where = f" in package '{located.package}'" if located.package else ""
-    # An absolute path is what was tried.
+    # An absolute path in the message is the path that was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
     message = f"{mesh.who} does not exist{where}{tried}"
     if help := _without_slash(context, located):
@@ -159,8 +160,8 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         return Finding(mesh.at, message, group_key=_missing_directory(located))
     new = suggested.reference
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
-    alike = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
-    return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=alike)
+    group_key = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
+    return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=group_key)
 
 
 def _found_above(context: Context, mesh: MeshReference, directory: str) -> Finding:
@@ -178,15 +179,15 @@ def _found_above(context: Context, mesh: MeshReference, directory: str) -> Findi
 
 
 def _without_slash(context: Context, located: ResolvedReference) -> str:
-    """The help for a path that is absolute by mistake; empty if no file is there without."""
+    """Help for a path that is absolute by mistake; empty if the relative path has no file."""
     relative = located.reference.lstrip("/")
     own = os.path.dirname(os.path.abspath(context.files.top))
-    is_slip = located.scheme == "absolute" and disk.is_file(os.path.join(own, relative))
-    return "remove the first slash: the path is absolute" if is_slip else ""
+    is_mistake = located.scheme == "absolute" and disk.is_file(os.path.join(own, relative))
+    return "remove the first slash: the path is absolute" if is_mistake else ""
 
 
 def _directory_above(context: Context, located: ResolvedReference) -> str:
-    """The directory above a robot from where a relative path is found; empty if there is none."""
+    """The parent directory of a robot in which a relative path exists; empty if there is none."""
     if located.scheme != "relative":
         return ""
     directory = os.path.dirname(os.path.abspath(context.files.top))
@@ -198,7 +199,7 @@ def _directory_above(context: Context, located: ResolvedReference) -> str:
 
 
 def _directory_of_mujoco(context: Context, mesh: MeshReference) -> str:
-    """The ``meshdir`` of the URDF, if the mesh is there; else empty."""
+    """The ``meshdir`` of the URDF, if it contains the mesh; else empty."""
     if not context.mujoco.mesh_directory:
         return ""
     directory, name = context.mujoco.mesh_path(mesh.at.value, context.files.top)
@@ -212,7 +213,7 @@ def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
 
 
 def _missing_directory(located: ResolvedReference) -> str:
-    """The topmost directory that does not exist; the file's own if that exists."""
+    """The topmost directory that does not exist; the directory of the file if all exist."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
     while not disk.is_directory(above := os.path.dirname(lost)):
         lost = above

@@ -1,16 +1,17 @@
 """A mesh is found on one machine only.
 
-An absolute path is that of one machine: on every other one, in a container and in continuous
+An absolute path is valid on one machine: on other machines, in a container and in continuous
 integration, the mesh is missing. Refer to it by its package: `package://my_robot/meshes/arm.stl`.
-In a xacro, `file://$(find my_robot)/meshes/arm.stl` is fine as well, since each machine puts its
-own path there.
+In a xacro, `file://$(find my_robot)/meshes/arm.stl` is fine as well, since each machine inserts its
+own path.
 
-A reference that leaves its package with `..` works in the source tree, where the packages lie side
-by side. A build installs each package in a directory of its own, where the file is another one or
-none. Refer to the package that holds the file.
+A reference that leaves its package with `..` works in the source tree, where the packages are side
+by side. A build installs each package in a separate directory, where the path refers to another
+file or to none. Refer to the package that contains the file.
 
-A path with characters outside ASCII is found by ROS on Linux, and not by PyBullet, nor by others on
-Windows; archives and file systems write the same letter in two ways, of which one is found.
+ROS on Linux finds a path with characters outside ASCII, but PyBullet does not, nor do other
+programs on Windows; archives and file systems encode the same letter in two ways, and only one
+matches.
 
 A mesh file that git ignores is missing in every clone of the repository. Most often a pattern for
 the output of compilers, such as `*.obj`, or for large files, matches it. `git add -f` adds the
@@ -70,7 +71,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_absolute(mesh: MeshReference) -> bool:
-    """True for a path that the source holds, not one that $(find pkg) made absolute."""
+    """True for a path that is absolute in the source, not one that begins with $(find pkg)."""
     at = mesh.at.at
     return (
         mesh.located.scheme == "absolute"
@@ -80,7 +81,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
 
 
 def _left(context: Context, mesh: MeshReference, path: str) -> str | None:
-    """The package that a reference starts in and leaves."""
+    """The package that a reference leaves; None if it does not leave its package."""
     located = mesh.located
     if ".." not in located.relative:
         return None

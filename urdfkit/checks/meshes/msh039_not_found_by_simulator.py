@@ -1,17 +1,17 @@
 """MuJoCo or PyBullet does not find a mesh that ROS finds.
 
-Reported where one of them is a target. The URDF of a xacro is taken to be next to it.
+Reported if one of them is a target. The URDF of a xacro is assumed to be next to it.
 
-MuJoCo takes the name of a mesh for a path relative to the URDF, or to `meshdir`: it knows no
+MuJoCo reads the name of a mesh as a path relative to the URDF, or to `meshdir`: it does not resolve
 packages, and rejects a robot with `package://arm_description/meshes/arm.stl` ("Error opening
 file"). Visuals are reported only with `<mujoco><compiler discardvisual="false"/></mujoco>`. If all
-meshes are in one directory, name it to MuJoCo, which ROS does not read:
+meshes are in one directory, declare it for MuJoCo in a block that ROS ignores:
 `<mujoco><compiler meshdir="../meshes" strippath="true"/></mujoco>`. Otherwise give MuJoCo a copy
 of the URDF with relative names (`urdfkit bundle --for mujoco`).
 
-PyBullet removes `package://` and looks for the remaining path in the directory of the URDF and in
-all directories above it. It finds `package://arm_description/meshes/arm.stl` only if one of them
-contains a directory `arm_description`, as `src` of a workspace does, and otherwise rejects the
+PyBullet removes `package://` and searches for the remaining path in the directory of the URDF and
+in all its parent directories. It finds `package://arm_description/meshes/arm.stl` only if one of
+them contains a directory `arm_description`, as `src` of a workspace does, and otherwise rejects the
 robot, for a visual as well.
 
 Sources:
@@ -62,7 +62,7 @@ def check(context: Context) -> Findings:
 
 
 def _not_above(context: Context, target: TargetFacts) -> Findings:
-    """The meshes that a target does not find in the directories above the URDF."""
+    """Finding about meshes that a target does not find from the directories above the URDF."""
     lost = [mesh for mesh in context.files.meshes if _is_not_above(context, mesh)]
     if lost:
         first = lost[0]
@@ -77,7 +77,7 @@ def _not_above(context: Context, target: TargetFacts) -> Findings:
 
 
 def _is_not_above(context: Context, mesh: MeshReference) -> bool:
-    """True for a mesh of a package that is neither above the URDF nor next to what is."""
+    """True for a mesh that is not found from any directory above the URDF."""
     if mesh.located.path is None or mesh.located.package is None:
         return False  # MSH001
     name = _without_scheme(mesh.at.value)
@@ -111,7 +111,7 @@ def _of_mujoco(context: Context) -> Findings:
 
 
 def _outside(context: Context) -> Findings:
-    """A meshdir that leads out of the repository, which other machines do not have."""
+    """Finding about a meshdir outside of the repository, which other machines do not have."""
     block = context.document.root.child("mujoco")
     element = block.child("compiler") if block else None
     written = element.attributes.get("meshdir") if element else None
@@ -126,7 +126,7 @@ def _outside(context: Context) -> Findings:
 
 
 def _is_lost(context: Context, mesh: MeshReference) -> bool:
-    """True for a mesh that MuJoCo alone does not find, as far as may be looked."""
+    """True for a mesh that only MuJoCo does not find, within the readable directories."""
     located = mesh.located
     if located.path is None and (located.package is None or located.directory is not None):
         return False  # MSH001
@@ -135,7 +135,7 @@ def _is_lost(context: Context, mesh: MeshReference) -> bool:
 
 
 def _directory(context: Context, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
-    """How to name the directory of all meshes, if they are in one; else nothing."""
+    """Help and fix for the directory of all meshes, if it is the same; else empty and None."""
     root = context.document.root
     directories = {os.path.dirname(mesh.located.path or "") for mesh in wanted}
     if len(directories) > 1 or directories == {""} or root.child("mujoco"):
@@ -147,5 +147,5 @@ def _directory(context: Context, wanted: list[MeshReference]) -> tuple[str, Fix 
     fix = None
     if context.reading.xacro is None:
         edits = insert_first(root, ("<mujoco>", f"  {element}", "</mujoco>"))
-        fix = Fix("tell MuJoCo where the meshes are", edits)
+        fix = Fix("declare the mesh directory for MuJoCo", edits)
     return f"write <mujoco>{element}</mujoco> into <robot>", fix

@@ -1,4 +1,4 @@
-"""Joints that mimic others."""
+"""Joints that mimic other joints."""
 
 from urdfkit.lint.context import Context
 

@@ -1,13 +1,13 @@
 """A `<mimic>` cannot drive its joint.
 
-- A joint that mimics itself, or joints that mimic one another in a cycle: none has a position of
-  its own. Drake and MuJoCo reject a joint that mimics itself, MoveIt drops every mimic of the
-  robot, Pinocchio rejects it where it is asked for mimic joints, and joint_state_publisher
-  recurses until Python stops it. Let one joint lead, without a `<mimic>`.
-- A leader that is fixed, floating or planar: only revolute, continuous and prismatic joints have
-  one position to follow. Drake rejects the robot; MuJoCo and MoveIt drop the coupling, so that the
+- A joint mimics itself, or joints mimic one another in a cycle: no joint has an independent
+  position. Drake and MuJoCo reject a joint that mimics itself, MoveIt drops every mimic of the
+  robot, Pinocchio rejects the robot if mimic joints are enabled, and joint_state_publisher recurses
+  until Python stops it. Remove the `<mimic>` of the leading joint.
+- The leader is fixed, floating or planar: only revolute, continuous and prismatic joints have one
+  position to follow. Drake rejects the robot; MuJoCo and MoveIt drop the coupling, so that the
   follower moves freely. A fixed joint with a `<mimic>` is reported for Drake only.
-- A multiplier of 0: the follower stays at its offset. Leave the attribute out for 1.
+- The multiplier is 0: the follower stays at its offset. Omit the attribute for 1.
 
 Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
@@ -28,7 +28,7 @@ _OF_LEFT, _OF_RIGHT = '<mimic joint="left_joint"/>', '<mimic joint="right_joint"
 BAD = hand_xml("prismatic", [_LIMIT, _OF_RIGHT], [_LIMIT, _OF_LEFT])
 GOOD = hand_xml("prismatic", [_LIMIT], [_LIMIT, _OF_LEFT])
 
-#: Joints that a message names.
+#: Number of joints that a message lists.
 _MAX_NAMES = 6
 
 _IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)

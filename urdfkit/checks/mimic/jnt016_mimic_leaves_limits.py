@@ -1,9 +1,9 @@
 """A joint that mimics another one leaves its own limits.
 
-Its position is the leader's times `multiplier` plus `offset`. Where the leader's range takes it
-beyond its own limits, a simulator that knows mimic pulls at a joint that stands at its stop, and
-the leader stops short or shakes; MoveIt and RViz show the joint outside of its limits. Often only
-the sign of the multiplier is wrong, or limits were copied from the leader.
+The position of the joint is the leader's times `multiplier` plus `offset`. If the leader's range
+drives the joint beyond its own limits, a simulator that supports mimic pulls at a joint at its
+stop, and the leader stops early or shakes; MoveIt and RViz show the joint outside of its limits.
+Often only the sign of the multiplier is wrong, or limits were copied from the leader.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -19,7 +19,7 @@ _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
 BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
 GOOD = BAD.replace(' multiplier="-1"', "")
 
-#: Part of the range that is rounding.
+#: Tolerance for rounding, as a part of the range.
 _TOLERANCE = 0.02
 
 
@@ -54,7 +54,7 @@ def _taken(leading: tuple[float, float], multiplier: float, offset: float) -> tu
 
 
 def _overshoot(taken: tuple[float, float], own: tuple[float, float]) -> float:
-    """How far one range leaves another one; not positive if only by rounding."""
+    """Distance by which one range exceeds another; not positive within rounding."""
     allowed = _TOLERANCE * max(taken[1] - taken[0], own[1] - own[0])
     return max(own[0] - taken[0], taken[1] - own[1]) - allowed
 

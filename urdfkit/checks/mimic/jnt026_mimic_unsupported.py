@@ -1,11 +1,10 @@
 """Joints mimic others in a program that does not support mimic.
 
-RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore
-`<mimic>`: the followers swing freely. From Harmonic on, only the physics engine
-bullet-featherstone couples them; the default one says so once and lets them swing. A joint that
-is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic
-plugins. KDL treats a follower as an independent joint, and so does Pinocchio unless it is asked for
-mimic joints.
+RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore `<mimic>`:
+the followers swing freely. From Harmonic on, only the physics engine bullet-featherstone couples
+them; the default engine warns once and does not couple them. The control plugin moves a follower
+that is listed in `<ros2_control>`, and for Classic there are mimic plugins. KDL treats a follower
+as an independent joint, and so does Pinocchio unless mimic joints are enabled.
 
 Sources:
     gz-sim, Physics.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/physics/Physics.cc
@@ -41,7 +40,7 @@ GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
 def check(context: Context) -> Findings:
-    """One finding for all: a hand has a dozen of them."""
+    """One finding for all joints: a hand has a dozen mimic joints."""
     if not context.targets.any_of(GAZEBO):
         return
     coupled = _coupled(context.model)
@@ -59,7 +58,7 @@ def check(context: Context) -> Findings:
 
 
 def _coupled(model: RobotModel) -> set[str]:
-    """The joints that something else moves: a control plugin, a transmission or a mimic plugin."""
+    """The joints that a control plugin, a transmission or a mimic plugin moves."""
     names = {
         element.get("name") or ""
         for owner in (*model.ros2_controls, *model.transmissions)

@@ -19,7 +19,7 @@ _RIGHT = '<origin xyz="0 -0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT
 BAD = hand_xml("prismatic", _LEFT, (*_RIGHT, '<mimic joint="left_joint"/>'))
 GOOD = BAD.replace('-0.01 0.05"/>\n  <axis xyz="0 1 0"/>', '-0.01 0.05"/>\n  <axis xyz="0 -1 0"/>')
 
-#: In m: fingers nearer to each other than this have no gap to close.
+#: In m: smallest gap between fingers.
 _NEAR = 1e-3
 
 #: Cosine of the angle up to which a finger moves along the gap.
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
 
 
 def _are_fingers(joint: Joint, leader: Joint) -> bool:
-    """True for two sliding joints on one link that go equally far; stages of a lift do not."""
+    """True for two prismatic joints on one link with the same travel, unlike stages of a lift."""
     return (
         joint.kind == leader.kind == "prismatic"
         and bool(joint.parent_name)

@@ -4,5 +4,5 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True for a document with a robot in it."""
+    """True for a document that contains a link or a joint."""
     return bool(context.model.links or context.model.joints)

@@ -1,15 +1,14 @@
 """Two links, joints or materials of the robot have the same name.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake reject the robot, for materials even if both
-have the same colour; MuJoCo rejects it for links, PyBullet for links and joints. What all given
-targets take is a warning. It happens when a macro is called twice without a prefix, a link is
-copied, or two included files define the same materials. Give one of them another name, and use it
-in the joints that refer to it; of materials keep one.
+have the same colour; MuJoCo rejects it for links, PyBullet for links and joints. It is a warning if
+all given targets accept the duplicate. The usual cause is a macro that is called twice without a
+prefix, a copied link, or two included files that define the same materials. Give one of them
+another name, and use it in the joints that refer to it; keep one of the materials.
 
-Visuals that give one material name two colours are a warning: urdfdom keeps the colour that it
-reads first, one defined below `<robot>` before all, and paints every part with it; other parsers
-take each part's own. Drake rejects the robot, an error where it is a target. Give each colour its
-own name.
+Visuals that give one material name two colours are a warning: urdfdom uses the first colour for all
+parts, with materials defined below `<robot>` before all others; other parsers use each part's own
+colour. Drake rejects the robot: an error if it is a target. Give each colour its own name.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -80,7 +79,7 @@ def _child(joint: Element) -> str | None:
 
 
 def _redefined(context: Context) -> Findings:
-    """Materials of visuals with a name that has another colour or texture already."""
+    """Materials of visuals whose name has another colour or texture before."""
     model = context.model
     rejecting = [one for one in context.given_facts if one.rejects_recoloured]
     effect = "parsers keep the first"

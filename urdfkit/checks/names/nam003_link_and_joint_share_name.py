@@ -1,12 +1,12 @@
 """A joint has the name of a link.
 
-URDF keeps the two apart, SDF does not: Gazebo (gz sim) reports that the name is not unique and
-does not load the model. A `<gazebo reference>` of that name goes to both. Add `_joint` to the
-joint.
+URDF has separate namespaces for links and joints, SDF does not: Gazebo (gz sim) reports that the
+name is not unique and does not load the model. A `<gazebo reference>` of that name applies to both.
+Add `_joint` to the name of the joint.
 
-A fixed joint that Gazebo merges leaves a frame of its name in SDF, and so does the link below it
-(sdformat from 12.7.2): gz sim requires that these names are unique, too. Gazebo Classic has no such
-frames: then the shared name is an info.
+When Gazebo merges a fixed joint, frames with the names of the joint and of the link below it remain
+in SDF (sdformat from 12.7.2): gz sim requires that these names are unique, too. Gazebo Classic has
+no such frames: there the shared name is an info.
 
 Sources:
     sdformat, FrameSemantics.cc: https://github.com/gazebosim/sdformat/blob/main/src/FrameSemantics.cc
@@ -54,7 +54,7 @@ def check(context: Context) -> Findings:
 
 
 def _is_merged(joint: Joint, context: Context) -> bool:
-    """True if Gazebo merges the joint, or the link of its name, so that one of them is left."""
+    """True if Gazebo merges the joint, or the link of its name, so that one of them remains."""
     gazebo = context.gazebo
     merged = joint.kind == "fixed" and joint.name not in gazebo.kept
     return merged or joint.name in gazebo.merged

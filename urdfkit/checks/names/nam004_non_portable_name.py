@@ -1,14 +1,14 @@
 """A name is not accepted by a common program.
 
-- White space: Gazebo's topics, command lines and parameter names break at it, and a name that ends
-  in a space is never found again.
+- White space: it splits Gazebo's topics, command lines and parameter names, and references to a
+  name that ends in a space do not match.
 - `::` separates scopes in SDF, and Gazebo rejects it in a name.
 - `/` in the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path. An info if
   the link has the same namespace.
 - `/` at the beginning of the name of a link: links become frames of TF, and tf2 rejects such
-  frames; `/base_link` and `base_link` are two frames. ROS 1's first TF allowed it.
+  frames; `/base_link` and `base_link` are two frames. The first TF of ROS 1 allowed it.
 - `world` and names in double underscores are reserved in SDF. Gazebo never creates a link `world`:
-  as the empty root that fixes the robot to the ground it is right, but its mass and shapes are
+  it is right as the empty root that fixes the robot to the ground, but its mass and shapes are
   lost, and as the child of a joint it makes Gazebo and MuJoCo reject the robot (an error for
   MuJoCo if the joint moves: "joint found in world body").
 - A digit at the beginning: USD rejects it, so that Isaac Sim renames the link or joint.
@@ -58,14 +58,14 @@ def _characters(name: Attribute) -> Findings:
         reason = "'/' in the name of a joint, which ROS parameters read as a path"
     else:
         return
-    # Nothing refers to a fixed joint by its name; a namespace for the link as well is on purpose.
+    # Nothing refers to a fixed joint by name; the same namespace in the link is intended.
     is_harmless = is_fixed_joint or ("/" in text and _has_namespace(name.element, text))
     severity = Severity.INFO if is_harmless else None
     yield Finding(name, f"{tag} '{text}': {reason}", group_key=reason, severity=severity)
 
 
 def _has_namespace(joint: Element, text: str) -> bool:
-    """True if the link that a joint moves has the same words up to a slash in front of its name."""
+    """True if the name of the child link of a joint has the same namespace."""
     child = joint.child("child")
     space = text.rpartition("/")[0] + "/"
     return child is not None and (child.get("link") or "").startswith(space)

@@ -1,14 +1,14 @@
 """A joint refers to a link, or a `<mimic>` to a joint, that is not in the model.
 
-Without the link there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and
-PyBullet reject the robot. The name is misspelt, a prefix is missing, or the macro that makes the
-link was not called. `world` is no exception: it needs a `<link name="world"/>` like every other
-link, except for Drake, which has that link itself. In a xacro that has no base of its own, such as
-a sensor for some robot, a missing parent is a warning.
+Without the link the tree is incomplete: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake
+and PyBullet reject the robot. The name is misspelt, a prefix is missing, or the macro that creates
+the link was not called. `world` requires a `<link name="world"/>` like every other link, except for
+Drake, which adds that link itself. In a xacro that has no base of its own, such as a sensor for any
+robot, a missing parent is a warning.
 
 urdfdom does not check the joint of a `<mimic>`: Drake rejects the robot, MoveIt drops the coupling,
 joint_state_publisher stops with an exception. MuJoCo, Pinocchio, Newton, PyBullet and yourdfpy load
-the robot without the coupling: a warning where they are the only targets.
+the robot without the coupling: a warning if they are the only targets.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -45,7 +45,7 @@ def _links(context: Context) -> Findings:
     known = context.model.links_by_name
     children = {joint.child_name for joint in context.model.joints}
     is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
-    # A second parent would be another error.
+    # A child must not get a second parent.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in context.model.joints:
         for role in ("parent", "child"):
@@ -55,7 +55,7 @@ def _links(context: Context) -> Findings:
                 continue
             if link.value == "world" and context.targets.all_are("adds_world"):
                 continue
-            if context.is_part:  # the file that includes it has the link
+            if context.is_part:  # the file that includes this part defines the link
                 return
             is_awaited = role == "parent" and is_fragment
             suggested = suggesters[role].suggested(link.value)
@@ -88,12 +88,12 @@ def _leaders(context: Context) -> Findings:
 
 
 def _ends(joint: Joint) -> list[str]:
-    """The names of the links that a joint has as its ends."""
+    """The names of the parent and child link of a joint."""
     return [end.value for end in (joint.parent, joint.child) if end]
 
 
 def _corrected(context: Context, name: Attribute, suggested: Link | Joint | None) -> Fix | None:
-    """Correct a name, or what it is probably meant for if that is misspelt."""
+    """Corrects a reference, or the suggested definition if that is misspelt."""
     if suggested is None:
         return None
     from urdfkit.lint.misspelt_names import corrected_definition  # for few robots

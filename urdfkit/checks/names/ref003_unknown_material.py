@@ -1,8 +1,8 @@
-"""A visual names a material that has no colour and no texture when it is needed.
+"""A visual refers to a material that has no colour and no texture when it is needed.
 
-`<material name="blue"/>` borrows the colour of a material defined below `<robot>`, or of an
-earlier visual with a material of that name. If there is none, urdfdom (RViz, MoveIt, Gazebo)
-warns and the part gets the viewer's own colour. Define the material once, below `<robot>`.
+`<material name="blue"/>` uses the colour of a material defined below `<robot>`, or of an earlier
+visual with a material of that name. If there is none, urdfdom (RViz, MoveIt, Gazebo) warns and the
+part gets the viewer's default colour. Define the material once, below `<robot>`.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -23,9 +23,9 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("gray", "grey")
 
-#: In lower case: names that say that there is no material.
+#: Names for "no material", in lower case.
 _NONE = ("", "none")
-#: Visuals with the same material that are shown.
+#: Number of visuals with the same material that a finding lists.
 SHOWN = 8
 
 
@@ -61,20 +61,20 @@ def check(context: Context) -> Findings:
 
 
 def _fix(uses: list[Attribute], suggested: str) -> Fix | None:
-    """Another name in all uses; what a macro wrote stands in the file once."""
+    """Renames all uses; several uses of one macro are one place in the file."""
     edits: dict[Edit, None] = {}
     for use in uses if suggested else ():
-        made = replace_value(use, suggested)
-        if made is None:
+        replacement = replace_value(use, suggested)
+        if replacement is None:
             return None
-        edits.update(dict.fromkeys(made))
+        edits.update(dict.fromkeys(replacement))
     return Fix.of(f"rename it to '{suggested}'", tuple(edits))
 
 
 def _renamed(
     definition: Element | None, uses: list[Attribute], names: list[str | None]
 ) -> Fix | None:
-    """Rename a definition that nothing uses, where several places agree on another name."""
+    """Renames an unused definition, if several places use the same other name."""
     if definition is None or definition.get("name") in names or from_macro(definition):
         return None
     if len({use.span for use in uses}) < 2:
@@ -85,7 +85,7 @@ def _renamed(
 def _uses_without_colour(
     top: dict[str | None, Element], used: list[Element]
 ) -> dict[str, list[Attribute]]:
-    """The names that have no colour yet where they are used, read as urdfdom reads."""
+    """Uses of materials that have no colour yet, in the reading order of urdfdom, by name."""
     defined = {name for name, material in top.items() if _is_filled(material)}
     bare: dict[str, list[Attribute]] = {}
     for material in used:
@@ -102,7 +102,7 @@ def _uses_without_colour(
 
 
 def _is_filled(material: Element) -> bool:
-    """True if it has a texture or a colour; one that cannot be read is another finding."""
+    """True if a material has a texture or a colour, readable or not."""
     texture = material.child("texture")
     return material.child("color") is not None or bool(texture and texture.get("filename"))
 

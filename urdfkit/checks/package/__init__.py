@@ -1,4 +1,4 @@
-"""The ROS package around a robot or a launch file: what it needs, declares and installs."""
+"""The ROS package of a robot or a launch file: dependencies, declarations, installed files."""
 
 from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch

@@ -1,4 +1,4 @@
-"""Build files that do not fit the package.xml: another name, or no registration with ROS."""
+"""Build files that contradict the package.xml: another name, or no registration with ROS."""
 
 import os
 import re
@@ -91,7 +91,7 @@ def _is_missing(directory: str, path: str) -> bool:
 
 
 def finds_catkin(directory: str) -> Findings:
-    """A package of type ament_cmake whose CMakeLists.txt is that of ROS 1."""
+    """A package of type ament_cmake with a CMakeLists.txt for ROS 1."""
     manifest, source = (_read(directory, file) for file in ("package.xml", "CMakeLists.txt"))
     if manifest is None or source is None or b"ament_cmake" not in manifest.data:
         return
@@ -108,7 +108,7 @@ def finds_catkin(directory: str) -> Findings:
 
 
 def other_build_type(directory: str) -> Findings:
-    """A build type whose build file is not there, while that of another type is."""
+    """A build type whose build file is missing, although that of another type exists."""
     manifest = _read(directory, "package.xml")
     if manifest is None or b"<build_type" not in manifest.data:
         return
@@ -150,7 +150,7 @@ def _build_file_of_ament(directory: str) -> Source | None:
 
 
 def _read(directory: str, file: str) -> Source | None:
-    """A file of a package; None where there is none, or a pipe in its place."""
+    """A file of a package; None if it is missing, or not a regular file."""
     path = os.path.join(directory, file)
     data = read_head(path, _MAX_BYTES)
     return Source(path, data) if data else None

@@ -1,11 +1,12 @@
 """A description or a launch file uses a package that its own `package.xml` does not declare.
 
-It works on the machine where that package happens to be installed. Elsewhere rosdep does not
+The file works only on machines where that package is installed. On other machines rosdep does not
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
-launch file end with "package not found". In a launch file it is an info. In one of ROS 2 packages
-that come with ROS are reported, too: a smaller installation lacks `xacro` or `ros_gz_sim`. So are
-the control plugin of Gazebo and the controllers of its robots, if their own packages do not declare
-them either: "class diff_drive_controller/DiffDriveController does not exist".
+launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
+packages of the ROS distribution are reported, too: a smaller installation lacks `xacro` or
+`ros_gz_sim`. So are the control plugin of Gazebo and the controllers of its robots, if their own
+packages do not declare them either: "class diff_drive_controller/DiffDriveController does not
+exist".
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -144,7 +145,7 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
 
 
 def _is_brought(name: str, declared: frozenset[str]) -> bool:
-    """True if a package is declared, or one that is there to bring it."""
+    """True if a package is declared, or a metapackage that depends on it."""
     return name in declared or any(
         name.startswith(prefix.rstrip("*")) if prefix.endswith("*") else name == prefix
         for bringer, brought in _BROUGHT.items()
@@ -154,16 +155,16 @@ def _is_brought(name: str, declared: frozenset[str]) -> bool:
 
 
 def _launched(context: Context) -> Iterator[tuple[str, Span]]:
-    """The packages that a launch file names itself and that are found; XAC011 has the others."""
+    """The packages that a launch file refers to and that are found; XAC011 reports the others."""
     for package in context.launch.packages:
         if package.searched is None and package.span.source.path == context.source.path:
             yield package.name, package.span
 
 
 def _referenced(context: Context) -> Iterator[tuple[str, Span]]:
-    """The packages that a description refers to and that are found; XAC011 has the others.
+    """The packages that a description refers to and that are found; XAC011 reports the others.
 
-    A directory without a manifest, such as ``assets`` in ``package://assets/arm.stl``, is none.
+    A directory without a manifest, as ``assets`` in ``package://assets/arm.stl``, is not a package.
     """
     for mention in references_of_package(context.document.sources, context.resolver.packages):
         try:

@@ -1,12 +1,12 @@
-"""A file of the package that is used is not installed by its build.
+"""The build of the package does not install a file that is used.
 
 In the source tree the file exists. After `colcon build` or `catkin_make install` it is not under
-`share/`, and `$(find ...)` and `package://` lead to a file that is not there: RViz shows the robot
-without meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install
-the directory. `DESTINATION share` without `/${PROJECT_NAME}`, and a slash behind the name of a
-directory, which installs its contents alone, put the files elsewhere. A macro that is included
-from another package is checked with that package's build file. In ROS 1 it is an info: from
-catkin's devel space, with which most work, packages are found in the source tree.
+`share/`, and `$(find ...)` and `package://` refer to a missing file: RViz shows the robot without
+meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install the
+directory. `DESTINATION share` without `/${PROJECT_NAME}` installs the files elsewhere, and so does
+a slash after the name of a directory, which installs only its contents. A macro that is included
+from another package is checked with that package's build file. In ROS 1 it is an info: most users
+work with catkin's devel space, which finds packages in the source tree.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -56,7 +56,7 @@ def check(context: Context) -> Findings:
 def _uninstalled(
     context: Context, name: str, directory: str, used: Iterable[tuple[str, Span]]
 ) -> Findings:
-    """The files of a package that are used and not installed; of each directory, the first."""
+    """The first file of each directory of a package that is used and not installed."""
     rules = InstallRules(directory, name)
     manifest = manifest_of(context.resolver, os.path.join(directory, "package.xml"))
     has_devel_space = manifest is not None and manifest.ros == 1

@@ -1,12 +1,12 @@
 """Gazebo cannot find the meshes of the package: no resource path is set.
 
-RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it for
+RViz finds `package://arm_description/meshes/...` through ROS. Gazebo reads it as
 `model://arm_description/meshes/...` and searches its own resource path: "Unable to find file with
-URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
-gz-sim need the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`,
-most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read; or a launch file
-replaces `package://` by a path. A URDF that no launch file names, as an expanded copy, is in no
-Gazebo.
+URI", and the robot is invisible. Gazebo of ROS 1 resolves packages; Gazebo of ROS 2 and gz-sim
+require the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`, most
+simply by an export in package.xml, which gazebo_ros and ros_gz_sim read; or a launch file replaces
+`package://` by a path. A URDF that no launch file refers to, such as an expanded copy, is not
+reported: Gazebo does not load it.
 
 Sources:
     Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md

@@ -1,23 +1,23 @@
 """The package.xml or the build files of the robot's package are invalid.
 
-The package is not built or not found: nothing of the robot is installed, and `package://` leads
-nowhere.
+The package is not built or not found: no file of the robot is installed, and `package://` does not
+resolve.
 
 - catkin and colcon stop at an invalid package.xml, or ignore the package: a required element is
   missing, a tag belongs to another format, or the file is not XML. A file with little more than a
-  name is taken for the stub of a test.
+  name is assumed to be the stub of a test.
 - The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
   installs the files below that name, or catkin stops: "package name does not match project name".
 - CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package.
-- CMakeLists.txt installs a file or directory that does not exist, and the build ends: "file INSTALL
-  cannot find". An empty directory is not in a clone, since git keeps files only. Not in ROS 1:
+- CMakeLists.txt installs a missing file or directory, and the build fails: "file INSTALL cannot
+  find". A clone lacks empty directories, since git stores only files. Not reported in ROS 1:
   catkin's devel space installs nothing.
-- CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 has none.
+- CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 does not have catkin.
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
   `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
-  makes the file and warns that it will not always do so; a Debian package has none (warning).
+  creates the file with a deprecation warning; a Debian package lacks it (warning).
   Without `<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt.
 
 Only launch files, and descriptions that refer to packages, are checked.
@@ -84,7 +84,7 @@ def check(context: Context) -> Findings:
         yield from not_finished(home[1])
         yield from other_build_type(home[1])
     file = nearest_manifest(path)
-    if file is None or disk.is_link(file):  # which may lead anywhere
+    if file is None or disk.is_link(file):  # a link may refer to any file
         return
     try:
         data = resolver.text(file)
@@ -115,7 +115,7 @@ def _missing(package: Element) -> Findings:
 
 
 def _tags(package: Element) -> Findings:
-    """Tags that the format of the file does not have."""
+    """Tags that the format of the file does not define."""
     known = known_tags(package.get("format"))
     renamed = {"run_depend": "exec_depend", "exec_depend": "run_depend"}
     for child in package.children:

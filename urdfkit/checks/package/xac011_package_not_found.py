@@ -1,14 +1,13 @@
 """A ROS package that a robot or a launch file needs is not found.
 
-Without it a xacro cannot be expanded, and no program here can load its meshes: an error if the
-workspace has a package whose name is nearly the same, one for all meshes of a package. Another one
-may be installed where the robot runs, and be missing on this machine only: a warning. It is an info
-where only meshes cannot be checked and `package.xml` declares the package, ROS has it, or a
-submodule that is not checked out may hold it.
-`roslaunch` stops with "ResourceNotFound", `ros2 launch` with
-"package not found": an info where `package.xml` does not declare the package, and a warning where
-its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
-installation that has it.
+Without the package a xacro cannot be expanded, and programs on this machine cannot load its meshes:
+an error if the workspace has a package with nearly the same name, one for all meshes of a package.
+Other packages may be missing on this machine only, and exist where the robot runs: a warning. It is
+an info if only meshes cannot be checked and `package.xml` declares the package, ROS has it, or a
+submodule that is not checked out may contain it.
+`roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not found": an info if
+`package.xml` does not declare the package, and a warning if its name is a typo. Specify the
+directory of the package, put it into the workspace, or source the ROS installation that has it.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

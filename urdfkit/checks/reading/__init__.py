@@ -1,4 +1,4 @@
-"""What reading a description met: errors of XML and of xacro."""
+"""Problems of reading a description: errors of XML and of xacro."""
 
 from collections.abc import Collection
 
@@ -6,7 +6,7 @@ from urdfkit.lint.context import Context
 
 
 def applies(context: Context) -> bool:
-    """True where reading met something."""
+    """True if reading reported a problem."""
     return bool(context.reading.problems)
 
 

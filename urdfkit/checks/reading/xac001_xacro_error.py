@@ -2,12 +2,12 @@
 
 A property is not defined, a macro does not exist or is called with other parameters than it has, an
 included file does not exist, Python cannot evaluate an expression. xacro stops at the first error
-and names no line; urdfkit lists all, each at its expression. Where the expression is in a property,
-the place is the property's definition, with its use as a note. All `<property>` elements of a file
-that lack the prefix are one finding, at the first.
+without a line number; urdfkit reports all errors, each at its expression. An error in a property is
+reported at the property's definition, with its use as a note. All `<property>` elements of a file
+without the prefix are one finding, at the first.
 
-A file that another one includes and that uses macros, properties or arguments of that file is no
-robot by itself: an info. Check the file at the top; findings in its parts are reported at their
+A file that another file includes, and that uses macros, properties or arguments of that file, is
+not a complete robot: an info. Check the top file; findings in included files are reported at their
 lines.
 
 Sources:

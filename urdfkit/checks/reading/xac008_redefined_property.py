@@ -1,8 +1,8 @@
 """A property is defined twice in the same block before its first value is used.
 
 The first definition has no effect, so one of the two is left over, or has the wrong name. A
-conditional default (`<xacro:if>`) and a property that is used in between are no findings; nor is
-one where an include is not found, which may use the first.
+conditional default (`<xacro:if>`) and a property that is used in between are not reported; nor is a
+property if an include is not found, as it may use the first value.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

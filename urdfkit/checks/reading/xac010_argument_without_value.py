@@ -1,11 +1,11 @@
 """The model needs an argument that was not given and has no default.
 
-xacro stops with "Undefined substitution argument". Give it on the command line as `name:=value`,
-or give the `<xacro:arg>` a default, so that the model can be looked at on its own.
+xacro stops with "Undefined substitution argument". Pass it on the command line as `name:=value`,
+or give the `<xacro:arg>` a default, so that the model can be expanded without arguments.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
-    measured: 30 of 176 public entry points want an argument
+    measured: 30 of 176 public entry points require an argument
 """
 
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule

@@ -1,8 +1,8 @@
 """An argument is used above the `<xacro:arg>` that gives it a default.
 
-xacro reads from top to bottom: at the use it knows no default and stops with "Undefined
-substitution argument", unless the value is passed. The name of the robot in the root element is the
-usual place. Here the default counts all the same, so that the rest of the model can be checked.
+xacro reads from top to bottom: at the use, the default is not defined yet, and xacro stops with
+"Undefined substitution argument", unless the value is passed. The usual place is the name of the
+robot in the root element. urdfkit uses the default anyway, to check the rest of the model.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

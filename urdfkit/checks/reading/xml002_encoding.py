@@ -1,9 +1,9 @@
 """The file is not in UTF-8, or not in the encoding that it declares.
 
-xacro stops with a UnicodeDecodeError, and strict XML parsers reject the file. It happens when an
-editor on Windows saves a comment as GBK, Latin-1 or CP-1252 while the file says UTF-8, which is
-also what XML assumes where nothing is declared; PowerShell's `>` writes UTF-16, which neither xacro
-nor urdfdom reads. Save the file as UTF-8.
+xacro stops with a UnicodeDecodeError, and strict XML parsers reject the file. The usual cause is an
+editor on Windows that saves a comment as GBK, Latin-1 or CP-1252 while the file declares UTF-8,
+which is also the default of XML; PowerShell's `>` writes UTF-16, which neither xacro nor urdfdom
+reads. Save the file as UTF-8.
 
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/

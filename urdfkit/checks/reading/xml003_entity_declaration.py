@@ -2,8 +2,8 @@
 
 No robot needs them, and they are the usual way to make a small file fill the memory of its reader,
 or to read other files. urdfdom 3 (ROS 1 Noetic, ROS 2 Humble) rejects a file that declares them,
-and later versions leave the references unchanged: the same file means different things to
-different parsers. Write the text out, or use a xacro property.
+and later versions leave the references unchanged: parsers read the same file differently. Write the
+text itself, or use a xacro property.
 
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/

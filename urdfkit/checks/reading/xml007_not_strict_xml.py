@@ -1,11 +1,11 @@
 """The file is not strict XML, though urdfdom reads it.
 
-urdfdom (and with it robot_state_publisher and Pinocchio) forgives white space before the XML
+urdfdom (and with it robot_state_publisher and Pinocchio) accepts white space before the XML
 declaration, a version other than 1.0 and undeclared prefixes; up to release 3 also a comment before
-the declaration. Python's parsers, xacro and browsers do not: the robot works here and fails there.
-An error where Newton is a target, which uses a parser of Python.
+the declaration. Python's parsers, xacro and browsers reject them. An error if Newton is a target,
+which uses a parser of Python.
 
-In a xacro an undeclared prefix is an error: xacro stops with "unbound prefix". Mostly the root
+In a xacro an undeclared prefix is an error: xacro stops with "unbound prefix". Usually the root
 element of an included file lacks its `xmlns:xacro`.
 
 Sources:

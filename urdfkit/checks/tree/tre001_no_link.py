@@ -1,8 +1,8 @@
 """The robot has no link.
 
-urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet reject it. In a xacro the macro that makes
-the links is mostly defined, but never called. A list of joints without parents and children, such
-as the thrusters of the BlueROV, is for another program: an info.
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet reject the robot. In a xacro, usually the
+macro that creates the links is defined, but never called. A list of joints without parents and
+children, such as the thrusters of the BlueROV, is for another program: an info.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -27,6 +27,6 @@ def check(context: Context) -> Findings:
     if root.tag != "robot" or root.child("link") or context.is_part:
         return
     if root.child("webots"):
-        return  # the driver's settings for a robot whose links are in the world of Webots
+        return  # settings of the Webots driver; the links are in the world file
     severity = Severity.INFO if is_list_of_joints(root) else None
     yield Finding(root, f"{owner(root)} has no link", severity=severity)

@@ -1,9 +1,9 @@
 """More than one link has no parent.
 
-A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
-Pinocchio) and PyBullet reject a robot with two roots. MuJoCo, Drake, Newton and yourdfpy load the
-parts loose, a warning where they are the only targets. Connect each of the others with a joint, or
-remove it.
+A robot is one tree: every link except the root is the child of a joint. urdfdom (RViz, MoveIt,
+Gazebo, Pinocchio) and PyBullet reject a robot with two roots. MuJoCo, Drake, Newton and yourdfpy
+load the parts as separate bodies: a warning if they are the only targets. Connect each of the other
+roots with a joint, or remove it.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -19,7 +19,7 @@ from urdfkit.robot.tree import KinematicTree
 BAD = robot_xml(link_xml("base"), link_xml("arm"), link_xml("camera"), joint_xml("fixed"))
 GOOD = robot_xml(BAD, joint_xml("fixed", name="camera_joint", parent="arm", child="camera"))
 
-#: Roots that a message names; the others are counted.
+#: Number of roots that a message lists; the others are counted.
 SHOWN = 8
 
 
@@ -30,7 +30,7 @@ SHOWN = 8
     depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
-    # The child of a link that is missing is no root: the reference is REF001's.
+    # The child of a missing link is not a root: REF001 reports the reference.
     children = {joint.child_name for joint in context.model.joints}
     joints = [*context.document.root.all("drake:joint")]
     if joints and context.targets.all_are("reads_drake_joints"):
@@ -52,7 +52,7 @@ def check(context: Context) -> Findings:
 
 
 def _largest(tree: KinematicTree, roots: list[Link]) -> Link:
-    """The root with most links below it; a link below two roots counts for the first."""
+    """The root with the most links below it; a link below two roots counts for the first."""
     seen: set[str] = set()
     sizes: dict[str, int] = {}
     for root in roots:

@@ -1,12 +1,11 @@
 """Joints form a closed loop, or one joint has the same link as parent and child.
 
-URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that has no
-parent without a message; sdformat, MuJoCo, Drake and PyBullet reject it, Pinocchio crashes. A
-closed mechanism is written as a tree: leave one joint of the loop out, best a passive one, and
-close the loop again where it is simulated. MuJoCo does it by `<connect>` or `<weld>` in
-`<equality>`, PyBullet by `createConstraint`, Drake by `<drake:linear_bushing_rpy>`, Gazebo Classic
-by a `<joint>` of SDF within `<gazebo>`; RViz and MoveIt show the tree alone. The child of a joint
-is the link that moves.
+URDF describes trees. urdfdom searches forever for the root of a loop, or drops a loop that has no
+parent without a message; sdformat, MuJoCo, Drake and PyBullet reject it, Pinocchio crashes. Write a
+closed mechanism as a tree: omit one joint of the loop, preferably a passive one, and close the loop
+in the simulator. MuJoCo closes it with `<connect>` or `<weld>` in `<equality>`, PyBullet with
+`createConstraint`, Drake with `<drake:linear_bushing_rpy>`, Gazebo Classic with a `<joint>` of SDF
+within `<gazebo>`; RViz and MoveIt show the tree alone. The child of a joint is the link that moves.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -27,7 +26,7 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 
-#: Links of a loop that a message names; the others are counted.
+#: Number of links of a loop that a message lists; the others are counted.
 SHOWN = 8
 
 

@@ -1,9 +1,9 @@
 """A link is the child of two joints.
 
 URDF describes trees: every link is the child of one joint. MuJoCo rejects the robot, PyBullet
-crashes, urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two
-places. Mostly one `<child>` is a mistake; a closed mechanism needs one joint left out, which the
-simulator closes again: TRE003 says how.
+crashes, urdfdom (RViz, MoveIt, Gazebo) keeps both joints, and the frame of the link jumps between
+two places. Usually one `<child>` is a mistake; for a closed mechanism, omit one joint and close the
+loop in the simulator, as TRE003 explains.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -34,7 +34,7 @@ def check(context: Context) -> Findings:
         for joint in joints[1:]:
             first = joints[0]
             if joint.name == first.name:
-                continue  # the same joint twice is NAM001's
+                continue  # NAM001 reports duplicate joints
             yield Finding(
                 joint.child or joint.at,
                 f"link '{name}' is the child of joint '{joint.name}' and of joint '{first.name}'",

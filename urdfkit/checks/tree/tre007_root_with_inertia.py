@@ -1,8 +1,8 @@
 """The root link has a mass.
 
-KDL, and with it MoveIt's kinematics and every controller that computes with KDL, has no body for
-the root: it warns and ignores the root's inertia. Simulators do not. Where it matters, add an empty
-link above the root and fix the root to it.
+KDL, and with it MoveIt's kinematics and every controller that uses KDL, has no body for the root:
+it warns and ignores the root's inertia. Simulators do not ignore it. If KDL needs the inertia, add
+an empty link above the root and connect the root to it with a fixed joint.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
@@ -38,7 +38,7 @@ def check(context: Context) -> Findings:
             f"root link '{root.name}' has "
             + (f"{mass.value:g} kg" if mass else "an inertia")
             + ", which KDL ignores",
-            # For others than KDL, such as Gazebo, another root would change more than it fixes.
+            # For other programs, such as Gazebo, a new root would change more than it fixes.
             fix=_empty_root(root, context.model) if "kdl" in context.given_targets else None,
         )
 

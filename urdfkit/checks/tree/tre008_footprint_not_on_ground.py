@@ -1,10 +1,11 @@
 """The link `base_footprint` is not on the ground.
 
-By convention (REP 120) it is the place of the robot on the floor, below `base_link`: navigation
-takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
-below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
-the joint between the two the height of the lowest wheel or foot. Where a caster reaches lower than
-the wheels, the caster is wrong: the wheels do not touch the ground.
+By convention (REP 120), `base_footprint` is the position of the robot on the floor, below
+`base_link`: navigation uses it as the position of the robot, and simulators spawn the robot at it.
+If the robot extends below it, the robot starts stuck in the floor and is thrown out; if the robot
+ends above it, the robot drops. Give the joint between the two links the height of the lowest wheel
+or foot. If a caster extends lower than the wheels, the caster is wrong: the wheels do not touch the
+ground.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -32,19 +33,19 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 
-#: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
+#: Allowed distance from the ground, in m: tyres and rubber feet are soft.
 TOLERANCE = 0.005
 
-#: Cosine of the angle to the vertical under which an axis is level.
+#: Cosine of the angle to the vertical, below which an axis is horizontal.
 _LEVEL = 0.1
 
-#: In m: what reaches that much lower than the wheels is no caster, and they carry nothing.
+#: In m: a link that extends lower than the wheels by more is not a caster.
 _CASTER = 0.1
 
 #: In m: a robot that has to be raised by more has a wrong size, not a wrong height.
 _MAX_RISE = 2.0
 
-#: Robots of one model that are looked at.
+#: Number of footprints of one model that are checked.
 MAX_FOOTPRINTS = 10
 
 
@@ -65,7 +66,7 @@ def check(context: Context) -> Findings:
             lifted_wheels = _lifted_wheels(gaps, link)
             rise = round(-height, 4)
             is_too_low = is_known and tree.children[name] == joints[:1]
-            # Of wheels that do not all reach the ground, it is unknown which is the wrong one.
+            # If not all wheels reach the ground, it is unknown which wheel is wrong.
             is_level = max(gaps.values(), default=0.0) < TOLERANCE
             is_too_low = is_too_low and is_level and abs(rise) <= _MAX_RISE
             yield Finding(
@@ -73,24 +74,24 @@ def check(context: Context) -> Findings:
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
                 f"'{name}', which by convention lies on the ground{lifted_wheels}",
                 _help(name, link, height, bool(tree.children[name]), bool(lifted_wheels)),
-                fix=Fix.of(f"raise the robot by {rise:g} m", _higher(joints[0].at, rise))
+                fix=Fix.of(f"raise the robot by {rise:g} m", _raised(joints[0].at, rise))
                 if is_too_low
                 else None,
             )
 
 
 def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
-    """How to bring robot and footprint together; empty for the help of the rule."""
+    """The help of a finding; empty for the help of the rule."""
     if is_lifted:
         return f"raise '{link}', or make it smaller, until the wheels touch the ground"
     if is_below:
         return ""
-    way = "lower" if height < 0 else "raise"
-    return f"{way} '{footprint}' by {abs(height):.3g} m in its joint"
+    verb = "lower" if height < 0 else "raise"
+    return f"{verb} '{footprint}' by {abs(height):.3g} m in its joint"
 
 
-def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
-    """The joint below the footprint, higher by that much in m."""
+def _raised(joint: Element, height: float) -> tuple[Edit, ...] | None:
+    """Edits that raise the joint below the footprint by a height in m; None if impossible."""
     origin = joint.child("origin")
     if origin is None:
         line = f'<origin xyz="0 0 {height:.6g}"/>'
@@ -107,11 +108,11 @@ def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
 def _lowest(
     tree: KinematicTree, footprint: str, robot: list[str]
 ) -> tuple[float, str, bool] | None:
-    """Height in m and link of the lowest point, unless it may be on the ground.
+    """Height in m and link of the lowest point, and whether all shapes were measured.
 
-    All joints are at zero; a robot whose legs or arms reach lowest there does not stand so.
-    A mesh, or a link with a visual and no collision, may reach lower than what can be measured:
-    the third value is False then.
+    None if the lowest point may be on the ground, or is on a leg or arm: all joints are at zero,
+    which is not the pose in which such a robot stands. Meshes, and links with a visual but without
+    collision, are not measured, and may extend lower.
     """
     ground = tree.frames[footprint]
     up = _column(ground.rotation, 2)
@@ -134,13 +135,13 @@ def _lowest(
 
 
 def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
-    """How far each wheel ends above the lowest point, in m, by the name of its link.
+    """Height of each wheel above the lowest point, in m, by link name.
 
-    Wheels turn without end about a level axis.
+    Wheels are links of continuous joints with a horizontal axis.
 
     Args:
-        robot: names of the links that count.
-        height: of the lowest point over the footprint, in m.
+        robot: names of the links of the robot.
+        height: height of the lowest point above the footprint, in m.
     """
     ground = tree.frames[footprint]
     up = _column(ground.rotation, 2)
@@ -161,10 +162,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
 
 
 def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
-    """That wheels do not reach the ground, since another link reaches lower; empty if they do.
-
-    There are two or more at one height.
-    """
+    """Text about two or more wheels at one height, if another link extends lower; else empty."""
     least = min(gaps.values(), default=0.0)
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
     if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
@@ -173,7 +171,7 @@ def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
 
 
 def _limbs(tree: KinematicTree) -> set[str]:
-    """The links below two revolute joints or more, as those of legs are."""
+    """The links below two or more revolute joints, such as links of legs."""
     counts = dict.fromkeys(tree.frames, 0)
     for joint in tree.spanning:
         counts[joint.child_name] = counts[joint.parent_name] + (joint.kind == "revolute")

@@ -6,6 +6,8 @@ from urdfkit.lint.context import Context
 def applies(context: Context) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""
     reading = context.reading
-    if reading.xacro is not None or any(one.code.startswith("XAC") for one in reading.problems):
+    if reading.xacro is not None or any(
+        problem.code.startswith("XAC") for problem in reading.problems
+    ):
         return True
     return any(sign in context.source.data for sign in (b"${", b"$(", b"<xacro:"))

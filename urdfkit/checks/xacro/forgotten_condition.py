@@ -12,14 +12,14 @@ from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
 
-#: Boolean arguments that are tried with their other value.
+#: Number of boolean arguments whose other value is tried.
 _MOST = 8
 _OTHER = {"true": "false", "false": "true"}
 _TAG = re.compile(
     rb"""<(/?)xacro:(if|unless)\b((?:[^<>"']|"[^"]*"|'[^']*')*?)(/?)>""",
 )
 _VALUE = re.compile(rb"""\bvalue\s*=\s*(["'])(.*?)\1""", re.DOTALL)
-#: Conditions that decide where a robot runs, not what it has.
+#: Conditions that depend on the environment of a robot, not on its parts.
 _OF_SIMULATION = re.compile(r"gazebo|gz|ign|sim|^if true$", re.IGNORECASE)
 
 
@@ -52,7 +52,7 @@ def forgotten_conditions(context: Context) -> Findings:
 
 
 def _booleans(context: Context) -> list[tuple[str, str]]:
-    """The arguments that are true or false, each with its other value."""
+    """The boolean arguments, each with its other value."""
     defaults = context.xacro.defaults
     values = {name: context.arguments.get(name, text) for name, text in defaults.items()}
     others = [(name, _OTHER.get(text.strip().lower())) for name, text in values.items()]
@@ -127,10 +127,10 @@ def _block(attribute: Attribute) -> object:
 
 
 def _finding(root: Element, attribute: Attribute, more: int, condition: str) -> Finding:
-    """A reference to what is not there.
+    """Finding about a reference to a missing link or joint.
 
     Args:
-        more: the number of others in the same block.
+        more: the number of other such references in the same block.
     """
     element, name = attribute.element, attribute.value
     defined = next(at for at in _definitions(root) if at.value == name)

@@ -1,6 +1,6 @@
 """A macro is called without the `xacro:` prefix.
 
-xacro leaves the element as it is and says nothing. The links of the macro are then missing, and
+xacro copies the element unchanged, without a message. The links of the macro are then missing, and
 the next program reports an unknown parent link, or nothing at all. Write `<xacro:name .../>`.
 
 Sources:
@@ -33,7 +33,7 @@ FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
     hides_parts=("",),
 )
 def check(context: Context) -> Findings:
-    # A <robot> is a robot, whatever macros are called.
+    # <robot> is not a call, even if a macro has this name.
     macros = {macro.name for macro in context.xacro.macros} - {"robot"}
     stack = [(context.document.root, schema.ROBOT)]
     while stack:

@@ -1,10 +1,10 @@
 """A plain URDF contains an expression or a tag of xacro.
 
-URDF parsers do not replace `${...}` and `$(...)`: numbers cannot be read, and names keep the text.
-That is an error. They ignore `<xacro:...>` without a message, so that what the macro would create
-is missing from the robot. That is a warning. The file is a xacro without the namespace declaration,
-a part of a xacro that another file includes, or was saved before it was expanded. One that a launch
-file of the workspace passes to xacro is read as a xacro.
+URDF parsers do not replace `${...}` and `$(...)`: numbers cannot be read, and names keep the text:
+an error. They ignore `<xacro:...>` without a message, so that the elements of the macro are missing
+from the robot: a warning. The file is a xacro without the namespace declaration, a part of a xacro
+that another file includes, or was saved before expansion. urdfkit reads a file as a xacro if a
+launch file of the workspace passes it to xacro.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -21,7 +21,7 @@ from urdfkit.text.grammar import is_expression
 BAD = '<link name="${side}_arm"/>'
 GOOD = '<link name="left_arm"/>'
 
-#: The substitutions that xacro has.
+#: The substitutions of xacro.
 _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 
 
@@ -50,7 +50,7 @@ def check(context: Context) -> Findings:
 
 
 def _unexpanded(at: Attribute | Element, text: str) -> Finding:
-    # xacro, if a launch file runs it, knows $(...) without its namespace.
+    # If a launch file runs xacro, it replaces $(...) without a namespace declaration, too.
     severity = None if "${" in text else Severity.WARNING
     return Finding(at, f"{text} is not expanded", severity=severity)
 

@@ -1,11 +1,10 @@
 """A property, an argument or a macro is defined and never used.
 
-A change of the property, or `name:=value` on the command line, then has no effect. What is only
-left over is an info: the robot is the same without it. It is a warning where somebody is misled: a
-use misspells the name, the file writes the number of a property out elsewhere, or an argument is
-given a value, by a launch file or the caller, that changes nothing. Not reported in files that
-other files include, in libraries of macros, and where an include is not expanded: the name may be
-used there.
+A change of the property, or `name:=value` on the command line, then has no effect. An unused
+definition is an info: the robot is the same without it. It is a warning if it is misleading: a use
+misspells the name, the file repeats the number of a property elsewhere, or a launch file or the
+caller sets an argument without effect. Definitions are not reported in files that other files
+include, in libraries of macros, and if an include is not expanded: the name may be used there.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -29,7 +28,7 @@ BAD = xacro_xml(
 GOOD = BAD.replace("${side}_base", "${side}_${width}")
 FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
-#: Numbers that stand everywhere.
+#: Numbers that are too common to compare.
 _COMMON = (-1.0, 0.0, 1.0)
 _COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
 _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
@@ -46,7 +45,7 @@ def check(context: Context) -> Findings:
 
 
 def _unused(context: Context) -> Findings:
-    """What the checked file defines and nothing uses; other files may be there for other robots."""
+    """Unused definitions of the checked file; those of other files may be for other robots."""
     xacro, source = context.xacro, context.source
     written: set[float] | None = None
     for definition in xacro.properties:
@@ -86,7 +85,7 @@ def _unused(context: Context) -> Findings:
 
 
 def _is_written_out(definition: Definition, written: set[float]) -> bool:
-    """True for a number that stands elsewhere, where the property should."""
+    """True for a number that is written elsewhere instead of the property."""
     value = definition.attributes.get("value", "").strip().encode()
     return _NUMBER.fullmatch(value) is not None and float(value) in written
 
@@ -98,12 +97,12 @@ def _is_misspelt(name: str, xacro: Xacro) -> bool:
 
 
 def _numbers_written(context: Context) -> set[float]:
-    """The numbers of the checked file, but those of properties and colours."""
+    """The numbers of the checked file, except those of properties and colours."""
     data = bytearray(blank_comments(context.source.data))
     for definition in context.xacro.properties:
         span = definition.tag.whole_span
         if span.source is context.source:
             data[span.start : span.end] = b" " * (span.end - span.start)
-    body = data.find(b"?>") + 1  # no version of XML
+    body = data.find(b"?>") + 1  # excludes the XML version
     text = _COLOUR.sub(b"", bytes(data[body:]))
     return {float(number) for number in _NUMBER.findall(text)}.difference(_COMMON)

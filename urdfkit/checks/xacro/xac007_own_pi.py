@@ -1,8 +1,8 @@
 """A property repeats the constant pi, with fewer digits.
 
-Expressions have `pi` built in, exact to the last bit. With a pi of eight digits a wheel is
-off by a few nanometres, which matters only where two frames are compared; with 3.14 it is off by a
-millimetre at one metre. Write `${pi}`.
+Expressions provide `pi`, exact to the last bit. With a pi of eight digits a wheel is off by a few
+nanometres, which matters only if two frames are compared; with 3.14 it is off by a millimetre at
+one metre. Write `${pi}`.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -23,9 +23,9 @@ FIXED = BAD.replace("3.1415926", "${pi}")
 GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 
 _NAME = r"(?i)(^|_|\b)m?_?pi($|_)"
-#: So near to pi that no other value is likely, whatever the name.
+#: Distance below which a value is pi with any name.
 _CERTAIN = 1e-4
-#: So near that it is pi if the name says so.
+#: Distance below which a value is pi if its name contains pi.
 _NAMED = 2e-2
 
 
@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
 
 
 def _edits(definition: Definition) -> tuple[Edit, ...]:
-    """The property becomes ${pi}; one called so would stand for itself, and goes."""
+    """Sets the property to ${pi}; removes a property that is named pi itself."""
     if definition.name == "pi":
         return remove_spans([definition.tag.whole_span])
     return (Edit(definition.tag.attribute_spans()["value"], "${pi}"),)

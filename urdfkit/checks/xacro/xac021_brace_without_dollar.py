@@ -1,8 +1,8 @@
 """The dollar before a brace is missing.
 
-xacro replaces `${name}` and leaves `{name}` as it is: the link is then called `{prefix}wheel`, and
-in a macro that is called twice there are two of that name. In the reference of a `<gazebo>` block
-nothing fits, and Gazebo drops the block.
+xacro replaces `${name}`, but not `{name}`: the link is then named `{prefix}wheel`, and a macro that
+is called twice creates two links of that name. In the reference of a `<gazebo>` block the name
+matches no link, and Gazebo drops the block.
 
 Sources:
     xacro, properties: https://github.com/ros/xacro/wiki#properties-and-property-blocks
@@ -48,7 +48,7 @@ def check(context: Context) -> Findings:
 
 
 def _names(xacro: Xacro) -> set[str]:
-    """What an expression may name: properties, and the parameters of macros."""
+    """The names that an expression may use: properties, and the parameters of macros."""
     names = {definition.name.removeprefix("**") for definition in xacro.properties}
     for macro in xacro.macros:
         names.update(re.findall(r"[A-Za-z_]\w*", macro.attributes.get("params", "")))

@@ -1,10 +1,10 @@
 """A condition compares a boolean with the text 'true' or 'false', which it never equals.
 
-xacro turns the value of a property, of an argument and of a macro's parameter into a boolean if it
-is `true` or `false`. `${with_camera == 'true'}` is False whatever is passed, and the camera is
-never there; with `!=` it always is. Write `${with_camera}`, or `${not with_camera}`. Text that is
-quoted inside of the value (`value="'true'"`) stays text, and `'$(arg with_camera)' == 'true'`
-compares text with text: then `'True'` differs from `true`, the default of the argument.
+xacro converts the value of a property, of an argument and of a macro's parameter to a boolean if it
+is `true` or `false`. `${with_camera == 'true'}` is False for any value, and the camera is always
+missing; with `!=` it is always there. Write `${with_camera}`, or `${not with_camera}`. A value in
+inner quotes (`value="'true'"`) remains text, and `'$(arg with_camera)' == 'true'` compares text
+with text: then `'True'` differs from `true`, the default of the argument.
 
 Sources:
     xacro, __init__.py (get_boolean_value): https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
@@ -65,7 +65,7 @@ def _default(name: str, context: Context) -> str:
 
 
 def _is_text(name: str, context: Context) -> bool:
-    """True if a name is given text in quotes, or by an expression with some, anywhere."""
+    """True if a name has a quoted text as its value anywhere, or an expression with one."""
     given = rf"""\b{name}\s*:?=\s*"[^"]*'""".encode()
     defined = rf"""name\s*=\s*"{name}"[^<>]*"[^"<>]*'""".encode()
     texts = [source.data for source in context.xacro.sources]

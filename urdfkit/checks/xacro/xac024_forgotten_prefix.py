@@ -1,13 +1,13 @@
-"""A link or joint is named without the prefix or the condition that its definition has.
+"""A reference to a link or joint lacks the prefix or the condition of its definition.
 
-The robot is right as long as the prefix is empty, and breaks as soon as somebody passes one: with
-`prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. The robot is expanded once more
-with a value for each argument that is empty, whatever the argument is called, to see what the names
-become. Write `${prefix}` there, too.
+The robot is right while the prefix is empty, and breaks with any other prefix: with
+`prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. To compare the names, urdfkit
+expands the robot once more with a value for each empty argument, independent of its name. Write
+`${prefix}` in the reference, too.
 
-The same holds for a link that `<xacro:if value="${with_camera}">` adds: where a joint outside of
-the condition has it as its parent, the robot breaks with `with_camera:=false`. A `<gazebo>` block
-outside of it is an info: Gazebo ignores the block.
+The same is true for a link that `<xacro:if value="${with_camera}">` adds: if it is the parent of a
+joint outside of the condition, the robot breaks with `with_camera:=false`. A `<gazebo>` block
+outside of the condition is an info: Gazebo ignores the block.
 
 Sources:
     ROS-Industrial, coordinate frames and prefixes: https://wiki.ros.org/Industrial/Tutorials/WorkingWithRosIndustrialRobotSupportPackages
@@ -31,12 +31,12 @@ BAD = xacro_xml(
 )
 GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
 
-#: What the prefix becomes in another expansion.
+#: Value of the prefix in the second expansion.
 _PREFIX = "left_"
-#: Empty arguments that are tried as a prefix.
+#: Number of empty arguments that are tried as a prefix.
 _MOST = 4
 _DEFINED = ("link", "joint")
-#: Attributes that name a link or a joint; ``name`` does in `_DEFINED` inside of other elements.
+#: Attributes that refer to a link or joint; ``name`` refers to one in `_DEFINED` in other elements.
 _ATTRIBUTES = ("link", "joint", "reference")
 #: Tags whose text is the name of a link or a joint.
 _NAMING = ("frame", "link", "joint", "body")
@@ -79,14 +79,14 @@ def _forgotten_prefixes(context: Context) -> Findings:
 
 
 def _empty_arguments(context: Context) -> list[str]:
-    """The arguments whose value is empty, by default or as given; prefixes by name come first."""
+    """The arguments with an empty value; those whose name contains prefix come first."""
     defaults = context.xacro.defaults
     empty = [name for name in defaults if not context.arguments.get(name, defaults[name]).strip()]
     return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MOST]
 
 
 def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:
-    """The links and joints, and where their names are."""
+    """The names of links and joints, with their locations."""
     for element in root.children:
         attribute = element.attributes.get("name")
         if element.tag in _DEFINED and attribute:
@@ -94,7 +94,7 @@ def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:
 
 
 def _references(root: Element, names: set[str]) -> Iterator[tuple[str, Span, Element]]:
-    """Where names are used: in attributes, and as the text of tags that name a link or a joint."""
+    """The uses of names: in attributes, and as the text of tags that refer to a link or a joint."""
     for element in root.walk():
         is_named = element.tag in _DEFINED and element.parent is not root
         for key in ("name", *_ATTRIBUTES) if is_named else _ATTRIBUTES:
@@ -107,7 +107,7 @@ def _references(root: Element, names: set[str]) -> Iterator[tuple[str, Span, Ele
 
 
 def _written(name: str, span: Span, frame: CallFrame | None) -> Span | None:
-    """Where a name stands as it is: at its place, or in the call of a macro that hands it on."""
+    """The literal source of a name: the use itself, or the macro call that passes it."""
     if span.text.strip() == name:
         return span
     while frame is not None:

@@ -1,4 +1,4 @@
-"""The text, whatever it describes."""
+"""The XML text, independent of its content."""
 
 from urdfkit.lint.context import Context
 

@@ -1,9 +1,9 @@
-"""A comment holds a colon and white space, which ROS 2 launch files may read as YAML.
+"""A comment contains a colon and white space, which ROS 2 launch files may read as YAML.
 
-A launch file that passes the output of xacro as a parameter without saying that it is text
-(`ParameterValue(..., value_type=str)`) has it parsed as YAML. A `: ` in a comment then ends the
-launch with "mapping values are not allowed here", far from the comment that caused it. Only
-packages built with ament are judged, and of a xacro only the comments that xacro passes on.
+If a launch file passes the output of xacro as a parameter without declaring it as text
+(`ParameterValue(..., value_type=str)`), ROS 2 parses it as YAML. A `: ` in a comment then stops the
+launch with "mapping values are not allowed here", without naming the comment. The rule checks only
+packages built with ament, and in a xacro only the comments that xacro keeps.
 
 Sources:
     launch_ros, evaluate_parameters.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/utilities/evaluate_parameters.py
@@ -59,7 +59,7 @@ def _colon(source: Source, comment: bytes) -> Span | None:
 
 
 def _written(sources: tuple[Source, ...], text: bytes) -> Span | None:
-    """Where a comment of the expanded robot was written."""
+    """The source location of a comment of the expanded robot."""
     pattern = b"<!--" + re.escape(text) + b"-->"
     return next(filter(None, (_colon(source, pattern) for source in sources)), None)
 
