@@ -1,4 +1,4 @@
-"""Robots for other libraries: with xacro expanded and packages found, which they cannot do."""
+"""Robots for other libraries, with expanded xacro and resolved packages."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
 
 
 def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options: Any) -> URDF:
-    """The robot as yourdfpy has it: a scene of trimesh with forward kinematics.
+    """The robot as a `yourdfpy.URDF`: a trimesh scene with forward kinematics.
 
-    yourdfpy reads plain URDF and looks for packages around the file only; here xacro is expanded,
-    and meshes are looked for wherever urdfkit finds them.
+    yourdfpy reads plain URDF and searches for packages only near the file; this function expands
+    xacro, and resolves meshes as urdfkit does.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` or `urdfkit.load` gives of one.
+        robot: a URDF or xacro file, or the result of `urdfkit.read` or `urdfkit.load`.
         options: for ``yourdfpy.URDF.load``, such as ``load_meshes=False``.
 
     Raises:
         MissingLibrary: yourdfpy is not installed.
-        UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: yourdfpy does not get through it; ``urdfkit.check`` says why.
+        UnreadableFile: the file is missing or cannot be read.
+        UnreadableRobot: yourdfpy cannot read the robot; ``urdfkit.check`` reports why.
     """
     with needing("to_yourdfpy", "exchange"):
         from yourdfpy import URDF
@@ -50,15 +50,15 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
 
     try:
         urdf: URDF = URDF.load(BytesIO(text), filename_handler=found, **options)
-    except Exception as error:  # whatever a defect of a robot leads to there
+    except Exception as error:  # yourdfpy raises any exception for a defective robot
         raise UnreadableRobot(f"yourdfpy cannot read {path}: {error}") from error
     return urdf
 
 
 def element_tree(element: Element) -> ElementTree.Element:
-    """An element with all in it, for a writer of XML."""
+    """An element with its contents, for an XML writer."""
     values = {name: attribute.value for name, attribute in element.attributes.items()}
-    found = ElementTree.Element(element.tag, values)
-    found.text = element.text
-    found.extend(map(element_tree, element.children))
-    return found
+    copy = ElementTree.Element(element.tag, values)
+    copy.text = element.text
+    copy.extend(map(element_tree, element.children))
+    return copy

@@ -17,18 +17,18 @@ from urdfkit.robot.rigid_bodies import properties_of
 
 
 class MassRow(Record):
-    """A link."""
+    """Mass properties of a link."""
 
-    link: str  # its name
+    link: str  # name
     properties: MassProperties  # as declared, in the frame of the link
     moments: Vector  # principal moments, smallest first, in kg·m²
     axes: Rotation  # a rotation whose columns are their axes, in the frame of the link
-    shape_mass: ShapeMass | None  # what its shapes enclose; None where that is not known
-    reason: str  # why it is not known; empty if it is
+    shape_mass: ShapeMass | None  # of the volume that its shapes enclose; None if unknown
+    reason: str  # why it is unknown; empty if it is known
 
     @property
     def density(self) -> float | None:
-        """The declared mass by the volume of the shapes, in kg/m³; None without them."""
+        """The declared mass divided by the volume of the shapes, in kg/m³; None without volume."""
         volume = self.shape_mass.properties.mass if self.shape_mass else 0.0
         return self.properties.mass / volume if volume > 0 else None
 
@@ -41,11 +41,11 @@ class MassRow(Record):
 
 
 class MassTable(Record):
-    """All links that have a mass or a shape."""
+    """Mass properties of all links with a mass or a shape, and of the robot."""
 
     rows: tuple[MassRow, ...]  # in the order of the document
     whole: CompositeBody  # the robot as one rigid body at a pose
-    #: moments and axes: of the whole, as for a link; None where it has no properties.
+    #: moments and axes: of the whole, as for a link; None without properties.
     moments: Vector | None
     axes: Rotation | None
 

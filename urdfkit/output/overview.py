@@ -1,7 +1,7 @@
-"""What an engineer wants to know first of a robot, at one configuration.
+"""Summary of a robot in one configuration.
 
-Nothing here needs a heavy library, except where meshes come in: what they would add is left out
-where they cannot be read, and that is said.
+Only meshes need large libraries; if these are missing, the properties of meshes are omitted, with
+a note.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from urdfkit.robot.shapes import BoundingBox
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 
-#: How many numbers each type of joint takes in Pinocchio's configuration q and velocity v; an
-#: angle without limits is kept as its cosine and sine, a rotation as a quaternion.
+#: Size of each type of joint in Pinocchio's configuration q and velocity v; an angle without
+#: limits is stored as cosine and sine, a rotation as a quaternion.
 COORDINATES = {
     "revolute": (1, 1),
     "continuous": (2, 1),
@@ -36,14 +36,14 @@ COORDINATES = {
 class Structure(Record):
     """Counts of links and joints."""
 
-    links: int  # how many
-    joints: dict[str, int]  # how many of each type, in the order of the document
-    roots: tuple[str, ...]  # the links without a parent
-    depth: int  # joints on the longest way from a root
+    links: int  # number of links
+    joints: dict[str, int]  # number of joints of each type, in document order
+    roots: tuple[str, ...]  # links without a parent
+    depth: int  # number of joints on the longest path from a root
     deepest: str  # the link at its end
-    free: dict[str, str]  # the joints that can be set, each by name with its type
-    followers: dict[str, str]  # what each joint with ``<mimic>`` follows, by its name
-    #: nq and nv: numbers of a configuration and of a velocity, the root fixed; see `COORDINATES`.
+    free: dict[str, str]  # types of the independent joints, by name
+    followers: dict[str, str]  # leaders of mimic joints, by name
+    #: nq and nv: size of configuration and velocity with a fixed root; see `COORDINATES`.
     nq: int
     nv: int
     driven: tuple[str, ...]  # joints that a transmission or ros2_control drives
@@ -52,48 +52,48 @@ class Structure(Record):
 class Weight(Record):
     """The mass of all links."""
 
-    by_link: dict[str, float]  # in kg, of those with mass, the heaviest first
+    by_link: dict[str, float]  # masses above 0 in kg, the heaviest first
     whole: CompositeBody  # as one rigid body at the configuration
 
 
 class Shapes(Record):
-    """Visuals, collisions and the files behind them."""
+    """Visuals, collisions and their files."""
 
-    #: visuals and collisions: how many of each kind of shape.
+    #: visuals and collisions: number of each kind of shape.
     visuals: dict[str, int]
     collisions: dict[str, int]
-    files: dict[str, int]  # how many mesh files of each format were found
+    files: dict[str, int]  # number of existing mesh files of each format
     size: int  # of these files, in bytes
-    missing: tuple[str, ...]  # references to meshes that lead to no usable file
-    #: Of all meshes as often as they are used, by role; None if not counted.
+    missing: tuple[str, ...]  # mesh references without a usable file
+    #: Number of triangles of all uses of meshes, by role; None if not counted.
     triangles: dict[str, int] | None
-    #: Around all shapes at the configuration, in the frame of the root; None without any.
+    #: Bounding box of all shapes in the frame of the root; None without shapes.
     box: BoundingBox | None
-    measured: int  # how many links have a shape in ``box``
-    left_out: dict[str, str]  # why shapes are not in it, by link
+    measured: int  # number of links with a shape in ``box``
+    left_out: dict[str, str]  # reasons for excluded shapes, by link
 
 
 class Overview(Record):
-    """A robot on one page."""
+    """Summary of a robot."""
 
     name: str  # of the robot
-    file: str  # as named
+    file: str  # path as passed
     is_xacro: bool  # True unless it is plain URDF
-    targets: tuple[str, ...]  # the programs it is for, and the evidence
+    targets: tuple[str, ...]  # target programs, and the evidence
     evidence: tuple[str, ...]
     #: structure, weight, shapes: see there.
     structure: Structure
     weight: Weight
     shapes: Shapes
-    reach: Reach | None  # of the longest chain; None where nothing moves
+    reach: Reach | None  # of the longest chain; None without moving joints
     sensors: tuple[Sensor, ...]  # in ``<gazebo>`` tags
     plugins: tuple[tuple[str, str], ...]  # file and name of each Gazebo plugin
-    pose: dict[str, float]  # the positions that were given
-    skipped: tuple[str, ...]  # what was not measured, and why
+    pose: dict[str, float]  # positions of joints, as passed
+    skipped: tuple[str, ...]  # missing properties, with the reason
 
 
 def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Overview:
-    """The page.
+    """Summarise a robot.
 
     >>> from urdfkit.lint.loading import read
     >>> arm = summarise(read("models/good/two_link_arm/urdf/two_link_arm.urdf"))
@@ -104,8 +104,8 @@ def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Over
         context: the robot.
         pose: positions of joints in rad or m; the others are at 0.
     """
-    model, given = context.model, dict(pose or {})
-    placed = frames(context.tree, given)
+    model, positions = context.model, dict(pose or {})
+    placed = frames(context.tree, positions)
     shapes, skipped = _shapes(context, placed)
     return Overview(
         model.name,
@@ -119,7 +119,7 @@ def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Over
         reach(context.tree),
         tuple(sensors(model)),
         tuple((use.filename, use.name) for use in context.plugins),
-        given,
+        positions,
         skipped,
     )
 
@@ -153,7 +153,7 @@ def _depths(tree: KinematicTree) -> dict[str, int]:
     """Joints between each link and its root."""
     depths = {root.name: 0 for root in tree.roots}
     queue = list(depths)
-    for name in queue:  # grows while it is walked
+    for name in queue:  # extended in the loop
         for joint in tree.children[name]:
             if joint.child_name not in depths:
                 depths[joint.child_name] = depths[name] + 1
@@ -162,7 +162,7 @@ def _depths(tree: KinematicTree) -> dict[str, int]:
 
 
 def _masses(model: RobotModel) -> dict[str, float]:
-    """The mass of each link that has one, in kg, the heaviest first."""
+    """Masses of the links in kg, without zeros, the heaviest first."""
     masses = {link.name: link.mass for link in model.links if link.mass}
     return dict(sorted(masses.items(), key=lambda item: -item[1]))
 
@@ -200,7 +200,7 @@ def _kinds(bodies: Iterable[Body]) -> dict[str, int]:
 
 
 def _triangles(context: Context) -> dict[str, int]:
-    """Triangles of the meshes of visuals and collisions, each as often as it is used.
+    """Number of triangles of the meshes of visuals and collisions, counting each use.
 
     Raises:
         ImportError: a library that reads meshes is not installed.

@@ -1,4 +1,4 @@
-"""What ROS, Gazebo and MoveIt make of a robot, and the files that they read."""
+"""ROS, Gazebo and MoveIt: their files, and how they read a robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class RosDescription(DescribedRobot, Protocol):
-    """A description with its launch file's parameter files and its SRDF."""
+    """A description with the parameter files of its launch file, and its SRDF."""
 
     parameters: tuple[FileUse, ...]
     trust: bool

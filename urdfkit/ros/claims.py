@@ -1,4 +1,4 @@
-"""What a controller claims: command interfaces of joints, which one at a time may write."""
+"""Command interfaces of joints that a controller claims exclusively."""
 
 from urdfkit.ros.controllers import Controller
 from urdfkit.text.located_yaml import Value
@@ -7,7 +7,7 @@ _BY_PACKAGE = {f"{kind}_controllers": kind for kind in ("position", "velocity", 
 
 
 def commands(controller: Controller) -> list[str]:
-    """The command interfaces that it needs of each joint; empty if that is not known."""
+    """The command interfaces that a controller requires of each joint; empty if unknown."""
     if controller.ros == 1 and (kind := _BY_PACKAGE.get(controller.type.partition("/")[0])):
         return [kind]
     known = controller.kind
@@ -20,7 +20,7 @@ def commands(controller: Controller) -> list[str]:
 
 
 def claims(controller: Controller) -> list[tuple[list[str], list[Value]]]:
-    """The command interfaces that it needs, with the joints of which it needs them."""
+    """The command interfaces that a controller requires, with their joints."""
     if not controller.type.endswith("SteeringController"):
         return [(commands(controller), commanded_joints(controller))]
     drives_front = any(one.text.lower() == "false" for one in controller.values(["front_steering"]))
@@ -32,7 +32,7 @@ def claims(controller: Controller) -> list[tuple[list[str], list[Value]]]:
 
 
 def commanded_joints(controller: Controller) -> list[Value]:
-    """The joints that it commands; ``command_joints`` takes precedence over ``joints``."""
+    """The joints that a controller commands; ``command_joints`` overrides ``joints``."""
     kind = controller.kind
     commanded = controller.values(["command_joints"])
     return commanded or (controller.values(kind.joints) if kind else [])

@@ -1,8 +1,8 @@
-"""The controllers of ros2_control in a YAML file, each value with its place.
+"""The controllers of ros2_control in a YAML file, with the locations of all values.
 
-The file is one that a control plugin names in ``<parameters>``, or one that the launch file loads
-which starts the robot. ROS 2 keeps the parameters of each node below ``ros__parameters``; in ROS 1
-the controllers are in any namespace, and are known by their ``type``.
+The file is referenced in ``<parameters>`` of a control plugin, or loaded by the launch file that
+starts the robot. In ROS 2, the parameters of each node are below ``ros__parameters``; in ROS 1,
+controllers are in any namespace, and are identified by their ``type``.
 Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_control.
 """
 
@@ -32,17 +32,17 @@ _PARAMETERS = "ros__parameters"
 class Section(Record):
     """The parameters of a node."""
 
-    #: By name, with dots between levels, lists and single values apart.
+    #: Parameters by name, with dots between levels: a single value, or a list.
     given: dict[str, Value | list[Node]]
-    places: dict[str, Span]  # of the names
-    at: Span | None  # where it begins; None if the file has no parameters for the node
+    places: dict[str, Span]  # locations of the names
+    at: Span | None  # start of the section; None if the file has no parameters for the node
 
     def add(self, node: dict[str, Node]) -> None:
         stack: list[tuple[str, dict[str, Node]]] = [("", node)]
         while stack:
             above, mapping = stack.pop()
             for key, value in mapping.items():
-                if not isinstance(key, Key):  # a list or mapping as key names no parameter
+                if not isinstance(key, Key):  # a list or mapping as key is not a parameter name
                     continue
                 name = above + key
                 self.places[name] = key.span
@@ -52,13 +52,13 @@ class Section(Record):
                     self.given[name] = value
 
     def values(self, name: str) -> list[Value]:
-        """What a parameter holds, a single value as a list of one."""
+        """The values of a parameter; a single value is a list of one item."""
         node = self.given.get(name, [])
         return scalars(node if isinstance(node, list) else [node])
 
     @property
     def types(self) -> dict[str, Value]:
-        """The values of parameters called ``type``, by what is before it in their names."""
+        """Values of the parameters named ``type``, by the preceding part of their names."""
         names = (name for name in self.given if name == "type" or name.endswith(".type"))
         return {name[: -len(".type")]: self.values(name)[0] for name in names if self.values(name)}
 
@@ -67,38 +67,38 @@ class Controller(Record):
     """A controller with a type."""
 
     name: str  # of its node
-    type: str  # its class, as the controller manager loads it
-    type_at: Span  # where the type is written
+    type: str  # class that the controller manager loads
+    type_at: Span  # location of the type
     ros: int  # 1 or 2
-    section: Section  # its parameters as they are written
+    section: Section  # parameters as written
 
     @property
     def kind(self) -> ControllerType | None:
-        """What the catalogue says of its type; None if it does not know it."""
+        """Catalogue entry of its type; None if the type is unknown."""
         return controller_types().get(self.type)
 
     def values(self, names: Iterable[str]) -> list[Value]:
-        """What some parameters hold, one after the other."""
+        """The values of several parameters, concatenated."""
         return [value for name in names for value in self.section.values(name)]
 
 
 class ParameterFile(Record):
     """A parameter file."""
 
-    span: Span  # where it is named: in a control plugin or in the launch file
-    path: str  # as it is after expansion; absolute
-    found: str | None  # the file, or None if there is none
-    #: The ``<parameters>`` of the plugin; None if the launch file names it.
+    span: Span  # location of the reference in a control plugin or launch file
+    path: str  # after expansion; absolute
+    found: str | None  # the existing file, or None
+    #: The ``<parameters>`` of the plugin; None for a reference in the launch file.
     element: Element | None = None
 
     @property
     def note(self) -> Related:
-        """For a finding in the file."""
+        """A note for findings in the file."""
         return Related(self.span, "the file is named here")
 
 
 def parameter_files(description: RosDescription) -> list[ParameterFile]:
-    """The files of the launch file, and those that control plugins name by an absolute path."""
+    """Files of the launch file, and files that control plugins reference by an absolute path."""
     files = {
         use.path: ParameterFile(use.span, use.path, use.path)
         for use in description.parameters
@@ -117,15 +117,15 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
 
 
 def _is_address(path: str) -> bool:
-    """True for ``package://...`` and the like, of which the control plugins make no path."""
+    """True for URIs such as ``package://...``, which control plugins do not resolve."""
     return path.startswith(("package://", "model://", "file://")) and not is_expression(path)
 
 
 def _runs_on_hardware(description: RosDescription) -> bool:
-    """True if a launch file starts the robot on hardware that is no simulator's.
+    """True if a launch file starts the robot on hardware that is not simulated.
 
-    The control plugin is in the description then, but no Gazebo runs it, and its controllers may
-    be those of another variant of the robot.
+    Gazebo then does not run the control plugin of the description, and its controllers may
+    belong to another variant of the robot.
     """
     hardware = [component.hardware for component in components(description.model)]
     is_real = bool(hardware) and simulated_hardware().keys().isdisjoint(hardware)
@@ -133,7 +133,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
 
 
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:
-    """The controllers of the parameter files that can be read."""
+    """The controllers of the readable parameter files."""
     for file, source in _sources(description):
         for controller in read(source):
             yield file, controller
@@ -142,7 +142,7 @@ def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Co
 def by_file(
     found: Iterable[tuple[ParameterFile, Controller]],
 ) -> Iterator[tuple[ParameterFile, list[Controller]]]:
-    """The controllers of each file together."""
+    """The controllers, grouped by file."""
     for file, several in groupby(found, key=itemgetter(0)):
         yield file, [controller for _, controller in several]
 
@@ -158,7 +158,7 @@ def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Sourc
 
 
 def read(source: Source) -> list[Controller]:
-    """The controllers of a file; none if it is not a YAML file of parameters."""
+    """The controllers of a file; empty if it is not a YAML file of parameters."""
     root = load(source)
     sections = _sections(root)
     if not sections:
@@ -176,7 +176,7 @@ def read(source: Source) -> list[Controller]:
 
 
 def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:
-    """The parameters of the controller managers themselves, in ROS 2."""
+    """The parameters of the controller managers in ROS 2."""
     for file, source in _sources(description):
         for path, section in _sections(load(source)).items():
             if path[-1] == _MANAGER:
@@ -184,18 +184,18 @@ def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Secti
 
 
 def named_sections(description: RosDescription) -> dict[str, Section]:
-    """The parameters of each node in ROS 2, in all files together."""
-    found: dict[str, Section] = {}
+    """The parameters of each node in ROS 2, from all files."""
+    sections: dict[str, Section] = {}
     for _, source in _sources(description):
         for path, section in _sections(load(source)).items():
-            whole = found.setdefault(path[-1], Section({}, {}, section.at))
+            whole = sections.setdefault(path[-1], Section({}, {}, section.at))
             whole.given.update(section.given)
             whole.places.update(section.places)
-    return found
+    return sections
 
 
 def _sections(root: Node) -> dict[tuple[str, ...], Section]:
-    """The parameters of each ROS node, by namespace and name; none in a file of ROS 1."""
+    """The parameters of each ROS node, by namespace and name; empty for ROS 1."""
     sections: dict[tuple[str, ...], Section] = {}
     for path, node, key in _nodes(root):
         sections.setdefault(path, Section({}, {}, getattr(key, "span", None))).add(node)
@@ -203,9 +203,9 @@ def _sections(root: Node) -> dict[tuple[str, ...], Section]:
 
 
 def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
-    """The parameters of each ROS node, by namespace and name, and the key above them.
+    """The parameters of each ROS node, by namespace and name, and their parent key.
 
-    ``**`` stands for any namespace.
+    ``**`` is any namespace.
     """
     stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
     while stack:
@@ -219,7 +219,7 @@ def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]
 
 
 def _of_ros1(root: Node) -> Iterator[Controller]:
-    """What has a type with a slash in it, in any namespace; these are no records with names."""
+    """Mappings with a ``type`` that has a slash, in any namespace, and without a ``name``."""
     stack: list[tuple[str, Node]] = [("", root)]
     while stack:
         name, node = stack.pop()
@@ -230,12 +230,14 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             section = Section({}, {}, at)
             section.add(node)
             yield Controller(name, kind.text, kind.span, 1, section)
-        elif not isinstance(node.get("name"), Value):  # else a record, of which a program makes one
+        elif not isinstance(
+            node.get("name"), Value
+        ):  # otherwise a record with which a program creates an object
             stack += node.items()
 
 
 def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
-    """The parameter files that are not YAML, with the place and the reason."""
+    """Parameter files that are not valid YAML, with the location and the reason."""
     for file, source in _sources(description):
         if found := syntax_error(source):
             yield file, *found
@@ -244,7 +246,7 @@ def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, 
 def unread_keys(
     description: RosDescription,
 ) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
-    """The keys of each file that are not read: place, message and help."""
+    """Unread keys of each file: location, message and help."""
     for file, source in _sources(description):
         yield file, list(_unread_keys(load(source)))
 
@@ -270,7 +272,7 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
 def _unread_sections(
     sections: list[tuple[str, dict[str, Node]]], declared: set[str]
 ) -> Iterator[tuple[Span, str, str]]:
-    """Sections of no controller, and those of controllers that hold no ``ros__parameters``."""
+    """Sections without a controller, and sections of controllers without ``ros__parameters``."""
     without = declared.difference(_node_of(key) for key, _ in sections)
     for key, node in sections:
         name = _node_of(key)
@@ -289,7 +291,7 @@ def _is_parameters(key: str) -> bool:
 
 
 def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
-    """A ``type`` of no controller: it is not indented below the name, or misspelt."""
+    """A ``type`` without a controller, because of its indentation, or a misspelt ``type``."""
     kind = manager.get("type")
     if isinstance(kind, Value) and "/" in kind.text:
         message = "type without a controller: it is not indented below a name"
@@ -302,7 +304,7 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
 
 
 def _node_of(key: str) -> str:
-    """The name of a node in a key such as ``/**/drive``."""
+    """Name of the node in a key such as ``/**/drive``."""
     return key.strip("/").rpartition("/")[2]
 
 

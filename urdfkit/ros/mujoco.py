@@ -1,4 +1,4 @@
-"""What a URDF tells MuJoCo in its ``<mujoco>`` element, and where MuJoCo looks for its meshes."""
+"""Settings of MuJoCo in the ``<mujoco>`` element of a URDF, and its search for meshes."""
 
 from __future__ import annotations
 
@@ -11,37 +11,37 @@ from urdfkit.text.document import Element
 
 
 class Compiler(Record):
-    """The settings of MuJoCo's compiler that change how a robot is read, with their defaults.
+    """Settings of MuJoCo's compiler that change the import of a robot, with their defaults.
 
     Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler
     """
 
     mesh_directory: str = ""  # of the mesh files; relative to the URDF, or absolute
-    #: True if of the name of a mesh only what follows the last slash counts.
+    #: True if only the part of a mesh name after the last slash is used.
     strips_path: bool = False
-    drops_visuals: bool = True  # True if visuals, and their meshes, are not loaded
+    drops_visuals: bool = True  # True if visuals and their meshes are not loaded
     #: True if moments that violate the triangle inequality become equal.
     balances_inertia: bool = False
-    #: least_mass and least_moment: what links have at least, in kg and kg·m².
+    #: least_mass and least_moment: lower bounds for links, in kg and kg·m².
     least_mass: float = 0.0
     least_moment: float = 0.0
-    fuses_static: bool = True  # True if what no joint moves becomes part of the body above
-    #: True if every mass is computed from shapes, whatever is written.
+    fuses_static: bool = True  # True if links without a moving joint are merged into the body above
+    #: True if every mass is computed from shapes, ignoring ``<inertial>``.
     inertia_from_geometry: bool = False
 
-    def bounded(self, given: MassProperties) -> MassProperties:
-        """What MuJoCo takes the mass properties of a link for, before links are merged."""
-        moments, axes = principal_axes(given.tensor)
+    def bounded(self, declared: MassProperties) -> MassProperties:
+        """MuJoCo's mass properties of a link, before links are merged."""
+        moments, axes = principal_axes(declared.tensor)
         low, middle, high = (max(moment, self.least_moment) for moment in moments)
         if self.balances_inertia and low + middle < high:
             low = middle = high = (low + middle + high) / 3
         if (low, middle, high) == moments:
-            return given._replace(mass=max(given.mass, self.least_mass))
+            return declared._replace(mass=max(declared.mass, self.least_mass))
         tensor = rotated(Tensor(low, 0.0, 0.0, middle, 0.0, high), axes)
-        return MassProperties(max(given.mass, self.least_mass), given.center, tensor)
+        return MassProperties(max(declared.mass, self.least_mass), declared.center, tensor)
 
     def mesh_path(self, filename: str, urdf: str) -> tuple[str, str]:
-        """The directory in which MuJoCo looks for a mesh that a URDF names, and its path there."""
+        """The directory in which MuJoCo searches for a mesh, and its path there."""
         name = filename.replace("\\", "/")
         if self.strips_path:
             name = name.rpartition("/")[2]

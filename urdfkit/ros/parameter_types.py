@@ -1,7 +1,7 @@
-"""The types that ROS 2 sees in a YAML file of parameters.
+"""Types of ROS 2 parameters in a YAML file.
 
-Parameters are typed when a node starts: an integer is rejected where the node declares a
-``double``, and quotes make a string of everything.
+Parameters are typed when a node starts: an integer is rejected if the node declares a ``double``,
+and quotes turn every value into a string.
 Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
 """
 
@@ -16,14 +16,14 @@ _INT = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)$")
 _DOUBLE = re.compile(
     r"[-+]?(([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|\.?(inf|nan|infinity))$", re.IGNORECASE
 )
-#: What only launch or a template fills in.
+#: Characters of values that only launch or a template resolves.
 _OPEN = re.compile(r"[$<{]")
 
 
 def type_of(node: Value | list[Node]) -> str | None:
     """``bool``, ``int``, ``double``, ``string``, or an array of them; None if it is unknown.
 
-    Unknown are empty, tagged and substituted values, and lists of mixed types.
+    Empty, tagged and substituted values, and lists of mixed types, are unknown.
     """
     if isinstance(node, Value):
         return _of_scalar(node)

@@ -1,6 +1,6 @@
 """``<transmission>`` and ``<ros2_control>`` in a model, and the plugins that run their controllers.
 
-Reading is tolerant, as in ``model``: what is missing is None or empty here and a finding elsewhere.
+The reader is tolerant, as in ``model``: missing parts are None or empty, and reported by rules.
 Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling).
 """
 
@@ -22,7 +22,7 @@ ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 #: Children of ``<ros2_control>`` that have interfaces.
 _PARTS = ("joint", "sensor", "gpio")
 
-#: Children of the PR2's transmissions that ros_control does not have there.
+#: Children of the PR2's transmissions that ros_control does not support.
 _PR2_TAGS = (
     "mechanicalReduction",
     "motorTorqueConstant",
@@ -62,20 +62,20 @@ class ControlPart(Record):
 
     def of(self, direction: str) -> list[Interface]:
         """Its ``command`` or ``state`` interfaces."""
-        return [found for found in self.interfaces if found.direction == direction]
+        return [item for item in self.interfaces if item.direction == direction]
 
 
 class Component(Record):
     """A ``<ros2_control>`` block."""
 
     at: Element  # the block
-    name: str  # empty where there is none
-    plugin: Element | None  # the element that names the hardware class, or None
-    parts: tuple[ControlPart, ...]  # joints, sensors and GPIOs, in the order of the document
+    name: str  # empty if missing
+    plugin: Element | None  # the element with the hardware class, or None
+    parts: tuple[ControlPart, ...]  # joints, sensors and GPIOs, in document order
 
     @property
     def hardware(self) -> str:
-        """The hardware class; empty where there is none."""
+        """The hardware class; empty if missing."""
         return self.plugin.text.strip() if self.plugin else ""
 
     @property
@@ -100,15 +100,15 @@ def components(model: RobotModel) -> list[Component]:
 
 
 def control_plugins(model: RobotModel) -> list[ControlPlugin]:
-    """The plugins that run controllers, in the order of the document."""
-    found: list[ControlPlugin] = []
+    """The plugins that run controllers, in document order."""
+    plugins: list[ControlPlugin] = []
     for block in model.gazebo:
         for plugin in block.all("plugin"):
             filename = plugin.get("filename") or ""
             kind = control_plugin(filename) if "control" in filename else None
             if kind:
-                found.append(ControlPlugin(plugin, kind, filename))
-    return found
+                plugins.append(ControlPlugin(plugin, kind, filename))
+    return plugins
 
 
 def parameter(element: Element, name: str) -> Element | None:
@@ -119,13 +119,13 @@ def parameter(element: Element, name: str) -> Element | None:
 
 
 def called(transmission: Element) -> str:
-    """A transmission, for messages."""
+    """Name of a transmission for messages."""
     name = transmission.get("name")
     return f"transmission '{name}'" if name else "a transmission"
 
 
 def is_of_pr2(transmission: Element) -> bool:
-    """True for the older form that only the PR2's own controller manager reads."""
+    """True for the legacy format that only the PR2's controller manager reads."""
     kind = transmission.get("type")
     if kind is None or transmission.child("type"):
         return False
@@ -133,22 +133,22 @@ def is_of_pr2(transmission: Element) -> bool:
 
 
 def reads_transmissions(targets: Targets) -> bool:
-    """True unless all that is known of the consumers is that they are of ROS 2.
+    """True unless the targets are only of ROS 2.
 
-    There the transmissions of ROS 1 are ignored, and defects in them have no effect.
+    ROS 2 ignores the transmissions of ROS 1, so that defects in them have no effect.
     """
     return targets.any_of(ROS1) or not targets.any_of(ROS2)
 
 
 def driven_joints(transmissions: Iterable[Element]) -> Iterator[tuple[Element, Element]]:
-    """Each joint of each transmission, and that transmission."""
+    """The joints of all transmissions, each with its transmission."""
     for transmission in transmissions:
         for joint in transmission.all("joint"):
             yield joint, transmission
 
 
 def joints_and_owners(description: RosDescription) -> Iterator[tuple[Element, str]]:
-    """The joints of ros2_control and of transmissions that something reads, and whose each is."""
+    """The joints of ros2_control and of transmissions that are read, with their owners."""
     for component in components(description.model):
         for joint in component.joints:
             yield joint.at, component.called

@@ -33,21 +33,21 @@ _CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
 
 
 class UnknownTarget(UrdfkitError):
-    """A name that is no target."""
+    """The name of a target is unknown."""
 
 
 class Targets(Record):
     """The programs that a description is checked for."""
 
     names: tuple[str, ...]  # in the order of ``TARGETS``
-    evidence: tuple[str, ...] = ()  # why each of them was detected; empty if they were given
+    evidence: tuple[str, ...] = ()  # why each target was detected; empty if they are chosen
 
     def among(self, names: Iterable[str]) -> tuple[str, ...]:
-        """Those of some targets that are among these."""
+        """The given targets that are among these targets."""
         return tuple(name for name in names if name in self.names)
 
     def any_of(self, names: Iterable[str]) -> bool:
-        """True if one of some targets is among these."""
+        """True if one of the given targets is among these targets."""
         return bool(self.among(names))
 
     @property
@@ -60,11 +60,11 @@ class Targets(Record):
         return tuple(map(facts_of, self.names))
 
     def that(self, fact: str) -> tuple[str, ...]:
-        """Those of which a fact is true."""
+        """The targets for which a fact is true."""
         return tuple(one.name for one in self.facts if getattr(one, fact))
 
     def all_are(self, fact: str) -> bool:
-        """True if a fact is true of each of them, and there are some."""
+        """True if there are targets, and a fact is true for all of them."""
         return bool(self.names) and all(getattr(one, fact) for one in self.facts)
 
     def passes_over(self, family: str) -> bool:
@@ -149,7 +149,7 @@ def parse(names: Iterable[str]) -> Targets:
 
 
 def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
-    """The targets that a model and the package.xml around it imply, each with the reason."""
+    """The targets that a model and its package.xml imply, each with the reason."""
     evidence = list(_evidence(model, manifest))
     left_out = _contradicted(evidence, manifest)
     found: dict[str, str] = {}
@@ -168,7 +168,7 @@ class _Evidence(Record):
     weight: int = 0
 
 
-#: A plugin of Gazebo is loaded by it; a hardware plugin is a name that the control plugin looks up.
+#: Weights: Gazebo loads a plugin; a hardware plugin is a name that the control plugin looks up.
 _PLUGIN, _HARDWARE = 2, 1
 
 
@@ -180,7 +180,7 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
         yield _Evidence("ros2", "<ros2_control>")
     for element in (*model.gazebo, *model.ros2_controls):
         for plugin in element.walk():
-            # ros2_control names its hardware plugin in the text
+            # ros2_control has its hardware plugin in the text
             name = plugin.get("filename") or plugin.text.strip()
             if plugin.tag == "plugin" and (target := target_of_plugin(name, plugin, ros)):
                 weight = _PLUGIN if "filename" in plugin.attributes else _HARDWARE
@@ -205,7 +205,7 @@ def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple
 
 
 def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str | None:
-    """The target that the library of a plugin implies, in a package of that ROS."""
+    """The target that the library of a plugin implies in a package of a ROS version."""
     if "ignition-gazebo" in name or "ign_ros2_control" in name:
         return "gz-fortress"
     if "gz-sim" in name or "gz_ros2_control" in name:

@@ -217,7 +217,7 @@ def test_the_playground_has_the_engine_of_the_page() -> None:
 
 def test_an_unknown_engine_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "_page", lambda archive: "<script>another</script>")
-    with pytest.raises(UrdfkitError, match="is not one that urdfkit knows"):
+    with pytest.raises(UrdfkitError, match="is not supported"):
         engine.load()
 
 

@@ -1,4 +1,4 @@
-"""A robot that another machine and another program can load: one URDF with all of its files."""
+"""A robot for another machine or program: a URDF with all of its files."""
 
 from __future__ import annotations
 
@@ -28,52 +28,52 @@ from urdfkit.output.bundle.robot import (
 from urdfkit.robot.model import Placed
 from urdfkit.text.source import shown
 
-#: The file that says what is in a bundle; a directory with it is one.
+#: The manifest of a bundle; it marks a directory as a bundle.
 MANIFEST = "bundle.json"
 VERSION = 1
-#: Files that an error names.
+#: Most files that an error names.
 _NAMED = 5
 
 
 class ManifestEntry(Record):
-    """A file that a bundle holds, as its manifest has it."""
+    """Manifest entry of a file in a bundle."""
 
     path: str  # in the bundle, with ``/``
     size: int  # in bytes
-    sha256: str  # of its bytes
-    source: str  # the file that it comes from, below the workspace; empty for one that is new
-    change: str  # how it differs from that; empty for a copy
+    sha256: str  # of its contents
+    source: str  # original file, relative to the workspace; empty for a new file
+    change: str  # difference from the original; empty for a copy
 
 
 class Bundle:
     """A robot and all files that it needs, for one program.
 
     Raises:
-        UrdfkitError: the robot names files that are not there.
+        UrdfkitError: the robot references missing files.
     """
 
     def __init__(self, robot: Context, consumer: Consumer) -> None:
         self._robot = robot
         self._consumer = consumer
         self._paths = located_files(robot, references(robot.model))
-        #: Of the robot, with nothing that a file or package name cannot hold.
+        #: Name of the robot, without characters that are invalid in file and package names.
         self.name = re.sub(r"[^a-z0-9_]+", "_", robot.model.name.lower()).strip("_") or "robot"
         #: Path of the robot in the bundle.
         self.urdf = f"{'urdf/' if consumer.is_package else ''}{self.name}.urdf"
-        #: What it holds; complete when all `files` were taken.
+        #: Manifest entries; complete when all `files` were read.
         self.contents: list[ManifestEntry] = []
-        self.renamed: tuple[Renamed, ...] = ()  # the references that it changes; known then, too
-        #: Paths of elements and values that still lead elsewhere; known then, too.
+        self.renamed: tuple[Renamed, ...] = ()  # changed references; complete then, too
+        #: Paths of elements and values that still refer to other files; complete then, too.
         self.outside: tuple[tuple[str, str], ...] = ()
 
     def files(self) -> Iterator[BundledFile]:
-        """The files, each read or converted when it is asked for; the manifest is the last.
+        """The files, each read or converted when needed; the last one is the manifest.
 
         Raises:
-            UrdfkitError: one is broken, or cannot be written in a format that is read.
+            UrdfkitError: a file is broken, or cannot be converted to a supported format.
         """
         for file in self._files():
-            if "\\" in file.path:  # it would lead elsewhere where it is extracted on Windows
+            if "\\" in file.path:  # a path separator on Windows
                 raise UrdfkitError(
                     f"{file.path}: a name with a backslash cannot be bundled; rename it"
                 )
@@ -116,7 +116,7 @@ class Bundle:
             path = self._paths[id(reference)]
             if path not in names:
                 files = mesh_files(self._robot, reference, path, self._consumer, stems, visuals)
-                mesh = next(files)  # what comes after it are its materials and images
+                mesh = next(files)  # its materials and images follow
                 names[path] = mesh.path
                 yield mesh
                 yield from files
@@ -154,7 +154,7 @@ class Bundle:
         }
 
     def _shown(self, path: str) -> str:
-        """A path without what is above the workspace or package that the file lies in."""
+        """A path relative to the directory above the workspace or package of the file."""
         if not path:
             return ""
         path = os.path.abspath(path)
@@ -176,19 +176,19 @@ def mesh_files(
     stems: FreeNames,
     visuals: Container[str],
 ) -> Iterator[BundledFile]:
-    """A mesh file that a robot names, as it is bundled.
+    """The bundled files of a mesh reference.
 
     Args:
-        visuals: the paths of the files that visuals use.
+        visuals: paths of the files that visuals use.
 
     Raises:
-        UrdfkitError: it is broken, or cannot be written in a format that is read.
+        UrdfkitError: the mesh is broken, or cannot be converted to a supported format.
     """
-    found, stem = robot.files.facts(path), stems.take_stem(path)
+    mesh, stem = robot.files.facts(path), stems.take_stem(path)
     try:
-        if found.defect:
-            raise UrdfkitError(f"{shown(path)}: {found.defect.reason}")
-        yield from bundled(path, found, consumer, stem, is_visual=path in visuals)
+        if mesh.defect:
+            raise UrdfkitError(f"{shown(path)}: {mesh.defect.reason}")
+        yield from bundled(path, mesh, consumer, stem, is_visual=path in visuals)
     except MissingLibrary:
         raise
     except UrdfkitError as error:
@@ -197,10 +197,10 @@ def mesh_files(
 
 
 def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str]:
-    """The files that references name, by their ``id``: one text may mean two files.
+    """Paths of referenced files, by ``id`` of the reference: equal texts may mean different files.
 
     Raises:
-        UrdfkitError: some are not there, or outside the workspace.
+        UrdfkitError: files are missing, or outside the workspace.
     """
     paths: dict[int, str] = {}
     missing: list[str] = []

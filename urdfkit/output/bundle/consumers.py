@@ -1,4 +1,4 @@
-"""The programs that a bundle can be made for, and what each of them reads."""
+"""The programs that a bundle can be made for, and the formats that they read."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from urdfkit.ros.targets import facts_of
 class Consumer(Record):
     """A program that reads a robot from a directory."""
 
-    name: str  # as ``--for`` takes it
-    what: str  # in words
-    reads: tuple[str, ...]  # the mesh formats that it has a decoder for
-    visual: str  # the suffix of a visual mesh of another format; collision meshes become STL
-    #: It finds meshes by ``package://``, and not by paths relative to the robot.
+    name: str  # value of ``--for``
+    what: str  # description
+    reads: tuple[str, ...]  # supported mesh formats
+    visual: str  # suffix to which other visual meshes are converted; collision meshes become STL
+    #: True if it finds meshes by ``package://``, not by paths relative to the robot.
     is_package: bool = False
-    #: The target that a bundle is checked for: the program itself, or one that reads as much.
+    #: The target that a bundle is checked for: the program, or one that reads the same robots.
     target: str = ""
-    loads_first_object: bool = False  # it loads only the first object or group of an OBJ
+    loads_first_object: bool = False  # True if only the first object or group of an OBJ is loaded
 
 
 _ALL = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
 
 _MUJOCO = facts_of("mujoco")
 
-#: Of the programs that urdfkit is compared with, the one that takes most robots: what it rejects,
-#: no program takes.
+#: The most lenient of the programs that urdfkit is compared with: a robot that it rejects is
+#: rejected by all.
 _LENIENT = "yourdfpy"
-#: A program that reads robots by urdfdom, as ROS does, and does not simulate them.
+#: A program that reads robots with urdfdom, as ROS does, and does not simulate them.
 _URDFDOM = "pinocchio"
 
 #: Sources: MuJoCo, its target; PyBullet, examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp;
-#: web: urdf-loader's defaultMeshLoader knows STL and COLLADA; RViz and Gazebo read by assimp;
+#: web: urdf-loader's defaultMeshLoader reads STL and COLLADA; RViz and Gazebo read by assimp;
 #: Isaac, https://docs.isaacsim.omniverse.nvidia.com/latest/importer_exporter/ext_isaacsim_asset_importer_urdf.html
 CONSUMERS = {
     one.name: one

@@ -1,4 +1,4 @@
-"""The mesh files of a bundle: copied, or written in a format that the consumer reads."""
+"""The mesh files of a bundle: copied, or converted to a format that the consumer reads."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from urdfkit.output.bundle.consumers import Consumer
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
 
-#: Formats that name no other files.
+#: Formats that cannot reference other files.
 _SINGLE = (facts.BINARY_STL, facts.ASCII_STL, facts.PLY, facts.GLB)
 
 
@@ -27,20 +27,20 @@ class BundledFile(Record):
     """A file of a bundle."""
 
     path: str  # in the bundle, with ``/``
-    data: bytes  # its content
-    source: str  # path of the file that it comes from; empty for one that the bundle adds
-    change: str = ""  # how it differs from that; empty for a copy
+    data: bytes  # contents
+    source: str  # path of the original file; empty for a file that the bundle adds
+    change: str = ""  # difference from the original; empty for a copy
 
 
 class FreeNames:
-    """Names that differ in more than case, as file systems and MuJoCo want them."""
+    """Unique names, ignoring case, as file systems and MuJoCo require."""
 
     def __init__(self) -> None:
         self._taken: set[str] = set()
 
-    def take(self, *wanted: str) -> str:
-        """The first of the names wanted that is free, else the first of all with a number."""
-        names = chain(wanted, (f"{wanted[0]}_{number}" for number in count(2)))
+    def take(self, *candidates: str) -> str:
+        """The first free name of the candidates, else the first candidate with a number."""
+        names = chain(candidates, (f"{candidates[0]}_{number}" for number in count(2)))
         free = next(name for name in names if name.casefold() not in self._taken)
         self._taken.add(free.casefold())
         return free
@@ -48,7 +48,7 @@ class FreeNames:
     def take_stem(self, path: str) -> str:
         """A free stem for a mesh file: its own, else with its directory, else with a number.
 
-        MuJoCo and Gazebo know a mesh by its name without directory and suffix.
+        MuJoCo and Gazebo identify a mesh by its name without directory and suffix.
         """
         stem = os.path.splitext(os.path.basename(path))[0]
         return self.take(stem, f"{os.path.basename(os.path.dirname(path))}_{stem}")
@@ -57,15 +57,15 @@ class FreeNames:
 def bundled(
     path: str, found: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
 ) -> Iterator[BundledFile]:
-    """The files that stand for a mesh file in a bundle, the mesh first.
+    """The files for a mesh in a bundle, the mesh first.
 
     Args:
-        found: what its bytes say.
-        consumer: that must be able to read it.
-        is_visual: a visual uses it, whose materials are kept where the format has them.
+        found: properties of the mesh file.
+        consumer: the program that must read it.
+        is_visual: True if a visual uses it; materials are kept if the format supports them.
 
     Raises:
-        UrdfkitError: it cannot be written in another format.
+        UrdfkitError: the mesh cannot be converted.
     """
     suffix = os.path.splitext(path)[1].lower()
     is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
@@ -103,7 +103,7 @@ def _lies_below(path: str, other: str) -> bool:
 
 
 def _with_its_files(path: str, mesh: Mesh, stem: str) -> Iterator[BundledFile]:
-    """A mesh file and those that it names and may read, at the same paths from one another."""
+    """A mesh file and its referenced files, at the same relative paths."""
     path = os.path.abspath(path)
     start, name = os.path.split(path)
     read = {other: referenced_files.read(other, MAX_BYTES, start) for other in mesh.files}

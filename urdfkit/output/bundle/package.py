@@ -1,4 +1,4 @@
-"""What makes a bundle a ROS 2 package: package.xml and CMakeLists.txt."""
+"""Build files of a bundle that is a ROS 2 package: package.xml and CMakeLists.txt."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -7,7 +7,7 @@ from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.workspace.manifest import manifest_of
 
-#: Kept of the package that the robot comes from, where it has one.
+#: Elements that are copied from the original package of the robot.
 _KEPT = rb"<(version|maintainer|license)\b[^>]*>[^<]*</\1>"
 _DEFAULT = {
     "version": "<version>0.0.0</version>",
@@ -20,13 +20,13 @@ def package_files(name: str, robot: Context, directories: Iterable[str]) -> Iter
     """The build files of a package.
 
     Args:
-        robot: whose package's version, maintainers and licences are kept.
+        robot: the version, maintainers and licences of its package are copied.
     """
     manifest = manifest_of(robot.resolver, robot.source.path)
-    kept: dict[str, list[str]] = {}
+    copied: dict[str, list[str]] = {}
     for match in re.finditer(_KEPT, manifest.data if manifest else b""):
-        kept.setdefault(match[1].decode(), []).append(match[0].decode("utf-8", "replace"))
-    lines = [line for tag, default in _DEFAULT.items() for line in kept.get(tag, [default])]
+        copied.setdefault(match[1].decode(), []).append(match[0].decode("utf-8", "replace"))
+    lines = [line for tag, default in _DEFAULT.items() for line in copied.get(tag, [default])]
     version, *others = lines
     body = "\n  ".join(
         (

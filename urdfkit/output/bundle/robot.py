@@ -1,4 +1,4 @@
-"""The URDF of a bundle: the expanded robot with the names of the bundle's files in it."""
+"""The URDF of a bundle: the expanded robot with references to the files of the bundle."""
 
 from __future__ import annotations
 
@@ -19,54 +19,54 @@ from urdfkit.text.xml_reader import read_xml
 
 #: What a value in quotes of either kind cannot hold besides ``&`` and ``<``.
 _DECLARATION = rb"^\s*<\?xml[^>]*\?>\s*"
-#: A value that leads to a file of this machine or of a package.
+#: A value that refers to a file of this machine or of a package.
 _OUTSIDE = re.compile(r"(?:package|model|file)://|/[^/]+/.*\.\w+$")
 
 
 class Renamed(Record):
-    """A reference to a file, and what the bundle writes instead."""
+    """A file reference, and its replacement in the bundle."""
 
-    element: str  # its path in the expanded robot, such as ``link/arm/visual/geometry/mesh``
-    span: Span  # where it was written
-    old: str  # as it was
-    new: str  # in the bundle
+    element: str  # path in the expanded robot, such as ``link/arm/visual/geometry/mesh``
+    span: Span  # source location
+    old: str  # original reference
+    new: str  # reference in the bundle
 
 
 class BundledRobot(Record):
-    """The URDF of a bundle, with what was renamed in it."""
+    """The URDF of a bundle, and its changed references."""
 
     text: bytes  # of the URDF
-    renamed: tuple[Renamed, ...]  # the references that it changes
-    #: Values that still lead elsewhere, such as parameters of plugins, each with the path of its
-    #: element.
+    renamed: tuple[Renamed, ...]  # changed references
+    #: Values that still refer to other files, such as plugin parameters, after the paths of their
+    #: elements.
     outside: tuple[tuple[str, str], ...]
 
 
 def mesh_references(model: RobotModel) -> list[Placed[str]]:
-    """The names of mesh files in a model, in the order of its links."""
+    """Mesh references of a model, in the order of its links."""
     return [shape.filename for shape in model.shapes if shape.filename]
 
 
 def texture_references(model: RobotModel) -> list[Placed[str]]:
-    """The names of textures in a model, those of its named materials first."""
+    """Texture references of a model, those of its named materials first."""
     bodies = (body for link in model.links for body in link.visuals)
     materials = (*model.materials, *(body.material for body in bodies))
     return [one.texture for one in materials if one and one.texture]
 
 
 def references(model: RobotModel) -> list[Placed[str]]:
-    """The names of all files that a model cannot be loaded without."""
+    """References to all files that are required to load a model."""
     return [*mesh_references(model), *texture_references(model)]
 
 
 def rewritten(
     robot: Context, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
 ) -> BundledRobot:
-    """The expanded robot with other names of files.
+    """The expanded robot with new file references.
 
     Args:
-        new_name: of a file, for a reference of the robot.
-        for_mujoco: tell MuJoCo to keep the directories of mesh files, which it drops otherwise.
+        new_name: returns the new path for a reference.
+        for_mujoco: make MuJoCo keep the directories of mesh files, which it drops by default.
 
     Raises:
         UrdfkitError: the expanded text cannot be edited.
@@ -75,7 +75,7 @@ def rewritten(
     source = Source("robot.urdf", b'<?xml version="1.0" encoding="utf-8"?>\n' + text)
     document, _ = read_xml(source)
     if document is None:
-        raise UrdfkitError(f"{robot.source.path}: the expanded robot is no XML")
+        raise UrdfkitError(f"{robot.source.path}: the expanded robot is not valid XML")
     model = RobotModel(document)
     edits: list[Edit] = []
     renamed = []
@@ -96,17 +96,17 @@ def _compiler(root: Element) -> tuple[Edit, ...]:
         return insert_first(root, ['<mujoco><compiler strippath="false"/></mujoco>'])
     if compiler is None:
         return insert_first(mujoco, ['<compiler strippath="false"/>'])
-    kept = {name: one.value for name, one in compiler.attributes.items() if name != "meshdir"}
-    kept["strippath"] = "false"
-    values = "".join(f" {name}={quoteattr(value)}" for name, value in kept.items())
+    written = {at.name: at.value for at in compiler.attributes.values() if at.name != "meshdir"}
+    written["strippath"] = "false"
+    values = "".join(f" {name}={quoteattr(value)}" for name, value in written.items())
     return (Edit(compiler.tag_at.whole_span, f"<compiler{values}/>"),)
 
 
 def _outside(model: RobotModel) -> Iterator[tuple[str, str]]:
-    """The values beside the references that lead to a file elsewhere."""
-    known = {id(placed.at) for placed in references(model)}
+    """Values other than references that refer to files outside of the bundle."""
+    referenced = {id(placed.at) for placed in references(model)}
     for element in model.root.walk():
-        values = [one.value for one in element.attributes.values() if id(one) not in known]
+        values = [one.value for one in element.attributes.values() if id(one) not in referenced]
         for value in (*values, element.text.strip()):
             if _OUTSIDE.match(value):
                 yield element.path, value

@@ -1,4 +1,4 @@
-"""A bundle on disk: a directory or a zip, whole or not at all."""
+"""Writes a bundle as a directory or zip file; after an error, nothing is written."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span, shown
 
-#: What rules need that report no reason why a program rejects a robot, and take most of the time.
+#: Needs of slow rules that report no reason why a program rejects a robot.
 _SLOW = frozenset((Need.COLLISIONS,))
 
-#: The date of every file in a zip, so that equal bundles have equal bytes.
+#: Date of all files in a zip, so that equal bundles have equal bytes.
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class TargetError(Record):
-    """Why a program will not load a bundle."""
+    """The reason why a program rejects a bundle."""
 
-    code: str  # of the rule that explains it
-    message: str  # what is wrong
-    span: Span  # where it was written, before it was expanded; else in the URDF of the bundle
+    code: str  # of the rule
+    message: str
+    span: Span  # location in the original source, else in the URDF of the bundle
 
 
 def bundle(
@@ -45,19 +45,19 @@ def bundle(
     consumer: str = "any",
     force: bool = False,
 ) -> tuple[Bundle, tuple[TargetError, ...]]:
-    """Write a robot with all files that it needs, for another machine or program.
+    """Write a robot with all referenced files, for another machine or program.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
-        out: a directory, or a file that ends in ``.zip``; whole or not at all.
+        robot: a URDF or xacro file, or the result of `urdfkit.read`.
+        out: a directory, or a file that ends in ``.zip``; after an error, nothing is written.
         consumer: a name of `CONSUMERS`; meshes that this program cannot read are converted.
-        force: replace what is there, if it is a bundle.
+        force: replace an existing bundle.
 
     Returns:
-        What was written, and why the program will reject it all the same.
+        The bundle, and the reasons why the program rejects it.
 
     Raises:
-        UrdfkitError: no consumer has that name; the file is a part of a robot; a file is missing,
+        UrdfkitError: the consumer is unknown; the file is a part of a robot; a file is missing,
             broken, or cannot be written.
     """
     if consumer not in CONSUMERS:
@@ -90,22 +90,22 @@ def _errors(made: Bundle, directory: str, context: Context, target: str) -> Iter
 def staged(
     files: Iterable[BundledFile], out: str, *, force: bool, mark: str = MANIFEST
 ) -> Iterator[str]:
-    """A new directory with the files of a bundle, which becomes ``out`` at the end.
+    """A new directory with the files of a bundle, which is renamed to ``out`` at the end.
 
-    Nothing is left of it after an error.
+    The directory is removed after an error.
 
     Args:
         out: a directory, or a file that ends in ``.zip``.
-        force: replace what is there, if it is a bundle.
-        mark: the file that tells such a directory from others.
+        force: replace an existing bundle.
+        mark: the file that marks such a directory.
 
     Raises:
-        UnwritableFile: something is there, or cannot be written.
+        UnwritableFile: ``out`` exists, or cannot be written.
     """
     atomic.make_directory(os.path.dirname(out))
     with _as_unwritable(out), temporary.workshop(out) as workshop:
         made, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
-        _put_back(old, out)  # after a kill
+        _put_back(old, out)  # left by a killed process
         _empty(workshop)
         _require_free(out, mark, force=force)
         write_files(files, made)
@@ -121,7 +121,7 @@ def staged(
 
 
 def _put_back(old: str, out: str) -> None:
-    """What was about to be replaced, and was not."""
+    """Restore a directory or file that was not replaced."""
     if os.path.isdir(old) and not os.path.lexists(out):
         os.replace(old, out)
 
@@ -155,15 +155,15 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
     if is_file and not _is_zip(out):
         raise UnwritableFile(f"{out}: is a file; pass a directory, or a name that ends in .zip")
     if is_file != _is_zip(out) or os.path.islink(out) or not _holds(out, mark):
-        what = "file" if is_file else "directory"
-        raise UnwritableFile(f"{out}: is a {what} that is no bundle; pass another one")
+        kind = "file" if is_file else "directory"
+        raise UnwritableFile(f"{out}: is a {kind}, but not a bundle; pass another path")
     if not force:
         raise UnwritableFile(f"{out}: exists; --force replaces it")
 
 
 def _holds(out: str, file: str) -> bool:
-    """True if a directory or a zip has a file."""
-    if not os.path.isfile(out):  # to open a pipe would wait for a writer
+    """True if a directory or zip contains a file."""
+    if not os.path.isfile(out):  # opening a pipe would wait for a writer
         return os.path.isfile(os.path.join(out, file))
     try:
         with zipfile.ZipFile(out) as archive:
@@ -181,13 +181,13 @@ def write_files(files: Iterable[BundledFile], directory: str) -> None:
 
 
 def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict[int, str]:
-    """Write the meshes that collide, as in a bundle.
+    """Write the collision meshes as in a bundle.
 
     Returns:
-        Where each lies in the directory, by the ``id`` of the reference to it.
+        Their paths in the directory, by ``id`` of the reference.
 
     Raises:
-        UrdfkitError: one is not there, broken, or cannot be written in a format that is read.
+        UrdfkitError: a mesh is missing, broken, or cannot be converted to a supported format.
     """
     shapes = [body.shape for link in robot.model.links for body in link.collisions]
     named = [shape.filename for shape in shapes if shape and shape.filename]
@@ -203,7 +203,7 @@ def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict
 
 
 def _zipped(directory: str, path: str) -> str:
-    """A directory as a zip, whose bytes depend on its files alone."""
+    """Write a directory as a zip, whose bytes depend only on its files."""
     with zipfile.ZipFile(path, "x", zipfile.ZIP_DEFLATED) as archive:
         for at, _, names in sorted(os.walk(directory)):
             for name in sorted(names):

@@ -1,4 +1,4 @@
-"""compare(): the differences between two states of a robot, in the terms of the robot."""
+"""Comparison of two states of a robot by links, joints, meshes and findings."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import without_directory
 
-#: What two states may differ in; ``findings`` are new ones, from warnings upwards.
+#: Kinds of differences; ``findings`` are new warnings and errors.
 KINDS = (*OF_MODELS, "meshes", "findings")
 
 
 class Comparison(Record):
-    """What differs between two states of a robot.
+    """Differences between two states of a robot.
 
     Attributes:
-        before, after: the states, as they were asked for.
-        differences: of links and joints, by more than the tolerances.
-        names: what is called otherwise.
-        moved: links that are elsewhere when all joints are at zero, the farthest first.
+        before, after: the states, as passed.
+        differences: of links and joints, above the tolerances.
+        names: renamed links and joints.
+        moved: links with another pose when all joints are at zero, the farthest first.
         whole, whole_after: the robot as one body, all joints at zero, in the frame of its root.
-        came: findings that only the state after has.
-        went: findings that only the state before had.
-        notes: what could not be compared, a sentence each.
-        tolerances: what was let pass.
-        images: addresses of images of the states before and after; empty if not asked for.
-        directories: workspaces of the two states, whose paths a page shows from there on.
+        came: new findings.
+        went: fixed findings.
+        notes: sentences on parts that could not be compared.
+        tolerances: the tolerances of the comparison.
+        images: URIs of images of both states; empty if not requested.
+        directories: workspaces of both states; a page shows paths relative to them.
     """
 
     before: str
@@ -60,18 +60,18 @@ class Comparison(Record):
 
     @property
     def centers(self) -> tuple[Vector, Vector] | None:
-        """The centre of mass before and after, in m; None where one has none, or is not known."""
+        """Centres of mass before and after, in m; None if either is undefined or unknown."""
         old, new = self.whole.properties, self.whole_after.properties
         return (old.center, new.center) if old and new and old.mass and new.mass else None
 
     @property
     def center_moved(self) -> float:
-        """How far the centre of mass of the whole robot moved, in m; 0 if that is not known."""
+        """Distance in m by which the centre of mass of the robot moved; 0 if unknown."""
         return dist(*self.centers) if self.centers else 0.0
 
     @property
     def total_differs(self) -> bool:
-        """True if the mass or centre of mass of the whole differs by more than the tolerances."""
+        """True if the total mass or its centre differ by more than the tolerances."""
         old, new = self.whole.mass, self.whole_after.mass
         allowed = self.tolerances
         by_mass = abs(new - old) > allowed.mass * max(abs(old), abs(new))
@@ -79,15 +79,15 @@ class Comparison(Record):
 
     @property
     def kinds(self) -> set[str]:
-        """The `KINDS` in which the two states differ."""
-        found = {difference.kind for difference in self.differences}
+        """The `KINDS` of all differences."""
+        kinds = {difference.kind for difference in self.differences}
         if self.moved:
-            found.add("frames")
+            kinds.add("frames")
         if self.total_differs:
-            found.add("masses")
-        if any(found.severity is not Severity.INFO for found in self.came):
-            found.add("findings")
-        return found
+            kinds.add("masses")
+        if any(kinds.severity is not Severity.INFO for kinds in self.came):
+            kinds.add("findings")
+        return kinds
 
 
 def compare(
@@ -105,16 +105,16 @@ def compare(
         before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current
             directory or from the top of the repository.
         after: the second state, as ``before``.
-        options: of the checks of both states; packages of the repository are taken as they were.
-        tolerances: what may differ; those of the class unless given.
-        has_images: draw both states, if the libraries for it are installed.
+        options: of the checks of both states; packages of the repository are read at the revision.
+        tolerances: by default, those of the class.
+        has_images: draw both states, if the required libraries are installed.
         progress: called with the number of finished steps and of all steps.
 
     Raises:
         UnreadableFile: a file is missing.
         UnreadableRobot: a state cannot be read; with every reason.
-        ConfigError: a file has several variants, or none of this name.
-        UrdfkitError: there is no such revision, or git is not there.
+        ConfigError: a file has several variants, or lacks this variant.
+        UrdfkitError: the revision does not exist, or git is not installed.
     """
     advance = progress or (lambda done, total: None)
     steps = 4 if has_images else 3
@@ -166,7 +166,7 @@ def _directories(context: Context) -> tuple[str, str]:
 
 
 def portable(text: str, comparison: Comparison) -> str:
-    """A page without the directories of the machine that it was made on."""
+    """A page without directories of this machine."""
     for directory in comparison.directories:
         text = without_directory(text, directory)
     return without_directory(text, os.path.expanduser("~"), "~/")
@@ -175,10 +175,9 @@ def portable(text: str, comparison: Comparison) -> str:
 def _findings(
     before: RobotState, after: RobotState, names: RenamedParts
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
-    """The findings that came, and those that went.
+    """New findings, and fixed findings.
 
-    A finding is known again by its rule and its elements: numbers, lines and names may have
-    changed.
+    Findings are matched by rule and elements: numbers, lines and names may have changed.
     """
     old, new = before.report.diagnostics, after.report.diagnostics
     old_keys = {key for finding in old for key in _keys(finding, names)}
@@ -190,13 +189,13 @@ def _findings(
 
 def _keys(finding: Diagnostic, names: RenamedParts | None = None) -> set[tuple[str, str]]:
     elements = {_renamed(call.element, names) for call in finding.calls} - {""}
-    if not elements:  # it is about the text
+    if not elements:  # the finding concerns the text
         elements = {" ".join(finding.span.source.line(finding.span.line).split())}
     return {(finding.code, element) for element in elements}
 
 
 def _renamed(element: str, names: RenamedParts | None) -> str:
-    """The address of an element in the state after, such as ``link/arm/visual``."""
+    """Path of an element in the state after, such as ``link/arm/visual``."""
     tag, _, rest = element.partition("/")
     if names is None or tag not in ("link", "joint"):
         return element

@@ -1,8 +1,8 @@
-"""What differs between two states of a robot, by more than some tolerances.
+"""Differences between two states of a robot above tolerances.
 
-Compared is what a program reads out of the model: names, masses, centres of mass, inertia
-tensors, shapes, and of joints type, links, origin, axis, limits and mimic. How the file is
-written, colours, and the blocks for single programs are not.
+Compared are names, masses, centres of mass, inertia tensors, shapes, and types, links, origins,
+axes, limits and mimics of joints. Formatting of the file, colours, and elements for single programs
+are ignored.
 """
 
 from __future__ import annotations
@@ -25,24 +25,24 @@ from urdfkit.robot.model import (
     Tensor,
 )
 
-#: What a difference may be about. ``links`` and ``joints`` come and go, ``names`` are other ones of
-#: the same; ``joints`` are their types, links, axes and followers, too; ``masses`` the centres of
-#: mass; ``shapes`` where they are; ``frames`` the origins of joints.
+#: Kinds of differences. ``links`` and ``joints``: added or removed; ``names``: renamed; ``joints``:
+#: also types, links, axes and mimics; ``masses``: also centres of mass; ``shapes``: also origins;
+#: ``frames``: origins of joints.
 KINDS = ("links", "joints", "names", "frames", "limits", "masses", "inertias", "shapes")
 
 ComparedValue = float | str | tuple[float, ...] | None
 #: Kind, text, and the values before and after.
 Change = tuple[str, str, ComparedValue, ComparedValue]
 
-#: A part of the greatest entry of a tensor below which an entry comes from a turned frame.
+#: Entries of a tensor below this part of the greatest entry are rounding errors of a rotation.
 _ROUNDING = 1e-6
 _NONE: Mapping[str, str] = MappingProxyType({})
-#: Axis of a joint that names none.
+#: Default axis of a joint.
 _DEFAULT_AXIS = (1.0, 0.0, 0.0)
 
 
 class Tolerances(Record):
-    """How much a model may differ from another state of it.
+    """Largest differences between two states that are ignored.
 
     Attributes:
         mass: relative, per link.
@@ -50,7 +50,7 @@ class Tolerances(Record):
         rotation: of origins and axes, in rad.
         inertia: of the tensor, relative to its greatest entry.
         limit: of joint limits, relative.
-        links, joints: True if some may come or go, or be called otherwise.
+        links, joints: True if links or joints may be added, removed or renamed.
     """
 
     mass: float = 1e-3
@@ -63,7 +63,7 @@ class Tolerances(Record):
 
 
 class RenamedParts(Record):
-    """What is called otherwise: the name after, by the name before."""
+    """Renamed links and joints: the name after, by the name before."""
 
     links: Mapping[str, str]
     joints: Mapping[str, str]
@@ -73,13 +73,13 @@ _SAME = RenamedParts(_NONE, _NONE)
 
 
 class Difference(Record):
-    """One difference between two models."""
+    """A difference between two models."""
 
-    kind: str  # which sort of thing it is, one of `KINDS`
+    kind: str  # one of `KINDS`
     what: str  # ``link`` or ``joint``
-    name: str  # of the link or joint, in the state after if it is there
-    text: str  # what differs, without its name
-    #: before and after: the values as the model holds them, for programs; None for nothing.
+    name: str  # of the link or joint, in the state after if it exists there
+    text: str  # the difference, without the name
+    #: before and after: values of the model, for programs; None if missing.
     before: ComparedValue = None
     after: ComparedValue = None
 
@@ -91,11 +91,11 @@ class Difference(Record):
 def differences(
     before: RobotModel, after: RobotModel, allowed: Tolerances, names: RenamedParts = _SAME
 ) -> list[Difference]:
-    """What differs between two models by more than the tolerances.
+    """Differences between two models above the tolerances.
 
     Args:
-        allowed: what may differ.
-        names: what is called otherwise, as ``urdfkit.output.comparison.renames`` knows it again.
+        allowed: the tolerances.
+        names: renamed links and joints, from `urdfkit.output.comparison.renames`.
     """
     found: list[Difference] = []
     if not allowed.links:
@@ -126,11 +126,11 @@ def _names(
 
 
 def of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
-    """What differs between two links, whatever they are called."""
+    """Differences between two links, ignoring their names."""
     old, new = before.mass, after.mass
     if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
         yield "masses", f"mass {old:g} kg -> {new:g} kg", old, new
-    if old or new:  # the place of no mass means nothing
+    if old or new:  # without mass there is no centre
         centers = _center(before.inertial), _center(after.inertial)
         moved = dist(*centers)
         if moved > allowed.position:
@@ -155,7 +155,7 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 
 def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
-    """The entries of a tensor that make more than rounding of the difference, before and after."""
+    """Entries of a tensor that differ by more than rounding, before and after."""
     noise = _ROUNDING * max(map(abs, (*before, *after)))
     old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
     rows = zip(Tensor._fields, old, new, strict=True)
@@ -195,7 +195,7 @@ def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
 def of_frames(
     kind: str, name: str, before: Transform, after: Transform, allowed: Tolerances
 ) -> Iterator[Change]:
-    """How far a frame moved and turned."""
+    """Translation and rotation of a frame."""
     moved = dist(before.position, after.position)
     if moved > allowed.position:
         text = f"the origin of its {name} moved by {moved:.4g} m"
@@ -207,7 +207,7 @@ def of_frames(
 
 
 def angle_between(before: Transform, after: Transform) -> float:
-    """The angle by which one frame is turned against another, in rad, from 0 to pi."""
+    """Angle between two frames, in rad, from 0 to pi."""
     half = dist(_flat(before), _flat(after)) / 8**0.5  # |R - R'| = sqrt(8) sin(angle / 2)
     return 2 * asin(min(1.0, half))
 

@@ -1,4 +1,4 @@
-"""Where links are, against where they were."""
+"""Links whose poses differ between two states."""
 
 from __future__ import annotations
 
@@ -12,21 +12,22 @@ from urdfkit.robot.tree import KinematicTree
 
 
 class MovedLink(Record):
-    """A link that is elsewhere."""
+    """A link with another pose."""
 
-    link: str  # its name, that of the state after
+    link: str  # name in the state after
     distance: float  # between its origins, in m, in the frame of the root
-    angle: float  # by which it is turned, in rad
-    carried: bool  # True if it is where it was as its parent sees it, which moved
+    angle: float  # of its rotation, in rad
+    carried: bool  # True if only its parent moved
 
 
 def moved_frames(
     before: KinematicTree, after: KinematicTree, allowed: Tolerances, names: RenamedParts
 ) -> tuple[MovedLink, ...]:
-    """The links that both robots have and that are elsewhere when all joints are at zero.
+    """Links of both robots with another pose when all joints are at zero.
 
     Returns:
-        What moved of itself before what is moved with its parent, the farthest first.
+        Links that moved relative to their parents before links that moved with them, the
+        farthest first.
     """
     old, new = frames(before, {}), frames(after, {})
     found = []
@@ -55,7 +56,7 @@ def _parent(tree: KinematicTree, name: str) -> str:
 
 
 def _within(places: dict[str, Transform], name: str, parent: str) -> Transform:
-    """The frame of a link in that of another one; in the root where there is none."""
+    """The frame of a link in its parent; in the root if it has no parent."""
     if parent not in places:
         return places[name]
     turned = transposed(places[parent].rotation)

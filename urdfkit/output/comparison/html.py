@@ -14,8 +14,8 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
     """A summary, images, and a table for each kind of difference.
 
     Args:
-        width: of no account: a browser wraps.
-        language: of headings and the like: ``en`` or ``zh``.
+        width: ignored, as a browser wraps lines.
+        language: of headings and other fixed texts: ``en`` or ``zh``.
     """
     by_kind = {
         kind: [found for found in comparison.differences if found.kind == kind] for kind in KINDS

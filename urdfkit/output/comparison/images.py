@@ -1,4 +1,4 @@
-"""Both states of a robot, seen by the same camera, with what differs in colour."""
+"""Images of both states of a robot from the same camera, with differences coloured."""
 
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
@@ -12,9 +12,9 @@ _SAME = (0.8, 0.82, 0.85, 1.0)
 
 
 def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...]:
-    """Addresses of two images; none where the libraries or the shapes for them are missing.
+    """URIs of two images; empty if the required libraries or the shapes are missing.
 
-    Links that are gone are red, new ones green, and those that differ or moved amber.
+    Removed links are red, added links green, and changed or moved links amber.
     """
     try:
         import numpy as np
@@ -43,7 +43,7 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
 
 
 def _colours(found: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
-    """Colours of the links that differ; a change of a joint counts for its child link."""
+    """Colours of changed links; a change of a joint counts for its child link."""
     children = {joint.name: joint.child_name for joint in after.model.joints}
     names = {moved.link for moved in found.moved}
     for one in found.differences:

@@ -1,4 +1,4 @@
-"""A comparison for programs: one JSON document; lengths in m, angles in rad, masses in kg."""
+"""A comparison as a JSON document; lengths in m, angles in rad, masses in kg."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from urdfkit.robot.composite_body import CompositeBody
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
 
-#: A change that could break a reader counts it up.
+#: Version of the document; an incompatible change increments it.
 VERSION = 1
 
 

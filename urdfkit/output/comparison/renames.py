@@ -1,8 +1,7 @@
-"""Which links and joints of a robot have another name than before.
+"""Finds renamed links and joints of a robot.
 
-A link is matched by its place in the tree, by its body, and by its child links: two
-of the three must be as they were. A joint is known again by its two links. What could be meant in
-more than one way is not guessed.
+A link is matched by its place in the tree, by its body, and by its child links: two of the three
+must be unchanged. A joint is matched by its two links. Ambiguous matches are ignored.
 """
 
 from collections.abc import Iterator
@@ -12,19 +11,19 @@ from urdfkit.robot.model import Joint, RobotModel
 
 
 def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> RenamedParts:
-    """The new names of what is called otherwise.
+    """The new names of renamed links and joints.
 
     Args:
-        before: the robot in the state of the old names.
-        after: the robot in that of the new ones.
-        allowed: how much a link may differ and still be as it was.
+        before: the robot with the old names.
+        after: the robot with the new names.
+        allowed: tolerances within which a link is unchanged.
     """
     old, new = _Tree(before), _Tree(after)
     links = {name: name for name in old.links if name in new.links}
     if len(links) < min(len(old.links), len(new.links)):
-        # From what is known to its neighbours, until there is nothing more to learn.
-        while found := _unique_matches(old, new, links, allowed):
-            links |= found
+        # Matches spread to their neighbours until there are no more.
+        while matches := _unique_matches(old, new, links, allowed):
+            links |= matches
     joints = {
         joint.name: other.name
         for child, joint in old.above.items()
@@ -41,7 +40,7 @@ class _Tree:
 
     def __init__(self, model: RobotModel) -> None:
         self.links = model.links_by_name
-        #: By the name of the child; of several joints, the first.
+        #: Parent joints by child link; the first one of several.
         self.above: dict[str, Joint] = {}
         self.children: dict[str, list[str]] = {}
         for joint in model.joints:
@@ -88,7 +87,7 @@ def _near(old: _Tree, new: _Tree, name: str, links: dict[str, str]) -> Iterator[
 def _is_same(
     old: _Tree, new: _Tree, name: str, other: str, links: dict[str, str], allowed: Tolerances
 ) -> bool:
-    """True if two of place, body and children are as they were."""
+    """True if two of place, body and children are unchanged."""
     before, after = old.links[name], new.links[other]
     children = {links.get(child, "") for child in old.children.get(name, ())}
     carries = children and children == set(new.children.get(other, ()))

@@ -1,4 +1,4 @@
-"""One state of a robot: a file, or a file as git has it."""
+"""A state of a robot: a file, or a file at a revision in git."""
 
 import os
 from functools import cached_property
@@ -14,26 +14,26 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import locate
 from urdfkit.workspace.snapshots import check_out_snapshot
 
-#: Larger files of a revision are not looked at.
+#: Size in bytes above which files of a revision are ignored.
 LARGEST = 64 * 1024 * 1024
 
 
 class RobotState:
-    """A description with what it takes to judge it.
+    """A robot description with its configuration.
 
     Args:
         word: a file, or ``REVISION:PATH``.
-        directory: where files of git go.
+        directory: destination of files from git.
 
     Raises:
         UnreadableFile: file not found.
-        UnreadableRobot: it cannot be read.
-        ConfigError: the configuration has several variants of it, or none of this name.
-        UrdfkitError: there is no such revision, or git is not there.
+        UnreadableRobot: the robot cannot be read.
+        ConfigError: the configuration has several variants of it, or lacks this variant.
+        UrdfkitError: the revision does not exist, or git is not installed.
     """
 
     def __init__(self, word: str, directory: str, options: Options) -> None:
-        self.word = word  # as it was asked for
+        self.word = word  # as passed
         self._directory = directory
         options = options.with_config()
         path = found = word
@@ -56,7 +56,7 @@ class RobotState:
         return check(self.context.source, options=self._options)
 
     def rename_sources(self) -> None:
-        """Call files of a revision as the user did; the directory that held them goes away."""
+        """Rename files to ``REVISION:PATH``, as their temporary directory is removed."""
         revision = self.word.partition(":")[0]
         known = {id(s): s for s in self.context.document.sources}
         for finding in self.report.diagnostics:

@@ -1,4 +1,4 @@
-"""What became of the meshes: how far the surfaces are apart, not whether the bytes differ."""
+"""Comparison of meshes by the distance of their surfaces, not by their bytes."""
 
 import hashlib
 from collections.abc import Iterator
@@ -14,15 +14,15 @@ from urdfkit.robot.model import Shape
 def changed_surfaces(
     before: Context, after: Context, allowed: Tolerances, names: RenamedParts
 ) -> tuple[list[Difference], list[str]]:
-    """The meshes whose surface differs by more than the tolerance of positions.
+    """Meshes whose surfaces differ by more than the tolerance of positions.
 
-    Compared are the meshes of links that have as many visuals, or collisions, as before, each
-    in the frame of its visual or collision and with its scale.
+    Meshes of links with an unchanged number of visuals, or collisions, are compared, each in the
+    frame of its visual or collision and with its scale.
 
     Returns:
-        The differences, and what could not be compared, a sentence each.
+        The differences, and sentences on parts that could not be compared.
     """
-    found: list[Difference] = []
+    differences: list[Difference] = []
     notes: dict[str, None] = {}
     measured: dict[tuple[object, ...], float | None] = {}
     for link, role, old, new in _pairs(before, after, names):
@@ -30,7 +30,7 @@ def changed_surfaces(
         if files[0] is None or files[1] is None:
             if files[0] is not files[1]:
                 text = f"the file of its {role} mesh is {'new' if files[1] else 'gone'}"
-                found.append(Difference("meshes", "link", link, text, *map(bool, files)))
+                differences.append(Difference("meshes", "link", link, text, *map(bool, files)))
             continue
         if old.scale == new.scale and _digest(files[0]) == _digest(files[1]):
             continue
@@ -45,17 +45,17 @@ def changed_surfaces(
         apart = measured[key]
         if apart is None:
             text = f"the file of its {role} mesh differs"
-            found.append(Difference("meshes", "link", link, text))
+            differences.append(Difference("meshes", "link", link, text))
         elif apart > allowed.position:
             text = f"its {role} mesh differs by up to {1000 * apart:.4g} mm"
-            found.append(Difference("meshes", "link", link, text, 0.0, apart))
-    return found, list(notes)
+            differences.append(Difference("meshes", "link", link, text, 0.0, apart))
+    return differences, list(notes)
 
 
 def _pairs(
     before: Context, after: Context, names: RenamedParts
 ) -> Iterator[tuple[str, str, Shape, Shape]]:
-    """Link, role, and the mesh of either side."""
+    """Link, role, and the mesh before and after."""
     links = after.model.links_by_name
     for name, old in before.model.links_by_name.items():
         new = links.get(names.links.get(name, name))

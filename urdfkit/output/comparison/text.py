@@ -1,4 +1,4 @@
-"""A comparison for people, at a terminal."""
+"""A comparison as text for a terminal."""
 
 from collections.abc import Iterable, Iterator
 from math import degrees
@@ -9,12 +9,12 @@ from urdfkit.output.comparison.frames import MovedLink
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.terminal import columns, printable, wrap
 
-#: Lines of one kind that are shown; JSON has all.
+#: Most lines of a kind that are shown; JSON has all.
 MAX_LINES = 20
 
 
 def render(comparison: Comparison, *, width: int = 80) -> str:
-    """What differs, by kind; one line if nothing does."""
+    """Differences by kind; one line if there are none."""
     head = f"{printable(comparison.before)} -> {printable(comparison.after)}"
     return "\n".join([head, *_body(comparison, width)]) + "\n"
 
@@ -49,7 +49,7 @@ def _some(lines: Iterable[str]) -> Iterator[str]:
 
 
 def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
-    """A table of what moved of itself; what it carries is counted."""
+    """A table of links that moved relative to their parents, and the number of links carried."""
     own = [one for one in moved if not one.carried]
     carried = [one for one in moved if one.carried]
     rows = [(printable(one.link), one) for one in own[:MAX_LINES]]

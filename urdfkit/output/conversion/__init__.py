@@ -1,4 +1,4 @@
-"""A robot in another format, with what is lost on the way, and a proof."""
+"""Conversion of a robot to another format, with a list of losses and a proof."""
 
 from __future__ import annotations
 
@@ -29,28 +29,28 @@ def convert(
     exclude: str = "srdf",
     force: bool = False,
 ) -> Conversion:
-    """Write a robot in another format with its meshes, and compare what was written with it.
+    """Write a robot in another format with its meshes, and compare the result with the robot.
 
-    Native libraries (USD, MuJoCo, Pinocchio) run in the process of the caller, which a crash of one
-    ends; the command line runs them in a process of its own.
+    Native libraries (USD, MuJoCo, Pinocchio) run in the process of the caller, which their crash
+    would end; the command line runs them in a separate process.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
-        out: a directory; whole or not at all.
+        robot: a URDF or xacro file, or the result of `urdfkit.read`.
+        out: a directory; after an error, nothing is written.
         to: a name of `FORMATS`.
         base: ``fixed`` welds the root to the world, ``free`` lets it float; ``auto`` lets a robot
-            float that stands on wheels or feet.
-        fixed: ``keep`` gives each link a body; ``merge`` makes those of fixed joints sites and
-            geoms of their parents.
-        collision: what a collision mesh becomes: ``hull``, its convex hull; ``decompose``, convex
-            pieces of it; ``primitives``, what ``urdfkit mesh collision`` takes for it.
-        exclude: which links do not collide: ``srdf``, those that it disables; ``computed``, also
-            those that ``urdfkit collisions`` finds.
-        force: replace what is there, if it is a conversion.
+            on wheels or feet float.
+        fixed: ``keep`` gives each link a body; ``merge`` turns links of fixed joints into sites
+            and geoms of their parents.
+        collision: replacement of a collision mesh: ``hull``, its convex hull; ``decompose``,
+            convex pieces; ``primitives``, the shapes of ``urdfkit mesh collision``.
+        exclude: pairs of links that do not collide: ``srdf``, pairs that the SRDF disables;
+            ``computed``, also pairs that ``urdfkit collisions`` finds.
+        force: replace an existing conversion.
 
     Raises:
         MissingLibrary: a library of the format is not installed.
-        UrdfkitError: there is no such format; the robot cannot be converted, or is rejected; a file
+        UrdfkitError: the format is unknown; the robot cannot be converted, or is rejected; a file
             is missing, broken, or cannot be written.
     """
     if to not in FORMATS:
@@ -63,5 +63,5 @@ def convert(
     with needing(f"to convert to {to}", FORMATS[to].extra):
         module = import_module(f"{__name__}.{to}")
     context = robot if isinstance(robot, Context) else read(robot)
-    found: Conversion = module.write(context, os.path.abspath(out), options, force=force)
-    return found
+    conversion: Conversion = module.write(context, os.path.abspath(out), options, force=force)
+    return conversion

@@ -1,4 +1,4 @@
-"""The inertia of links that are fixed together, compared as one matrix."""
+"""Pseudo-inertia matrices of links that are fixed together, and their comparison."""
 
 import numpy as np
 
@@ -7,12 +7,12 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import properties_of
 
-#: Below this, in kg or kg·m², a body has none.
+#: Masses in kg and moments in kg·m² below this count as zero.
 _LEAST = 1e-15
 
 
 def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:
-    """The pseudo-inertia in another frame, (4, 4), of which bodies have the sum.
+    """The pseudo-inertia in another frame, (4, 4); it is additive.
 
     Its blocks are the second moments, the first moments and the mass.
     """
@@ -26,14 +26,14 @@ def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform
 
 
 def homogeneous(frame: Transform) -> Floats:
-    """A frame as a matrix, (4, 4)."""
-    found = np.eye(4)
-    found[:3, :3], found[:3, 3] = frame.rotation, frame.position
-    return found
+    """Homogeneous matrix of a frame, (4, 4)."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = frame.rotation, frame.position
+    return matrix
 
 
 def of_link(link: Link, frame: Transform) -> Floats:
-    """The pseudo-inertia of a link, (4, 4), in the frame in which its own frame is given."""
+    """Pseudo-inertia of a link, (4, 4), in the parent of ``frame``."""
     mass, center, tensor = properties_of(link, Transform())
     return pseudo_inertia(mass, np.array(center), np.array(tensor.rows), frame)
 
@@ -47,12 +47,12 @@ def about_center(ours: Floats, theirs: Floats) -> tuple[Floats, Floats]:
 
 
 def difference(ours: Floats, theirs: Floats) -> float:
-    """The largest difference of two pseudo-inertias, as a part of the first one.
+    """The largest difference of two pseudo-inertias, relative to the first one.
 
-    Moments count as parts of the largest second moment and of the mass, whatever the unit of
-    length: a small part has a small tensor.
+    Moments are relative to the largest second moment and the mass, whatever the unit of length:
+    a small part has a small tensor.
     """
     second, mass = max(float(np.abs(ours[:3, :3]).max()), _LEAST), max(abs(ours[3, 3]), _LEAST)
     scale = np.sqrt([second, second, second, mass])
-    found = float(np.abs((ours - theirs) / np.outer(scale, scale)).max())
-    return found if np.isfinite(found) else float("inf")
+    largest = float(np.abs((ours - theirs) / np.outer(scale, scale)).max())
+    return largest if np.isfinite(largest) else float("inf")

@@ -1,4 +1,4 @@
-"""Elements of a robot as trees of the standard library, which can be changed and written."""
+"""Copies elements of a robot to `xml.etree`, where they can be changed and written."""
 
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement

@@ -1,6 +1,6 @@
 """The formats that a robot can be converted to.
 
-Each has a module of its name here with a function ``write``, loaded when it is asked for.
+Each format has a module of its name here with a function ``write``, loaded when needed.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from urdfkit.core.record import Record
 class Format(Record):
     """A format that a robot can be converted to."""
 
-    name: str  # as --to takes it
-    extra: str  # of urdfkit, with the libraries that it needs
-    has_options: bool = False  # those of `urdfkit.output.conversion.options`
+    name: str  # value of --to
+    extra: str  # extra of urdfkit with the required libraries
+    has_options: bool = False  # True if `urdfkit.output.conversion.options` apply
 
 
 FORMATS = {

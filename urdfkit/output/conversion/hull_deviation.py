@@ -1,4 +1,4 @@
-"""How far the convex hulls that collide are from the meshes of the robot."""
+"""Distance of convex hulls from the collision meshes that they replace."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.robot.model import Body
 
-#: Points on a hull whose distance from the mesh is measured.
+#: Number of points on a hull whose distance from the mesh is measured.
 _SAMPLES = 500
 #: Distance in m below which a mesh counts as convex.
 _CONVEX = 1e-5
 
 
 def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) -> None:
-    """Record the collisions that become convex hulls, and the distance from their meshes."""
+    """Record collisions that become convex hulls, and the distance from their meshes."""
     notes: dict[object, float | None] = {}
     for body in collisions:
         shape = body.shape
@@ -35,7 +35,7 @@ def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) 
 
 
 def _deviation(robot: Context, body: Body) -> float | None:
-    """Greatest distance in m of points on the hull of a mesh from it; None without a hull."""
+    """Greatest distance in m of the hull of a mesh from the mesh; None without a hull."""
     # These libraries take longer to import than many robots to convert.
     from urdfkit.mesh.convex_hull import NoHull, hull
     from urdfkit.mesh.distance import sample_surface, to_surface

@@ -1,4 +1,4 @@
-"""What a conversion does with every element and attribute of a robot."""
+"""The result of a conversion for every element and attribute of a robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from urdfkit.text.source import Span
 
 
 class Result(str, Enum):
-    """What becomes of a part of a robot."""
+    """Result of the conversion of an element or attribute."""
 
     KEPT = "kept"
     APPROXIMATED = "approximated"
@@ -20,16 +20,16 @@ class Result(str, Enum):
 
 
 class Entry(Record):
-    """One element or attribute."""
+    """An element or attribute, and the result of its conversion."""
 
-    part: str  # its path in the expanded robot, such as ``joint/elbow/limit@velocity``
-    tag: str  # of the element, or the name of the attribute
-    span: Span  # where it was written
-    result: Result  # what becomes of it
-    note: str  # as what it is kept, by how much it is off, or why it is lost
+    part: str  # path in the expanded robot, such as ``joint/elbow/limit@velocity``
+    tag: str  # tag of the element, or name of the attribute
+    span: Span  # source location
+    result: Result
+    note: str  # what it becomes, its deviation, or why it is lost
 
 
-#: The attributes that go with an element that is kept.
+#: Attributes that are kept with their element.
 _OWN = {
     "robot": ("name",),
     "link": ("name",),
@@ -56,7 +56,7 @@ _OWN = {
     "mu1": ("value",),
     "mu2": ("value",),
 }
-#: Elements of which only the first in a link, joint, visual, collision or inertial counts.
+#: Elements of which only the first one in a link, joint, visual, collision or inertial is used.
 _SINGLE = frozenset(
     "axis calibration child dynamics geometry inertia inertial limit mass mimic origin parent "
     "safety_controller".split()
@@ -64,21 +64,21 @@ _SINGLE = frozenset(
 
 
 class LossTable:
-    """The entries of a conversion while it is made: what nobody keeps is lost."""
+    """Collects the entries of a conversion; unrecorded parts are lost."""
 
     def __init__(self) -> None:
         self._marks: dict[int, tuple[Result, str]] = {}
 
     def keep(self, part: Element | Attribute | None, note: str) -> None:
-        """An element with the attributes that belong to it, or one attribute."""
+        """Record that an element with its own attributes, or an attribute, is kept."""
         self._mark(part, Result.KEPT, note)
 
     def approximate(self, part: Element | Attribute | None, note: str) -> None:
-        """The same for what is not quite what it was."""
+        """Like `keep`, for a part that is only approximated."""
         self._mark(part, Result.APPROXIMATED, note)
 
     def lose(self, part: Element | Attribute | None, note: str) -> None:
-        """A reason that is better than that of all others; it holds for all in an element."""
+        """Record why a part is lost, with all of its contents; overrides other reasons."""
         self._mark(part, Result.LOST, note)
 
     def _mark(self, part: Element | Attribute | None, result: Result, note: str) -> None:
@@ -94,8 +94,8 @@ class LossTable:
         """Every element and attribute of a robot, in the order of the document.
 
         Args:
-            otherwise: why a part is lost that was not marked.
-            reasons: the same for elements with certain tags, and attributes as ``@name``.
+            otherwise: the reason why an unrecorded part is lost.
+            reasons: reasons by the tag of an element, or ``@name`` of an attribute.
         """
         lost = Result.LOST, otherwise
         for element in root.walk():
@@ -112,7 +112,7 @@ class LossTable:
 
 
 def _repeated(element: Element) -> str:
-    """Why an element is lost that stands after the one that counts; empty for others."""
+    """Why a repeated element is lost; empty for other elements."""
     parent = element.parent
     if parent is None:
         return ""

@@ -1,4 +1,4 @@
-"""MJCF on disk, with its proof: whole or not at all."""
+"""Conversion to MJCF, with its proof."""
 
 import ctypes
 import glob
@@ -57,9 +57,9 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
         record_hulls(made.losses, robot, made.hulls)
         entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
-        found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
-        found.write_report(directory)
-    return found
+        conversion = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
+        conversion.write_report(directory)
+    return conversion
 
 
 def _assets(bundle: Bundle) -> Iterator[BundledFile]:
@@ -70,15 +70,15 @@ def _assets(bundle: Bundle) -> Iterator[BundledFile]:
 
 
 def _files(robot: Context, bundle: Bundle) -> dict[int, str]:
-    """Where the files of a bundle lie, by the ``id`` of the references to them."""
+    """Paths of the files of a bundle, by the ``id`` of their references."""
     return {
-        id(reference): one.new
-        for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
+        id(reference): renamed.new
+        for reference, renamed in zip(references(robot.model), bundle.renamed, strict=True)
     }
 
 
 def _remove_unused(made: MjcfRobot, directory: str) -> None:
-    """Files of the bundle that no mesh or texture is read from, such as materials of OBJ."""
+    """Remove files of the bundle that the MJCF does not use, such as materials of OBJ."""
     used = {one.file for one in (*made.spec.meshes, *made.spec.textures)}
     for at, _, names in list(os.walk(directory, topdown=False)):
         for name in names:
@@ -90,17 +90,17 @@ def _remove_unused(made: MjcfRobot, directory: str) -> None:
 
 
 def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
-    """The file, as MuJoCo loads it."""
+    """Write the file, and load it with MuJoCo."""
     compiled(made, robot)
     _write_all_digits()
-    atomic.make_directory(os.path.dirname(path))  # of a robot without files
+    atomic.make_directory(os.path.dirname(path))  # missing if the robot has no files
     with rejections(robot, made.mesh_places):
         atomic.write(path, made.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)
 
 
 def _write_all_digits() -> None:
-    """Let MuJoCo write numbers as they are: it writes six digits, and has no public switch."""
+    """Make MuJoCo write all digits: it writes six, and has no public option for it."""
     library = glob.glob(os.path.join(os.path.dirname(mujoco.__file__), "*mujoco.*"))[0]
     ctypes.CDLL(library)._mjPRIVATE__set_xml_precision(15)
 

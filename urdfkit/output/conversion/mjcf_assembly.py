@@ -1,4 +1,4 @@
-"""The specification of a robot for MuJoCo, and what MuJoCo says of it."""
+"""The MuJoCo specification of a robot, and errors of MuJoCo's compiler."""
 
 import re
 import warnings
@@ -20,10 +20,10 @@ from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import lowest_links
 from urdfkit.text.source import Span, shown
 
-#: What an error of MuJoCo's compiler is about.
+#: Names in errors of MuJoCo's compiler.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 _REPEATED = re.compile(r"repeated name '([^']+)'")
-#: What to do about errors of MuJoCo's compiler, by a part of their text.
+#: Help for errors of MuJoCo's compiler, by a part of their text.
 _REMEDIES = {
     "mass and inertia of moving bodies": "give it an <inertial> with a mass and moments over 0",
     "inertia must satisfy": "see 'urdfkit explain INE003'",
@@ -35,8 +35,8 @@ _REMEDIES = {
 def floats(robot: Context, base: str) -> bool:
     """True if the root of a robot is not welded to the world.
 
-    ``auto`` lets a robot float that stands on feet or wheels: on parts that different joints of
-    its base move. An arm may hang below its base, too, but by one joint.
+    With ``auto``, a robot on feet or wheels floats: several joints of its base move the parts
+    that it stands on. An arm may also be below its base, but has only one joint there.
 
     Raises:
         UrdfkitError: a part of the robot has no meaning, or the world is to float.
@@ -50,7 +50,7 @@ def floats(robot: Context, base: str) -> bool:
     if base != "auto":
         return base == "free"
     root = rigid_bodies(robot.tree)[0]
-    if root.is_ground or not root.mass:  # what has no mass is no base that moves
+    if root.is_ground or not root.mass:  # a base without mass does not move
         return False
     moving = (
         [joint for joint in robot.tree.path(link) if joint.kind != "fixed"]
@@ -67,7 +67,7 @@ def assembled(
     *,
     is_free: bool,
 ) -> MjcfRobot:
-    """The specification of a robot; the arguments are those of `MjcfRobot`.
+    """The MuJoCo specification of a robot; the arguments are those of `MjcfRobot`.
 
     Raises:
         UrdfkitError: MuJoCo rejects it, or a joint or a shape has no meaning.
@@ -93,10 +93,10 @@ def compiled(made: MjcfRobot, robot: Context) -> Any:
 
 @contextmanager
 def rejections(robot: Context, meshes: Mapping[str, Span] | None = None) -> Iterator[None]:
-    """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check.
+    """Raise errors of MuJoCo as `UrdfkitError`; its warnings are ignored, as rules report them.
 
     Args:
-        meshes: where they are written, by name.
+        meshes: source locations of meshes, by name.
     """
     mujoco.set_mju_user_warning(_ignore)
     try:
@@ -108,20 +108,20 @@ def rejections(robot: Context, meshes: Mapping[str, Span] | None = None) -> Iter
 
 
 def _ignore(warning: str) -> None:
-    """MuJoCo writes what it warns of to a file in the current directory otherwise."""
+    """Discard a warning, which MuJoCo otherwise writes to a file in the current directory."""
 
 
 def _explained(text: str, robot: Context, meshes: Mapping[str, Span]) -> UrdfkitError:
-    """An error of MuJoCo's compiler, at the link, joint or mesh that it names."""
-    what = " ".join(text.split()).removeprefix("Error: ")
-    what = what.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
-    named = _ELEMENT.search(what)
+    """An error of MuJoCo's compiler, at the link, joint or mesh in its text."""
+    message = " ".join(text.split()).removeprefix("Error: ")
+    message = message.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
+    named = _ELEMENT.search(message)
     name = named.group(1) if named else ""
-    what = f"{what[: named.start()].strip()} ('{name}')" if named else what
-    if repeated := _REPEATED.search(what):
+    message = f"{message[: named.start()].strip()} ('{name}')" if named else message
+    if repeated := _REPEATED.search(message):
         name = repeated.group(1)
     place = meshes.get(name) if "mesh" in text or "vertices" in text else None
     place = place or robot.model.place(name)
-    remedy = next((remedy for part, remedy in _REMEDIES.items() if part in what), "")
-    remedy = remedy or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
-    return UrdfkitError(f"{place}: MuJoCo rejects the robot: {what}; {remedy}")
+    help = next((help for part, help in _REMEDIES.items() if part in message), "")
+    help = help or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
+    return UrdfkitError(f"{place}: MuJoCo rejects the robot: {message}; {help}")

@@ -1,4 +1,4 @@
-"""What MuJoCo has of single parts of a robot: inertia, limits and shapes, compared with it."""
+"""Differences of inertia, limits and shapes between MuJoCo's model and the robot."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ from urdfkit.robot.model import Body, Joint, Shape
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
 
-#: Entries below this, in N·m, kg or kg·m², are rounding.
+#: Entries below this, in N·m, kg or kg·m², are rounding errors.
 LEAST = 1e-9
-#: Of a difference of all: a part that is missing, or another one.
+#: Difference of a part that is missing or of another type.
 WHOLE = 1.0
 
 
 def relative(ours: Floats, theirs: Floats, least: float = LEAST) -> float:
-    """The largest difference as a part of the largest entry, which counts as ``least`` at least."""
+    """The largest difference, relative to the largest entry or ``least``."""
     largest = max(float(np.abs(ours).max(initial=0.0)), least)
     return float(np.abs(ours - theirs).max(initial=0.0)) / largest
 
 
 def names(model: Any, kind: str) -> dict[str, int]:
-    """The numbers of bodies (``nbody``) or joints (``njnt``) by name."""
+    """Indices of bodies (``nbody``) or joints (``njnt``), by name."""
     one = model.body if kind == "nbody" else model.joint
     return {one(number).name: number for number in range(getattr(model, kind))}
 
@@ -53,13 +53,13 @@ def names(model: Any, kind: str) -> dict[str, int]:
 def inertias(
     model: Any, robot: Context, reading: TextReading | None
 ) -> Iterator[tuple[float, str]]:
-    """How much the inertia of links that are fixed together differs, as a part of it."""
+    """Relative differences of the inertia of links that are fixed together."""
     bodies = names(model, "nbody")
     for group in rigid_bodies(robot.tree):
         if group.is_ground:
             continue
         written = [link.inertial for link, _ in group.links if link.inertial]
-        # urdfdom drops an <inertial> without one of them.
+        # urdfdom drops an <inertial> without mass or tensor.
         is_complete = all(one.mass and one.tensor for one in written)
         if reading is not None and is_complete:
             ours = reading.inertia(group)
@@ -73,7 +73,7 @@ def inertias(
 
 
 def _inertia(model: Any, body: int) -> tuple[float, Floats, Floats]:
-    """Mass, centre and tensor of a body in its frame."""
+    """Mass, centre and tensor of a body, in its frame."""
     axes = np.zeros(9)
     mujoco.mju_quat2Mat(axes, model.body_iquat[body])
     turned = axes.reshape(3, 3)
@@ -82,15 +82,15 @@ def _inertia(model: Any, body: int) -> tuple[float, Floats, Floats]:
 
 
 def joints(model: Any, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the joints differ in range, effort, damping and friction, as a part of them."""
-    known, by_name = names(model, "njnt"), robot.model.joints_by_name
+    """Relative differences of the joints in range, effort, damping and friction."""
+    indices, by_name = names(model, "njnt"), robot.model.joints_by_name
     followed, coupled = laws(by_name), 0
     for joint in by_name.values():
         if joint.kind in ONE_WAY:
             leader = by_name.get(followed[joint.name].leader) if joint.mimic else None
             coupled += leader is not None and leader.kind in ONE_WAY
-            found = known.get(joint.name)
-            yield (WHOLE if found is None else _joint(model, found, joint)), joint.name
+            index = indices.get(joint.name)
+            yield (WHOLE if index is None else _joint(model, index, joint)), joint.name
     yield (WHOLE if coupled != model.neq else 0.0), ""
 
 
@@ -120,7 +120,7 @@ def _ends(ours: tuple[float, float] | None, theirs: Floats | None) -> float:
 
 
 def residual(data: Any) -> float:
-    """How far joints are from where those that they follow put them, in rad or m."""
+    """Deviation of mimic joints from their leaders, in rad or m."""
     rows = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
     return float(np.abs(data.efc_pos[rows]).max(initial=0.0))
 
@@ -131,10 +131,10 @@ def shapes(
     placed: Mapping[str, Floats],
     written: Mapping[int, WrittenShape],
 ) -> Iterator[tuple[float, str]]:
-    """How much visuals and collisions differ in kind, place and size, as a part of their size.
+    """Differences of visuals and collisions in kind, pose and size, relative to their size.
 
     Args:
-        placed: the links at the pose of ``data``.
+        placed: frames of the links at the pose of ``data``.
         written: the geoms by the ``id`` of the element.
     """
     for link in robot.model.links:
@@ -169,16 +169,16 @@ def _shape(
 
 
 def _mesh(
-    model: Any, robot: Context, shape: Shape, found: WrittenShape, frames: Sequence[Floats]
+    model: Any, robot: Context, shape: Shape, written: WrittenShape, frames: Sequence[Floats]
 ) -> float:
-    """How far the bounding box of meshes is from that of the file, or simpler shapes outside it."""
+    """Deviation of the bounding boxes of meshes, or of simpler shapes outside of the mesh."""
     mesh = robot.meshes.mesh(shape)
     if mesh is None or not len(mesh.faces):
         return 0.0
     ours = mesh.vertices[np.unique(mesh.faces)] * np.multiply(shape.scale, mesh.unit)
     low, high = ours.min(axis=0), ours.max(axis=0)
-    if found.is_exact:
-        corners = [_vertices(model, geom) for geom in found.geoms]
+    if written.is_exact:
+        corners = [_vertices(model, geom) for geom in written.geoms]
         moved = [
             at @ frame[:3, :3].T + frame[:3, 3] for at, frame in zip(corners, frames, strict=True)
         ]
@@ -191,9 +191,9 @@ def _mesh(
 
 
 def _geom_frame(data: Any, geom: int) -> Floats:
-    found = np.eye(4)
-    found[:3, :3], found[:3, 3] = data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom]
-    return found
+    frame = np.eye(4)
+    frame[:3, :3], frame[:3, 3] = data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom]
+    return frame
 
 
 def _vertices(model: Any, geom: int) -> Floats:
@@ -201,5 +201,5 @@ def _vertices(model: Any, geom: int) -> Floats:
     mesh = model.geom_dataid[geom]
     first, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
     used = np.unique(model.mesh_face[first : first + count]) + model.mesh_vertadr[mesh]
-    found: Floats = model.mesh_vert[used].astype(float)
-    return found
+    vertices: Floats = model.mesh_vert[used].astype(float)
+    return vertices

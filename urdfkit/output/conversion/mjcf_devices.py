@@ -1,4 +1,4 @@
-"""What a robot acts with in MJCF: friction and actuators."""
+"""Friction and actuators in MJCF."""
 
 from collections.abc import Iterator
 
@@ -14,18 +14,18 @@ from urdfkit.ros.ros_control import components, driven_joints
 from urdfkit.text.document import Element
 
 #: Gains of actuators for positions, in N·m/rad or N/m, and for velocities, for each N·m or N of
-#: effort: a tenth of a radian, or a radian a second, asks for all of it.
+#: effort: an error of 0.1 rad, or of 1 rad/s, commands the full effort.
 POSITION_GAIN, VELOCITY_GAIN = 10.0, 1.0
-#: Interfaces that an actuator has.
+#: Interfaces for which an actuator exists.
 _KINDS = ("position", "velocity", "effort")
-#: Elements around an interface that are kept with it.
+#: Ancestors of an interface that are kept with it.
 _AROUND = ("joint", "transmission", "actuator")
-#: The effort of a joint without a limit, for the gains.
+#: Effort for the gains of a joint without a limit, in N·m or N.
 _EFFORT = 100.0
 
 
 def add_frictions(made: MjcfRobot, robot: Context) -> None:
-    """Gazebo's coefficients of friction; MuJoCo has one for both directions."""
+    """Apply Gazebo's friction coefficients; MuJoCo has one for both directions."""
     set_before: dict[str, list[Element]] = {}
     for block in robot.model.gazebo:
         link = block.get("reference") or ""
@@ -52,7 +52,7 @@ def add_frictions(made: MjcfRobot, robot: Context) -> None:
 
 
 def add_actuators(made: MjcfRobot, robot: Context) -> None:
-    """One for each joint that does not follow another; motors where nothing says how it moves."""
+    """Add an actuator for each joint without ``<mimic>``; a motor if no interface is defined."""
     commands = dict(_commands(robot))
     for joint in robot.model.joints:
         if joint.mimic or joint.kind not in ("revolute", "continuous", "prismatic"):
@@ -64,7 +64,7 @@ def add_actuators(made: MjcfRobot, robot: Context) -> None:
 
 
 def _record(made: MjcfRobot, at: Element, kind: str) -> None:
-    """What becomes of the interface that a joint is commanded by, and of what is around it."""
+    """Record the command interface of a joint, and its ancestors."""
     what = f"actuator for {kind}"
     made.losses.keep(at, what)
     for above in (at.parent, at.parent.parent if at.parent else None):
@@ -100,9 +100,9 @@ def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:
 
 
 def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
-    """What commands each joint, and the element that says so; the last one counts.
+    """Command interface of each joint, and its element; the last one counts.
 
-    Of several interfaces the first counts, but velocity for wheels.
+    Of several interfaces the first counts, except for wheels: velocity.
     """
     wheels = {joint.name for joint in robot.model.joints if joint.kind == "continuous"}
     for element, transmission in driven_joints(robot.model.transmissions):

@@ -25,11 +25,11 @@ from urdfkit.robot.model import Body, Link, Material, Shape
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
-#: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
+#: Geom groups of visuals, which MuJoCo's viewer shows, and collisions, which it hides.
 VISUAL_GROUP, COLLISION_GROUP = 2, 3
-#: A mesh that is thinner than this part of its size is flat, and becomes a plate of so many m.
+#: Relative thickness below which a mesh is flat; it becomes a plate of this thickness in m.
 FLAT, THICKNESS = 1e-6, 1e-3
-#: MuJoCo reads no mesh with fewer vertices.
+#: Least number of vertices of a mesh that MuJoCo accepts.
 _LEAST_VERTICES = 4
 
 KINDS = {
@@ -46,9 +46,9 @@ class Geoms:
     """The geoms, meshes and materials of a specification.
 
     Args:
-        files: where the file of each mesh lies, by the ``id`` of the reference.
-        directory: that the paths of the files begin in; others are added there.
-        options: what becomes of a collision mesh, and whether there are visuals.
+        files: path of each mesh file, by the ``id`` of the reference.
+        directory: base of the paths; new files are added there.
+        options: replacement of collision meshes, and whether to add visuals.
     """
 
     def __init__(
@@ -72,9 +72,9 @@ class Geoms:
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
         self.shapes: dict[int, list[Any]] = {}  # the geoms, by the ``id`` of their element
-        self.hulls: list[Body] = []  # the collisions whose convex hulls collide
-        self.simpler: set[int] = set()  # the elements with simpler shapes than theirs
-        self.places: dict[str, Span] = {}  # where meshes of the specification are written, by name
+        self.hulls: list[Body] = []  # collisions that become convex hulls
+        self.simpler: set[int] = set()  # elements that become simpler shapes
+        self.places: dict[str, Span] = {}  # source locations of meshes, by name
         self._names, self._mesh_names, self._stems = FreeNames(), FreeNames(), FreeNames()
         for file in dict.fromkeys(files.values()):
             self._stems.take(_stem(file))
@@ -86,10 +86,10 @@ class Geoms:
         """Add the geoms of a link.
 
         Args:
-            frame: of the link, in that of the body.
+            frame: of the link, in the frame of the body.
 
         Returns:
-            Those that collide.
+            The geoms that collide.
 
         Raises:
             UrdfkitError: a shape that collides has no size.
@@ -129,7 +129,7 @@ class Geoms:
         return colliding
 
     def _name(self, geometry: Body, geoms: Iterable[Any]) -> None:
-        """Give the geoms of a visual or collision its name, with numbers where it is taken."""
+        """Name the geoms of a visual or collision after it, with numbers if the name is taken."""
         written = geometry.at.attributes.get("name")
         if written is None or not written.value:
             return
@@ -153,7 +153,7 @@ class Geoms:
     def _visual(
         self, body: Any, frame: Transform, link: Link, geometry: Body, piece: Piece
     ) -> None:
-        """One geom for each material."""
+        """Add a geom for each material."""
         assert geometry.shape is not None
         surfaces = [(piece, self._materials.of(link.name, "visual", geometry, None), False)]
         if geometry.shape.filename is not None:
@@ -171,7 +171,7 @@ class Geoms:
     def _surfaces(
         self, link: Link, geometry: Body, shape: Shape
     ) -> Iterator[tuple[Piece, SurfaceMaterial, bool]]:
-        """What a mesh consists of, with the material of each, and whether it has uv."""
+        """Parts of a mesh, with their materials, and whether they have texture coordinates."""
         assert shape.filename is not None
         loaded = self._robot.meshes.mesh(shape)
         file = self._files[id(shape.filename)]
@@ -205,7 +205,7 @@ class Geoms:
     def _tell_material(
         self, link: Link, geometry: Body, used: SurfaceMaterial, *, has_uv: bool
     ) -> None:
-        """What became of the material of a visual, or of its link in Gazebo."""
+        """Record the material of a visual, or of its link in Gazebo."""
         keep = self._losses.keep
         material = self._colours.of(geometry)
         if material is None:
@@ -246,7 +246,7 @@ class Geoms:
         self._losses.keep(texture, "texture")
 
     def _collided(self, geometry: Body, shape: Shape, size: tuple[float, ...]) -> Iterable[Piece]:
-        """What collides for a collision."""
+        """The colliding pieces of a collision."""
         if shape.filename is None:
             return (Piece(shape.kind, size),)
         file = self._files[id(shape.filename)]
@@ -270,7 +270,7 @@ class Geoms:
         return (Piece("mesh", size, mesh=mesh),)
 
     def _plate(self, geometry: Body, shape: Shape, file: str) -> Piece | None:
-        """A plate for a flat mesh, of which MuJoCo makes no hull; None for another mesh."""
+        """A plate for a flat mesh, of which MuJoCo cannot compute a hull; None for other meshes."""
         vertices = self._robot.meshes.vertices(shape)
         if vertices is None or not len(vertices):
             return None
@@ -287,24 +287,24 @@ class Geoms:
         return Piece("mesh", _NO_SIZE, mesh=name)
 
     def _simplified(self, geometry: Body, shape: Shape, file: str) -> tuple[list[Piece], str]:
-        """Simpler shapes for a mesh, and what they are; none where it is flat."""
+        """Simpler shapes for a mesh, and their description; empty if the mesh is flat."""
         # Its libraries take longer to import than most robots to convert.
         from urdfkit.output.conversion.simpler_collisions import simplified
 
-        found = simplified(self._robot, geometry, self._options.collision)
-        if found is None:
+        simpler = simplified(self._robot, geometry, self._options.collision)
+        if simpler is None:
             return [], ""
-        if found.primitive is not None:
-            return [found.primitive], found.note
+        if simpler.primitive is not None:
+            return [simpler.primitive], simpler.note
         pieces = []
-        for number, part in enumerate(found.meshes, 1):
+        for number, part in enumerate(simpler.meshes, 1):
             path = self._write(file, f"piece_{number}.stl", part)
             name = self._mesh(path, shape, is_visual=False)
             pieces.append(Piece("mesh", _NO_SIZE, mesh=name))
-        return pieces, found.note
+        return pieces, simpler.note
 
     def _write(self, file: str, name: str, mesh: Mesh) -> str:
-        """Add a mesh file that is made of another one; returns its path."""
+        """Write a new mesh file for a mesh; returns its path."""
         stem, suffix = os.path.splitext(name)
         directory = os.path.dirname(file)
         called = self._stems.take(f"{_stem(file)}_{stem}") + suffix
@@ -317,7 +317,7 @@ class Geoms:
     def _mesh(
         self, file: str, shape: Shape, scale: Vector = (1.0, 1.0, 1.0), *, is_visual: bool
     ) -> str:
-        """The name of a mesh of the specification."""
+        """Add a mesh to the specification; returns its name."""
         key = (file, scale, is_visual)
         if key not in self._meshes:
             self._meshes[key] = name = self._mesh_names.take(_stem(file))
@@ -333,7 +333,7 @@ def _stem(path: str) -> str:
 
 
 def _join_small(groups: dict[SurfaceMaterial, list[MeshPart]]) -> None:
-    """Give what is too small for a mesh of its own to the largest material."""
+    """Join parts that are too small for a mesh with the largest material."""
     counts = {material: _count_vertices(parts) for material, parts in groups.items()}
     largest = max(counts, key=lambda material: counts[material], default=None)
     for material, count in counts.items():
@@ -344,7 +344,7 @@ def _join_small(groups: dict[SurfaceMaterial, list[MeshPart]]) -> None:
 
 
 def has_few_vertices(robot: Context, shape: Shape) -> bool:
-    """True for a mesh that is too small for MuJoCo, such as one triangle."""
+    """True for a mesh that is too small for MuJoCo, such as a triangle."""
     mesh = robot.meshes.mesh(shape) if shape.filename else None
     if mesh is None or not 0 < len(mesh.faces) <= _LEAST_VERTICES:
         return False
@@ -352,13 +352,13 @@ def has_few_vertices(robot: Context, shape: Shape) -> bool:
 
 
 def _count_vertices(parts: Iterable[MeshPart]) -> int:
-    """Vertices at the same place are one."""
+    """Number of distinct vertices."""
     corners = np.concatenate([one.vertices[one.faces].reshape(-1, 3) for one in parts])
     return len(np.unique(corners, axis=0))
 
 
 def _size(shape: Shape) -> tuple[float, ...] | None:
-    """MuJoCo's size of a shape; None for one that is not over 0."""
+    """MuJoCo's size of a shape; None if a size is not positive."""
     if shape.kind == "mesh":
         return _NO_SIZE
     if shape.kind == "box":

@@ -1,4 +1,4 @@
-"""Settings of MuJoCo in a URDF: ``<mujoco>``, and those of mujoco_ros2_control."""
+"""MuJoCo settings in a URDF: ``<mujoco>``, and settings of mujoco_ros2_control."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from urdfkit.text.document import Element
 
 _MASSES = "it changes masses, and the conversion writes those of the robot"
 _FILES = "the conversion finds and copies the files"
-#: Why attributes of ``<compiler>`` are lost: they are for MuJoCo's reader of URDF.
+#: Why attributes of ``<compiler>`` are lost: they apply to MuJoCo's URDF parser.
 _COMPILER = {
     **dict.fromkeys(("balanceinertia", "boundinertia", "boundmass", "inertiafromgeom"), _MASSES),
     **dict.fromkeys(("inertiagrouprange", "settotalmass"), _MASSES),
@@ -29,10 +29,10 @@ _MERGED = "mujoco_ros2_control merges it into the MJCF; urdfkit does not"
 
 
 def add_options(made: MjcfRobot, robot: Context) -> None:
-    """Apply the options and the memory that the URDF sets, and record what becomes of the rest.
+    """Apply options and memory sizes of the URDF, and record other settings.
 
     Raises:
-        UrdfkitError: MuJoCo rejects one of them.
+        UrdfkitError: MuJoCo rejects a setting.
     """
     root = robot.document.root
     for element, spec in _read(robot):
@@ -76,7 +76,7 @@ def expected_options(robot: Context) -> Any:
 
 
 def _read(robot: Context) -> Iterator[tuple[Element, Any]]:
-    """Elements with options or sizes, each with a specification that has all options so far."""
+    """Elements with options or sizes, each with a specification with all options so far."""
     root = robot.document.root
     inputs = root.child("mujoco_inputs")
     before = ""
@@ -88,7 +88,7 @@ def _read(robot: Context) -> Iterator[tuple[Element, Any]]:
             try:
                 yield element, mujoco.MjSpec.from_string(f"<mujoco>{before}</mujoco>")
             except ValueError as error:
-                what = " ".join(str(error).partition("\n")[0].split())
+                message = " ".join(str(error).partition("\n")[0].split())
                 raise UrdfkitError(
-                    f"{element.span}: MuJoCo rejects <{element.tag}>: {what}; correct it"
+                    f"{element.span}: MuJoCo rejects <{element.tag}>: {message}; correct it"
                 ) from error

@@ -1,4 +1,4 @@
-"""Numbers as MuJoCo has them."""
+"""Conversion of rotations to MuJoCo's quaternions."""
 
 import mujoco
 import numpy as np
@@ -7,8 +7,8 @@ from urdfkit.core.spatial import Rotation
 
 
 def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:
-    """The unit quaternion of a rotation, its real part first."""
-    found = np.zeros(4)
-    mujoco.mju_mat2Quat(found, np.array(rotation).ravel())
-    w, x, y, z = map(float, found)
+    """Unit quaternion of a rotation, real part first."""
+    result = np.zeros(4)
+    mujoco.mju_mat2Quat(result, np.array(rotation).ravel())
+    w, x, y, z = map(float, result)
     return w, x, y, z

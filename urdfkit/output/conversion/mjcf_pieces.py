@@ -1,4 +1,4 @@
-"""What a shape of a URDF is made of in MJCF."""
+"""The geoms of a URDF shape in MJCF."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ class Piece(Record):
     """A geom in the frame of its visual or collision."""
 
     kind: str  # of the shape
-    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
+    size: tuple[float, ...]  # MuJoCo's size: half the edges; radius and half the length
     frame: Transform = Transform()
-    mesh: str = ""  # the name of its mesh; empty for a primitive
+    mesh: str = ""  # name of the mesh; empty for a primitive
 
 
 class WrittenShape(Record):
     """The geoms of a visual or collision."""
 
-    geoms: tuple[int, ...]  # their numbers
+    geoms: tuple[int, ...]  # indices
     is_exact: bool  # False for simpler shapes
 
 
 def halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
-    """Half the edges of a box; radius and half the length of what has them."""
+    """MuJoCo's size: half the edges of a box; radius and half the length of other shapes."""
     if kind == "box":
         return tuple(edge / 2 for edge in sizes)
     radius, *length = sizes

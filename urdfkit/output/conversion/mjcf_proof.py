@@ -1,4 +1,4 @@
-"""Compares the robot that MuJoCo reads from a file with the robot that Pinocchio computes."""
+"""Compares MuJoCo's model of a converted robot with Pinocchio's model of the robot."""
 
 from __future__ import annotations
 
@@ -30,34 +30,34 @@ from urdfkit.output.conversion.text_reading import read_text
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics
 from urdfkit.robot.kinematics import laws, positions
 
-#: Random poses that the frames and the dynamics are compared at.
+#: Number of random poses at which frames and dynamics are compared.
 POSES, DYNAMIC_POSES = 100, 10
-#: Bounds: of frames in m; of the others as a part.
+#: Bounds: of frames in m; of other differences relative.
 LENGTH, PART = 1e-9, 1e-6
-#: Of shapes: MuJoCo has the vertices of meshes in single precision.
+#: Bound of shapes: MuJoCo stores vertices of meshes in single precision.
 SHAPE = 1e-5
-#: A torque below the weight of the robot on a lever of so many metres is rounding.
+#: Lever in m: a torque below that of the robot's weight on it is a rounding error.
 LEVER = 1e-6
 #: Options of MuJoCo that the comparison depends on.
 _OPTIONS = ("gravity", "disableflags", "enableflags")
-#: Moving joints of the largest robot that is compared; beyond `MAX_JOINTS` with our own dynamics.
+#: Most moving joints of a robot that is compared; above `MAX_JOINTS`, with `OwnDynamics`.
 MAX_OWN = 1000
 
 
 class MjcfProof(Record):
     """The largest differences between MuJoCo and the robot."""
 
-    frames: float  # of the placement of a link, in m and of entries of its rotation
-    #: As a part of the largest entry: inertia of links that are fixed together, in the others of
-    #: the whole robot.
+    frames: float  # of link poses, in m and in entries of the rotation
+    #: Relative to the largest entry: inertia of links that are fixed together; mass matrix and
+    #: gravity torques of the whole robot.
     inertia: float
     mass_matrix: float
     gravity: float
-    joints: float  # of a range, effort, damping, friction or equality, as a part of it
-    shapes: float  # of the place or size of a visual or collision, as a part of its size
-    part: str  # that differs most; empty if none does
-    engine: str  # that MuJoCo is compared with
-    reader: str  # of the URDF
+    joints: float  # of ranges, efforts, damping, friction and equalities, relative
+    shapes: float  # of pose or size of visuals and collisions, relative to the size
+    part: str  # the link or joint that differs most; empty if there is no difference
+    engine: str  # the program that MuJoCo is compared with
+    reader: str  # the parser of the URDF
 
     @property
     def holds(self) -> bool:
@@ -90,7 +90,7 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
         written: the geoms of visuals and collisions, by the ``id`` of the element.
 
     Raises:
-        UrdfkitError: the robot has too many joints, or numbers that no robot has.
+        UrdfkitError: the robot has too many joints, or values that are out of range.
     """
     moving = sum(joint.kind != "fixed" for joint in robot.model.joints)
     if moving > MAX_OWN:
@@ -132,7 +132,7 @@ class _Poses:
     """A robot in MuJoCo and in Pinocchio at the same poses.
 
     Attributes:
-        reading: the URDF as Pinocchio reads it; None if it rejects it, or has no memory for it.
+        reading: the URDF as Pinocchio reads it; None if it rejects the URDF or runs out of memory.
     """
 
     def __init__(self, model: Any, robot: Context, *, is_large: bool) -> None:
@@ -143,7 +143,7 @@ class _Poses:
         self._coordinates = _Coordinates(model, robot, self._dynamics)
 
     def at(self, pose: Mapping[str, float]) -> tuple[Any, dict[str, Floats]]:
-        """MuJoCo's data at a pose, and where Pinocchio has the links there."""
+        """MuJoCo's data at a pose, and Pinocchio's frames of the links."""
         moved = positions(self._robot.tree, pose)
         self._coordinates.set(self._data, moved)
         mujoco.mj_forward(self._model, self._data)
@@ -155,8 +155,8 @@ class _Poses:
         """The largest differences at random poses.
 
         Returns:
-            Of a frame, with its link; of joints from those that they follow; of the mass matrix;
-            of the gravity torques.
+            Difference of a frame, with its link; of mimic joints from their leaders; of the mass
+            matrix; of the gravity torques.
         """
         far, coupled, matrix, gravity = (0.0, ""), 0.0, 0.0, 0.0
         dynamics, coordinates = self._dynamics, self._coordinates
@@ -200,7 +200,7 @@ class _Coordinates:
         self._is_compared = self._columns.any(axis=0)
 
     def set(self, data: Any, moved: Mapping[str, float]) -> None:
-        """Put the model into a pose of all joints that one number moves."""
+        """Set the positions of all joints with one degree of freedom."""
         for name, position in moved.items():
             if name in self._q:
                 data.qpos[self._q[name]] = position
@@ -209,27 +209,27 @@ class _Coordinates:
         """MuJoCo's mass matrix in Pinocchio's coordinates, (n, n)."""
         whole = np.zeros((self._model.nv, self._model.nv))
         mujoco.mj_fullM(self._model, data, whole)
-        found: Floats = self._columns.T @ whole @ self._columns
-        return found
+        matrix: Floats = self._columns.T @ whole @ self._columns
+        return matrix
 
     def gravity(self, data: Any) -> Floats:
         """Torque or force that holds each coordinate against gravity, (nv,), in N·m or N."""
-        found: Floats = self._columns.T @ data.qfrc_bias
-        return found
+        torques: Floats = self._columns.T @ data.qfrc_bias
+        return torques
 
     def compared(self, ours: Floats) -> Floats:
-        """Pinocchio's values for the coordinates that are compared; the others are 0."""
+        """Pinocchio's values of the compared coordinates; 0 for other coordinates."""
         mask = self._is_compared
         return ours * (np.outer(mask, mask) if ours.ndim == 2 else mask)
 
 
 def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
-    """The largest difference of a link's placement, and the name of the link."""
+    """The largest difference of a link pose, and the name of the link."""
     worst = (0.0, "")
     bodies = names(data.model, "nbody")
     for name, matrix in links.items():
-        part = data.body(name) if name in bodies else data.site(name)  # of a link that is merged
-        found = np.eye(4)
-        found[:3, :3], found[:3, 3] = part.xmat.reshape(3, 3), part.xpos
-        worst = max(worst, (float(np.abs(found - matrix).max()), name))
+        part = data.body(name) if name in bodies else data.site(name)  # merged link
+        frame = np.eye(4)
+        frame[:3, :3], frame[:3, 3] = part.xmat.reshape(3, 3), part.xpos
+        worst = max(worst, (float(np.abs(frame - matrix).max()), name))
     return worst

@@ -1,4 +1,4 @@
-"""A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
+"""A robot as MJCF: bodies, joints and equalities, built with MuJoCo's `MjSpec`."""
 
 from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import Any
@@ -24,24 +24,24 @@ from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.source import Span
 
-#: The least range that MuJoCo accepts of a joint, in rad or m.
+#: Least range of a joint that MuJoCo accepts, in rad or m.
 NARROWEST = 1e-6
 
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
-#: Joints that one number moves.
+#: Joint types with one degree of freedom.
 ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class MjcfRobot:
-    """The specification of a robot, built from the model that a check reads.
+    """The MuJoCo specification of a robot, built from urdfkit's model.
 
     Args:
-        robot: with a sound tree.
-        files: where the file of each mesh and texture lies, by the ``id`` of the reference.
-        directory: that the paths of the files begin in.
-        is_free: the root floats, and is not welded to the world.
+        robot: a robot with a valid tree.
+        files: path of each mesh and texture file, by the ``id`` of the reference.
+        directory: base of the paths.
+        is_free: True if the root floats, False if it is welded to the world.
 
     Raises:
         UrdfkitError: a joint or a shape has no meaning.
@@ -57,12 +57,12 @@ class MjcfRobot:
         is_free: bool,
     ) -> None:
         tree = robot.tree
-        self.losses = LossTable()  # what became of each part
+        self.losses = LossTable()  # result for each part
         self.spec = _empty(tree.model.name, directory)  # MuJoCo's
-        self.bodies: dict[str, Any] = {}  # of the links; several have one where they are merged
-        self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
-        self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
-        self.devices = FreeNames()  # of sites, sensors and cameras
+        self.bodies: dict[str, Any] = {}  # by link; merged links share a body
+        self.frames: dict[str, Transform] = {}  # of the links, in their bodies
+        self.geoms: dict[str, list[Any]] = {}  # colliding geoms, by link
+        self.devices = FreeNames()  # names of sites, sensors and cameras
         self._joint_names = FreeNames()
         for joint in tree.model.joints:
             self._joint_names.take(joint.name)
@@ -75,17 +75,17 @@ class MjcfRobot:
 
     @property
     def mesh_places(self) -> dict[str, Span]:
-        """Where the meshes of the specification are written, by name."""
+        """Source locations of the meshes of the specification, by name."""
         return self._geoms.places
 
     @property
     def hulls(self) -> list[Body]:
-        """The collisions whose convex hulls collide."""
+        """The collisions that become convex hulls."""
         return self._geoms.hulls
 
     @property
     def shapes(self) -> dict[int, WrittenShape]:
-        """The geoms of visuals and collisions, by the ``id`` of the element; once compiled."""
+        """The geoms of visuals and collisions, by the ``id`` of the element; after compilation."""
         return {
             key: WrittenShape(tuple(geom.id for geom in geoms), key not in self._geoms.simpler)
             for key, geoms in self._geoms.shapes.items()
@@ -109,7 +109,7 @@ class MjcfRobot:
             self._fill(link)
 
     def _merge(self, link: Link, joint: Joint) -> None:
-        """A link without a body of its own: a site where its frame is."""
+        """Add a merged link: a site at its frame."""
         parent = joint.parent_name
         self.bodies[link.name] = self.bodies[parent]
         self.frames[link.name] = frame = self.frames[parent] @ joint.origin
@@ -162,7 +162,7 @@ class MjcfRobot:
             self.losses.lose(joint.at.child(tag), reason)
 
     def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
-        """The joints of MuJoCo that make one of several coordinates."""
+        """Add several MuJoCo joints for a joint with several coordinates."""
         for at, (kind, axis) in enumerate(motions):
             made = body.add_joint(name=self._joint_names.take(f"{joint.name}[{at}]"), type=kind)
             if axis is not None:
@@ -199,14 +199,14 @@ class MjcfRobot:
             attribute = dynamics.attributes.get(name)
             value = number(attribute.value) if attribute else None
             if value is not None and value >= 0:
-                # A damping has three coefficients, of which the first is URDF's.
+                # MuJoCo's damping has three coefficients; the first one is URDF's.
                 setattr(made, field, (value, 0.0, 0.0) if field == "damping" else value)
                 self.losses.keep(attribute, field)
             else:
                 self.losses.lose(attribute, f"a {name} must be a number from 0 on")
 
     def _fill(self, link: Link) -> None:
-        """What a link holds, in its body."""
+        """Add the contents of a link to its body."""
         body = self.bodies[link.name]
         is_own = body.name == link.name
         self.losses.keep(link.at, f"body '{body.name}'" if is_own else f"site of '{body.name}'")
@@ -217,35 +217,36 @@ class MjcfRobot:
         self.geoms[link.name] = self._geoms.add(body, self.frames[link.name], link)
 
     def _inertial(self, body: Any, link: Link) -> None:
-        found = self._inertials.get(link.name)
-        if found is not None and (link.inertial or found.mass):
-            moments, axes = _principal(found.tensor)
+        inertial = self._inertials.get(link.name)
+        if inertial is not None and (link.inertial or inertial.mass):
+            moments, axes = _principal(inertial.tensor)
             body.explicitinertial = True
-            body.mass, body.ipos, body.inertia = found.mass, found.center, moments
+            body.mass, body.ipos, body.inertia = inertial.mass, inertial.center, moments
             body.iquat = quaternion(axes)
         if link.inertial is None:
             return
-        what = "inertial" if found else f"part of the inertial of body '{self._top(link.name)}'"
-        self.losses.keep(link.inertial.at, what)
+        note = f"part of the inertial of body '{self._top(link.name)}'"
+        note = "inertial" if inertial else note
+        self.losses.keep(link.inertial.at, note)
         for tag in ("mass", "inertia", "origin"):
-            self.losses.keep(link.inertial.at.child(tag), what)
+            self.losses.keep(link.inertial.at.child(tag), note)
 
     def _top(self, link: str) -> str:
-        """The link that bears the inertia of another one."""
+        """The link that has the inertia of another link."""
         while link not in self._inertials:
             joint = self._tree.parents[link][0]
             link = joint.parent_name
         return link
 
     def _couple(self, tree: KinematicTree) -> None:
-        """Equalities for what follows another joint."""
+        """Add equalities for mimic joints."""
         joints = tree.model.joints_by_name
-        known = laws(joints)
+        couplings = laws(joints)
         for joint in tree.model.joints:
             mimic = joint.mimic
             if mimic is None:
                 continue
-            leader, factor, shift = known[joint.name]
+            leader, factor, shift = couplings[joint.name]
             if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
                 self._lose_mimic(joint, leader)
                 continue
@@ -260,7 +261,7 @@ class MjcfRobot:
             self.losses.keep(mimic.at, "equality")
 
     def _lose_mimic(self, joint: Joint, leader: str) -> None:
-        """Record why a joint follows none; ``leader`` is empty for one that does not exist."""
+        """Record why a ``<mimic>`` is lost; ``leader`` is empty if the leader does not exist."""
         if joint.kind == "fixed":
             return
         if joint.kind not in ONE_WAY:
@@ -275,7 +276,7 @@ class MjcfRobot:
 
 
 def merged(robot: Context) -> frozenset[str]:
-    """Names of the fixed joints that need no body of their own, as one does that is measured."""
+    """Names of fixed joints whose links can be merged; a force-torque sensor needs a body."""
     measured = {one.reference for one in sensors(robot.model) if one.type == "force_torque"}
     fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
     return frozenset(fixed - measured)
@@ -286,8 +287,8 @@ def _inertials(
 ) -> Iterator[tuple[str, MassProperties]]:
     """The inertia of each body, about its own frame.
 
-    MuJoCo rejects a tensor that no body has, of a fixed link, too. What is fixed together then
-    has its inertia at its top, where the sum counts.
+    MuJoCo rejects an invalid tensor, also of a fixed link. The topmost of the links that are
+    fixed together then has their summed inertia.
     """
     fixed = {joint.name for joint in tree.model.joints if joint.kind == "fixed"}
     for group in rigid_bodies(tree, frozenset(fixed - merged_joints if merged_joints else ())):
@@ -296,7 +297,7 @@ def _inertials(
         top = group.top.name
         kept = sound - {top} if top in sound and not merged_joints else set()
         summed = _summed(group, kept)
-        if kept and not _is_physical(summed.tensor):  # the others do not weigh enough for that
+        if kept and not _is_physical(summed.tensor):  # the sum of the other links is invalid
             kept, summed = set(), _summed(group, set())
         yield top, summed
         for name in kept:
@@ -304,7 +305,7 @@ def _inertials(
 
 
 def _summed(group: RigidBody, apart: Container[str]) -> MassProperties:
-    """The inertia of a body but for some of its links, in the frame of the topmost."""
+    """The inertia of a body without some of its links, in the frame of the topmost link."""
     parts = [properties_of(link, frame) for link, frame in group.links if link.name not in apart]
     return combined(parts) if len(parts) > 1 else parts[0]
 
@@ -315,7 +316,7 @@ def _is_physical(tensor: Tensor) -> bool:
 
 
 def _principal(tensor: Tensor) -> tuple[Any, Rotation]:
-    """The principal moments, and their axes as a rotation."""
+    """Principal moments, and their axes as a rotation."""
     moments, axes = np.linalg.eigh(tensor.rows)
     axes[:, 0] *= np.sign(np.linalg.det(axes))
     first, second, third = (vector(row) for row in axes)
@@ -333,7 +334,7 @@ def _empty(name: str, directory: str) -> Any:
 
 
 def _plane(normal: tuple[float, float, float]) -> tuple[Any, Any, Any]:
-    """Two unit vectors across a third, right-handed, and that."""
+    """A right-handed basis of unit vectors, the last of which is ``normal``."""
     least = np.eye(3)[np.argmin(np.abs(normal))]
     first = np.cross(normal, least)
     first /= np.linalg.norm(first)

@@ -17,9 +17,9 @@ from urdfkit.ros.gazebo.poses import UnreadablePose, pose_in
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element
 
-#: Rays of a lidar at most, since each is a site and a sensor of its own, and rows of them.
+#: Most rays of a lidar, since each ray is a site and a sensor, and most rows of rays.
 MAX_RAYS, MAX_ROWS = 360, 16
-#: The group of their sites, which MuJoCo's viewer does not show.
+#: Group of the sites of rays, which MuJoCo's viewer hides.
 _HIDDEN = 4
 
 #: Gazebo's cameras look along x and have z up, MuJoCo's along -z and have y up.
@@ -76,23 +76,24 @@ def _pose(
 
     Args:
         parent: the element with the ``<pose>``.
-        outer: the pose of the element around it.
+        outer: pose of the enclosing element.
     """
     pose = parent.child("pose")
     try:
-        found = pose_in(parent, link, robot.tree)
+        inner = pose_in(parent, link, robot.tree)
     except UnreadablePose as error:
         made.losses.lose(pose, f"{error}; MJCF has none")
         return outer or Transform()
     made.losses.keep(pose, "pose")
     is_in_outer = pose is None or not pose.get("relative_to")
-    return outer @ found if outer and is_in_outer else found
+    return outer @ inner if outer and is_in_outer else inner
 
 
 def _wrench(made: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: Transform) -> None:
     """Force and torque that the parent of a joint applies to its child, at the sensor.
 
-    Gazebo reports them in the axes of the child or, as ``<frame>`` says, of the parent or sensor.
+    Gazebo reports them in the axes of the child or, according to ``<frame>``, of the parent or
+    sensor.
     """
     keep, settings = made.losses.keep, sensor.at.child("force_torque")
     frame = settings.child("frame") if settings else None
@@ -119,7 +120,7 @@ def _wrench(made: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: T
 def _measured(
     made: MjcfRobot, sensor: Sensor, body: Any, at: Transform, kinds: tuple[tuple[str, Any], ...]
 ) -> None:
-    """A site where a sensor is, and what it measures there."""
+    """Add a site for a sensor, and MuJoCo's sensors there."""
     name = made.devices.take(sensor.name or sensor.reference)
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
     for what, kind in kinds:
@@ -156,7 +157,7 @@ def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
 
 
 def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
-    """A rangefinder for each ray, along the z of a site; rows from below, each from the right."""
+    """Add a rangefinder per ray, along z of a site; rows from below, each row from the right."""
     scan = f"{sensor.lidar}/scan"
     rows = _angles(sensor, f"{scan}/vertical", MAX_ROWS)
     columns = _angles(sensor, f"{scan}/horizontal", MAX_RAYS // len(rows))
@@ -164,16 +165,16 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     farthest = sensor.number(f"{sensor.lidar}/range/max")
     name = made.devices.take(sensor.name or sensor.reference)
     for number, (up, turn) in enumerate(product(rows, columns)):
-        way = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
-        rotation = multiply(at.rotation, transposed(basis(way)))
+        along = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
+        rotation = multiply(at.rotation, transposed(basis(along)))
         ray = made.devices.take(f"{name}_{number}")
         body.add_site(name=ray, pos=at.position, quat=quaternion(rotation), group=_HIDDEN)
-        found = made.spec.add_sensor(
+        rangefinder = made.spec.add_sensor(
             name=ray, type=_SENSOR.mjSENS_RANGEFINDER, objtype=_OBJECT.mjOBJ_SITE, objname=ray
         )
-        found.intprm[0] = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
+        rangefinder.intprm[0] = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
         if farthest and 0 < farthest.value < np.inf:
-            found.cutoff = farthest.value
+            rangefinder.cutoff = farthest.value
             made.losses.keep(sensor.find(f"{sensor.lidar}/range"), "rangefinders")
             made.losses.keep(sensor.find(f"{sensor.lidar}/range/max"), "cutoff")
     made.losses.keep(sensor.at.parent, "body")
@@ -190,7 +191,7 @@ def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
 
 
 def _angles(sensor: Sensor, path: str, most: int) -> list[float]:
-    """The angles of the rays of a scan, in rad."""
+    """Angles of the rays of a scan, in rad."""
     first, last = (sensor.number(f"{path}/{end}_angle") for end in ("min", "max"))
     ends = (first.value if first else 0.0, last.value if last else 0.0)
     count = min(_samples(sensor, path), most)

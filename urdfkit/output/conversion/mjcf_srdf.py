@@ -1,4 +1,4 @@
-"""What MoveIt knows of a robot, in MJCF: links that may touch, and named states."""
+"""The SRDF in MJCF: disabled collisions, and named states as keyframes."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -15,7 +15,7 @@ from urdfkit.text.document import Element
 def exclude_neighbours(made: MjcfRobot, robot: Context) -> None:
     """Exclude pairs of links with a joint between them.
 
-    MuJoCo does so itself, but not where the parent is welded to the world.
+    MuJoCo excludes them itself unless the parent is welded to the world.
     """
     moving = (joint for joint in robot.model.joints if joint.kind != "fixed")
     _exclude(made, {frozenset(robot.tree.ends(joint) or ()) for joint in moving})
@@ -62,7 +62,7 @@ def add_keyframes(made: MjcfRobot, robot: Context) -> None:
 def _keyframe(
     made: MjcfRobot, robot: Context, data: Any, name: str, pose: dict[str, float]
 ) -> None:
-    """A state, with the targets of what holds positions."""
+    """Add a keyframe, with the targets of position actuators."""
     mujoco.mj_resetData(data.model, data)
     for joint, position in positions(robot.tree, pose).items():
         data.joint(joint).qpos[0] = position
@@ -73,11 +73,11 @@ def _keyframe(
 
 
 def _pose(state: Element, robot: Context) -> dict[str, float]:
-    """The positions of the joints of a state that one number moves."""
+    """Positions of the joints with one degree of freedom in a state."""
     moving = positions(robot.tree, {})
-    found: dict[str, float] = {}
+    pose: dict[str, float] = {}
     for joint in state.all("joint"):
         name, value = joint.get("name") or "", number((joint.get("value") or "").strip())
         if name in moving and value is not None:
-            found[name] = value
-    return found
+            pose[name] = value
+    return pose

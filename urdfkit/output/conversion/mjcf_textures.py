@@ -1,4 +1,4 @@
-"""Materials with images in MJCF."""
+"""Materials with textures in MJCF."""
 
 import os
 from typing import Any
@@ -18,18 +18,18 @@ class Textures:
     """The materials of a specification that have a texture; each image is written once.
 
     Args:
-        directory: that the paths of its files begin in.
+        directory: base of the paths of its files.
     """
 
     def __init__(self, spec: Any, directory: str) -> None:
         self._spec = spec
         self._directory = directory
         self._materials: dict[SurfaceMaterial, str] = {}
-        self._names: dict[bytes, str] = {}  # of the images
+        self._names: dict[bytes, str] = {}  # by image
         self._free, self._free_materials = FreeNames(), FreeNames()
 
     def material(self, surface: SurfaceMaterial) -> str:
-        """The name of the material of a surface; empty without an image that can be read."""
+        """Name of the material of a surface; empty if it has no readable image."""
         if surface not in self._materials:
             image = _png(surface)
             self._materials[surface] = self._added(surface, image) if image else ""
@@ -59,11 +59,11 @@ class Textures:
 def _png(surface: SurfaceMaterial) -> bytes | None:
     """The image of a surface as a PNG, the only format that MuJoCo reads; None without one.
 
-    A PNG is written anew: MuJoCo rejects some that others read.
+    A PNG is encoded again, because MuJoCo rejects some valid files.
     """
     try:
         data = texture_bytes(MeshMaterial(texture=surface.texture))
     except UnwritableMesh:
         return None
-    found = texture(data) if data else None
-    return found.png() if found else None
+    image = texture(data) if data else None
+    return image.png() if image else None

@@ -1,26 +1,26 @@
-"""How a robot is converted."""
+"""Options of a conversion."""
 
 from __future__ import annotations
 
 from urdfkit.core.record import Record
 
-#: What becomes of the root link.
+#: Base of the robot: welded to the world, or floating.
 BASES = ("auto", "fixed", "free")
-#: What becomes of the links of fixed joints: bodies of their own, or parts of their parents.
+#: Links of fixed joints: separate bodies, or parts of their parents.
 FIXED = ("keep", "merge")
-#: What becomes of a collision mesh: its convex hull, convex pieces of it, or what
-#: ``urdfkit mesh collision`` takes for it.
+#: Replacement of a collision mesh: its convex hull, convex pieces, or the shapes of
+#: ``urdfkit mesh collision``.
 COLLISIONS = ("hull", "decompose", "primitives")
-#: Which pairs of links do not collide: those that the SRDF disables, or those that
+#: Pairs of links that do not collide: pairs that the SRDF disables, or that
 #: ``urdfkit collisions`` finds.
 EXCLUSIONS = ("srdf", "computed")
 
 
 class ConversionOptions(Record):
-    """One of each of the above."""
+    """The chosen options."""
 
     base: str = "auto"
     fixed: str = "keep"
     collision: str = "hull"
     exclude: str = "srdf"
-    visuals: bool = True  # False for a simulation, which needs none
+    visuals: bool = True  # False for a simulation, which needs no visuals

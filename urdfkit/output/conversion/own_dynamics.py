@@ -1,4 +1,4 @@
-"""Dynamics of robots with more joints than Pinocchio has memory for.
+"""Dynamics of robots with too many joints for Pinocchio's memory.
 
 Composite rigid bodies (R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 6), with
 all spatial vectors at the origin of the root: angular parts first.
@@ -19,7 +19,7 @@ _GRAVITY = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 9.81])
 
 
 class OwnDynamics:
-    """What the proof asks of `urdfkit.physics.dynamics.robot.Dynamics`.
+    """The part of `urdfkit.physics.dynamics.robot.Dynamics` that the proof uses.
 
     Planar and floating joints stay at zero and have no coordinates.
     """
@@ -34,7 +34,7 @@ class OwnDynamics:
         self._order = tree.below(tree.roots[0].name)
 
     def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
-        """Where each link is in the frame of the root, as homogeneous matrices, (4, 4)."""
+        """Homogeneous matrices (4, 4) of the links in the frame of the root."""
         return {name: homogeneous(frame) for name, frame in frames(self._tree, pose).items()}
 
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
@@ -53,7 +53,7 @@ class OwnDynamics:
         return whole
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
-        """What each coordinate must bear to hold the robot still, (nv,)."""
+        """Gravity torque or force of each coordinate, (nv,)."""
         inertias = self._composites(pose)
         whole = np.zeros(len(self.columns))
         for name, axis in self._axes(pose).items():
@@ -64,32 +64,32 @@ class OwnDynamics:
         return whole
 
     def _add(self, whole: Floats, row: str, column: str, part: float) -> None:
-        """Add an entry of two joints to that of the coordinates that move them."""
+        """Add an entry of two joints to the entry of their coordinates."""
         (first, one, _), (second, other, _) = self._laws[row], self._laws[column]
         if first in self._numbers and second in self._numbers:
             whole[self._numbers[first], self._numbers[second]] += one * other * part
 
     def _axes(self, pose: Mapping[str, float]) -> dict[str, Floats]:
-        """The motion of what is below each joint, (6,)."""
-        placed, found = frames(self._tree, pose), {}
+        """Spatial axis of each joint, (6,)."""
+        placed, axes = frames(self._tree, pose), {}
         for name, joint in self._moving.items():
             frame = placed[joint.child_name]
             axis = np.array(rotate(frame.rotation, direction(joint)))
             turning = np.concatenate([axis, np.cross(frame.position, axis)])
             sliding = np.concatenate([np.zeros(3), axis])
-            found[name] = turning if joint.kind in TURNING else sliding
-        return found
+            axes[name] = turning if joint.kind in TURNING else sliding
+        return axes
 
     def _composites(self, pose: Mapping[str, float]) -> dict[str, Floats]:
-        """The inertia of each link with all that is below it, (6, 6)."""
+        """Composite inertia of each link and its descendants, (6, 6)."""
         placed = frames(self._tree, pose)
-        found = {}
+        inertias = {}
         for name in self._order:
-            found[name] = _spatial_inertia(self._tree, name, placed[name])
+            inertias[name] = _spatial_inertia(self._tree, name, placed[name])
         for name in reversed(self._order[1:]):
             parent = self._tree.parents[name][0].parent_name
-            found[parent] = found[parent] + found[name]
-        return found
+            inertias[parent] = inertias[parent] + inertias[name]
+        return inertias
 
 
 def _spatial_inertia(tree: KinematicTree, link: str, frame: Transform) -> Floats:

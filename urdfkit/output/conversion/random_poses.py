@@ -5,14 +5,14 @@ from random import Random
 
 from urdfkit.robot.model import Joint
 
-#: In rad or m: positions stay between these where no limit is nearer.
+#: Bound of positions, in rad or m, if the limit of a joint is larger or missing.
 _REACH = 3.0
 
 
 def random_poses(joints: Iterable[Joint], count: int) -> Iterator[dict[str, float]]:
-    """Poses within the limits of joints, in rad or m by name; the first one is empty: all at zero.
+    """Poses within the limits of joints, in rad or m by name; the first pose is all zeros (empty).
 
-    They are the same in every run.
+    The poses are the same in every run.
     """
     ranges = {joint.name: _range(joint) for joint in joints}
     random = Random(0)

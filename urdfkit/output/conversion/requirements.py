@@ -1,4 +1,4 @@
-"""The robots that no simulator can be given: a part of them has no meaning."""
+"""Requirements of every conversion: each joint and number of the robot has a meaning."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ _NUMBERS = {
 
 
 def require_meaning(robot: Context) -> None:
-    """Raise an error at the first place that no number or motion can be taken from.
+    """Raise an error at the first number or joint without a meaning.
 
     Raises:
-        UrdfkitError: links and joints do not form one tree; a joint has no meaning; what should be
-            a number is none.
+        UrdfkitError: links and joints do not form one tree; a joint has no meaning; a value is not
+            a number.
     """
     if not robot.tree.is_sound:
         raise UrdfkitError(robot.tree.unsound)
     for joint in robot.model.joints:
-        for span, what in (*_unreadable(joint.at), *_meaningless(joint)):
-            raise UrdfkitError(f"{span}: joint '{joint.name}': {what}")
+        for span, problem in (*_unreadable(joint.at), *_meaningless(joint)):
+            raise UrdfkitError(f"{span}: joint '{joint.name}': {problem}")
     for link in robot.model.links:
-        for span, what in _unreadable(link.at):
-            raise UrdfkitError(f"{span}: link '{link.name}': {what}")
+        for span, problem in _unreadable(link.at):
+            raise UrdfkitError(f"{span}: link '{link.name}': {problem}")
 
 
 def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:

@@ -1,4 +1,4 @@
-"""The result of a conversion: the files, and what happened to each part of the robot."""
+"""The result of a conversion: files, and the result for each part of the robot."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import Entry, Result
 from urdfkit.text.source import shown
 
-#: The file that lists what became of each part; a directory with it is a conversion.
+#: Report file, with the result for each part; it marks a directory as a conversion.
 REPORT = "conversion.json"
 VERSION = 1
 
 
 class Proof(Protocol):
-    """How far what was written is from the robot."""
+    """Differences between the converted robot and the original."""
 
     @property
     def part(self) -> str:
-        """The name of the link or joint that differs most; empty if it is not known."""
+        """Name of the link or joint that differs most; empty if unknown."""
         ...
 
     @property
@@ -35,22 +35,22 @@ class Proof(Protocol):
 
     @property
     def agreed(self) -> str:
-        """What the proof shows, if it holds; a sentence."""
+        """Summary of a proof that holds; a sentence."""
         ...
 
     @property
     def disagreed(self) -> str:
-        """What it shows, if it does not hold: a sentence with the differences."""
+        """Summary of a proof that fails: a sentence with the differences."""
         ...
 
     def _asdict(self) -> dict[str, Any]: ...
 
 
 def proven(proof: Proof, robot: Context) -> Proof:
-    """A proof that holds.
+    """The same proof, if it holds.
 
     Raises:
-        UrdfkitError: it does not: at the link or joint that differs most.
+        UrdfkitError: the proof fails; located at the link or joint that differs most.
     """
     if not proof.holds:
         raise UrdfkitError(
@@ -65,10 +65,10 @@ class Conversion(Record):
 
     to: str  # the format
     file: str  # of the robot, in the directory
-    root: str  # "free" or "fixed" to the world; empty for a format that does not say it
-    counts: dict[str, int]  # of links, joints, geoms and devices, by what one of them is called
-    entries: tuple[Entry, ...]  # what became of each part of the robot
-    proof: Proof  # how far what was written is from the robot
+    root: str  # "free" or "fixed" to the world; empty for a format that does not define it
+    counts: dict[str, int]  # of links, joints, geoms and devices, by the singular noun
+    entries: tuple[Entry, ...]  # result for each part of the robot
+    proof: Proof  # differences between the converted robot and the original
 
     @property
     def facts(self) -> dict[str, Any]:
@@ -83,20 +83,20 @@ class Conversion(Record):
             "proof": {"holds": self.proof.holds, **self.proof._asdict()},
             "parts": [
                 {
-                    "part": one.part,
-                    "file": shown(one.span.source.path),
-                    "line": one.span.line,
-                    "result": one.result.value,
-                    "note": one.note,
+                    "part": entry.part,
+                    "file": shown(entry.span.source.path),
+                    "line": entry.span.line,
+                    "result": entry.result.value,
+                    "note": entry.note,
                 }
-                for one in self.entries
+                for entry in self.entries
             ],
         }
 
     def alike(self, result: Result) -> Iterator[tuple[str, list[Entry]]]:
-        """The parts with a result, those with one note together, in the order of the document.
+        """Parts with a result, grouped by note, in document order.
 
-        What is in an element with the same result goes without saying.
+        Parts inside an element with the same result are omitted.
         """
         parts: dict[str, list[Entry]] = {}
         last = ""

@@ -1,7 +1,7 @@
-"""SDF on disk: the model that Gazebo makes of a robot, in a directory that Gazebo loads.
+"""Conversion to SDF: the model that Gazebo makes of a robot, in a directory that Gazebo loads.
 
-Equal to what sdformat 14 to 16 write, but for the names of mesh files. What Gazebo rejects, and
-what sdformat and urdfdom read in a way of their own, is an error at its line.
+The SDF equals the output of sdformat 14 to 16, except for names of mesh files. A part that Gazebo
+rejects, or that sdformat or urdfdom misread, is an error at its line.
 """
 
 import os
@@ -43,7 +43,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory:
         atomic.make_directory(directory)
-        # SDF has none of the textures of a URDF.
+        # SDF does not support the textures of a URDF.
         meshes = (file for file in bundle.files() if file.path.startswith("meshes/"))
         write_files(meshes, directory)
         references = mesh_references(robot.model)
@@ -55,13 +55,13 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         losses = LossTable()
         record_losses(losses, conversion, model, bundle)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, REASONS))
-        found = Conversion("sdf", MODEL, "", sdf.counts, entries, proof)
-        found.write_report(directory)
-    return found
+        result = Conversion("sdf", MODEL, "", sdf.counts, entries, proof)
+        result.write_report(directory)
+    return result
 
 
 def _files(robot: Context, model: SdfModel) -> Iterator[BundledFile]:
-    """The model, and what Gazebo's list of models shows of it."""
+    """The model file, and the configuration file for Gazebo's list of models."""
     sdf = Tag("sdf", {"version": VERSION})
     sdf.append(model.tag)
     yield BundledFile(MODEL, _text(sdf), robot.source.path)

@@ -1,7 +1,7 @@
-"""What ``<gazebo>`` tags bring into an SDF, as sdformat distributes it.
+"""Contents of ``<gazebo>`` tags in an SDF, distributed as sdformat does.
 
-The tags of a link that is merged become those of the link that it is merged into, with sensors and
-lights at their new places. Source: ``ParseSDFExtension``, ``InsertSDFExtension*`` and
+The tags of a merged link move to the link that it is merged into, with new poses of sensors and
+lights. Source: ``ParseSDFExtension``, ``InsertSDFExtension*`` and
 ``ReduceSDFExtension*`` in parser_urdf.cc of sdformat 14 to 16.
 """
 
@@ -25,15 +25,15 @@ _SWITCHES = frozenset(
     "cfmDamping implicitSpringDamper provideFeedback selfCollide static turnGravityOff".split()
 )
 _TEXTS = frozenset(("fdir1", "material"))
-#: Of the settings of a link: in its collisions, below ``surface``, by the tag of SDF.
+#: Settings of a link that SDF has in its collisions, below ``surface``.
 _FRICTION = {"mu1": "mu", "mu2": "mu2", "fdir1": "fdir1"}
 _CONTACT = {"kp": "kp", "kd": "kd", "maxVel": "max_vel", "minDepth": "min_depth"}
 _COLLISION = {"laserRetro": "laser_retro", "maxContacts": "max_contacts"}
-#: Of those of a joint.
+#: Settings of a joint.
 _AXIS = {"springReference": "spring_reference", "springStiffness": "spring_stiffness"}
 _LIMIT = {"stopCfm": "cfm", "stopErp": "erp"}
 
-#: The tag of SDF that takes each setting.
+#: The tag of SDF that receives each setting.
 TAKERS = {
     "static": "model",
     **dict.fromkeys(("selfCollide", "turnGravityOff", "dampingFactor"), "link"),
@@ -44,24 +44,24 @@ TAKERS = {
 }
 
 _SCRIPTS = "file://media/materials/scripts/gazebo.material"
-#: That the converter reads.
+#: Largest integer that the converter reads.
 _LARGEST_INT = 2**31 - 1
 #: Tags with a pose in the frame of their link.
 POSED = ("light", "projector", "sensor")
 
 
 class GazeboBlock:
-    """What one ``<gazebo>`` holds."""
+    """Contents of a ``<gazebo>`` tag."""
 
     def __init__(self, block: Element) -> None:
         self.block = block
-        self.takers: set[str] = set()  # tags of SDF that have taken something from it
+        self.takers: set[str] = set()  # SDF tags that received a part of it
         self.origin = (block.get("reference") or "") if block.children else ""
-        self.moved = Transform()  # of the link that it came from last, in the one that it is in
-        self.settings: dict[str, str] = {}  # as SDF has them
+        self.moved = Transform()  # frame of its previous link in its present link
+        self.settings: dict[str, str] = {}  # in the format of SDF
         self.visual: list[Tag] = []  # for each visual
         self.collision: list[Tag] = []  # for each collision
-        self.others: list[tuple[Tag, Element]] = []  # SDF, and where it was written
+        self.others: list[tuple[Tag, Element]] = []  # SDF, and its source
         for child in block.children:
             if child.tag in ("visual", "collision"):
                 parts = self.visual if child.tag == "visual" else self.collision
@@ -72,7 +72,7 @@ class GazeboBlock:
                 self.others.append((copied(child), child))
 
     def concerns(self, tag: Tag, link: str) -> bool:
-        """True if it is for a visual or collision of the link that it is in now."""
+        """True if it applies to a visual or collision of its present link."""
         name = tag.get("name") or ""
         if link == self.origin:
             return LUMP not in name
@@ -80,90 +80,90 @@ class GazeboBlock:
 
 
 class GazeboBlocks:
-    """All ``<gazebo>`` tags of a robot, by what they refer to; empty for the model."""
+    """All ``<gazebo>`` tags of a robot, by reference; empty for the model."""
 
     def __init__(self, blocks: tuple[Element, ...]) -> None:
         self.all = [GazeboBlock(block) for block in blocks]
         self._by_name: dict[str, list[GazeboBlock]] = {}
-        for one in self.all:
-            self._by_name.setdefault(one.block.get("reference") or "", []).append(one)
+        for block in self.all:
+            self._by_name.setdefault(block.block.get("reference") or "", []).append(block)
 
     def merge(self, link: str, into: str, frame: Transform) -> None:
-        """Hand what a link has to the one that it is merged into.
+        """Move the blocks of a link to the link that it is merged into.
 
         Args:
-            frame: of the link, in that of the other.
+            frame: of the link, in the frame of ``into``.
         """
         moved = self._by_name.pop(link, [])
-        for one in moved:
-            one.moved = frame
-            for tag, at in one.others:
+        for block in moved:
+            block.moved = frame
+            for tag, at in block.others:
                 if tag.tag in POSED:
                     _move(tag, at, frame)
         if moved:
             self._by_name.setdefault(into, []).extend(moved)
         for several in self._by_name.values():
-            for one in several:
-                for tag, _ in one.others:
-                    _rename(tag, link, into, one.moved, frame)
+            for block in several:
+                for tag, _ in block.others:
+                    _rename(tag, link, into, block.moved, frame)
 
     def put_into_model(self, model: Tag) -> None:
-        for one in self._of(""):
-            one.takers.add("model")
-            if "static" in one.settings:
-                set_value(model, "static", one.settings["static"])
-            model.extend(tag for tag, _ in one.others)
+        for block in self._of(""):
+            block.takers.add("model")
+            if "static" in block.settings:
+                set_value(model, "static", block.settings["static"])
+            model.extend(tag for tag, _ in block.others)
 
     def put_into_link(self, tag: Tag, link: str) -> None:
-        for one in self._of(link):
-            one.takers.add("link")
-            if "turnGravityOff" in one.settings:
-                set_value(tag, "gravity", one.settings["turnGravityOff"])
-            if "dampingFactor" in one.settings:
+        for block in self._of(link):
+            block.takers.add("link")
+            if "turnGravityOff" in block.settings:
+                set_value(tag, "gravity", block.settings["turnGravityOff"])
+            if "dampingFactor" in block.settings:
                 decay = SubElement(tag, "velocity_decay")
                 for part in ("linear", "angular"):
-                    set_value(decay, part, one.settings["dampingFactor"])
-            if "selfCollide" in one.settings:
-                set_value(tag, "self_collide", str(int(one.settings["selfCollide"] == "true")))
-            tag.extend(deepcopy(other) for other, _ in one.others)
+                    set_value(decay, part, block.settings["dampingFactor"])
+            if "selfCollide" in block.settings:
+                set_value(tag, "self_collide", str(int(block.settings["selfCollide"] == "true")))
+            tag.extend(deepcopy(other) for other, _ in block.others)
 
     def put_into_joint(self, tag: Tag, joint: str) -> None:
-        for one in self._of(joint):
-            one.takers.add("joint")
+        for block in self._of(joint):
+            block.takers.add("joint")
             dynamics = within(tag, "axis", "dynamics")
             physics = within(tag, "physics")
             ode = within(physics, "ode")
-            _put(one, dynamics, _AXIS)
-            _put(one, within(ode, "limit"), _LIMIT)
-            if "provideFeedback" in one.settings:
+            _put(block, dynamics, _AXIS)
+            _put(block, within(ode, "limit"), _LIMIT)
+            if "provideFeedback" in block.settings:
                 for place in (physics, ode):
-                    set_value(place, "provide_feedback", one.settings["provideFeedback"])
+                    set_value(place, "provide_feedback", block.settings["provideFeedback"])
             for name in ("cfmDamping", "implicitSpringDamper"):
-                if name in one.settings:
-                    set_value(ode, "implicit_spring_damper", one.settings[name])
-                    set_value(ode, "cfm_damping", one.settings[name])
-            _put(one, ode, {"fudgeFactor": "fudge_factor"})
-            tag.extend(deepcopy(other) for other, _ in one.others)
+                if name in block.settings:
+                    set_value(ode, "implicit_spring_damper", block.settings[name])
+                    set_value(ode, "cfm_damping", block.settings[name])
+            _put(block, ode, {"fudgeFactor": "fudge_factor"})
+            tag.extend(deepcopy(other) for other, _ in block.others)
 
     def put_into_collision(self, tag: Tag, link: str) -> None:
-        for one in self._of(link):
-            if not one.concerns(tag, link):
+        for block in self._of(link):
+            if not block.concerns(tag, link):
                 continue
-            one.takers.add("collision")
-            _put_parts(tag, one.collision, "surface")
-            _put(one, within(tag, "surface", "contact", "ode"), _CONTACT)
-            _put(one, within(tag, "surface", "friction", "ode"), _FRICTION)
-            _put(one, tag, _COLLISION)
+            block.takers.add("collision")
+            _put_parts(tag, block.collision, "surface")
+            _put(block, within(tag, "surface", "contact", "ode"), _CONTACT)
+            _put(block, within(tag, "surface", "friction", "ode"), _FRICTION)
+            _put(block, tag, _COLLISION)
 
     def put_into_visual(self, tag: Tag, link: str) -> None:
-        for one in self._of(link):
-            if not one.concerns(tag, link):
+        for block in self._of(link):
+            if not block.concerns(tag, link):
                 continue
-            one.takers.add("visual")
-            _put_parts(tag, one.visual, "material")
-            if one.settings.get("material"):
+            block.takers.add("visual")
+            _put_parts(tag, block.visual, "material")
+            if block.settings.get("material"):
                 script = within(tag, "material", "script")
-                set_value(script, "name", one.settings["material"])
+                set_value(script, "name", block.settings["material"])
                 set_value(script, "uri", _SCRIPTS)
 
     def _of(self, name: str) -> Iterator[GazeboBlock]:
@@ -171,7 +171,7 @@ class GazeboBlocks:
 
 
 def set_value(tag: Tag, name: str, text: str) -> Tag:
-    """Give a tag a child with a text, in place of the one that it has."""
+    """Set the text of a child, which replaces an existing child of that name."""
     old = child_of(tag, name)
     if old is not None:
         tag.remove(old)
@@ -181,12 +181,12 @@ def set_value(tag: Tag, name: str, text: str) -> Tag:
 
 
 def child_of(tag: Tag, name: str) -> Tag | None:
-    """The first child of a name; names may have colons that are no prefixes."""
+    """The first child with a name; a colon in the name is not a namespace prefix."""
     return next((child for child in tag if child.tag == name), None)
 
 
 def _setting(child: Element) -> str:
-    """The value of a setting, as SDF has it.
+    """The value of a setting in the format of SDF.
 
     Raises:
         UrdfkitError: it begins with no number where one must stand, or with one that is too large.

@@ -28,9 +28,9 @@ REASONS = {
     "color": "no visual takes its colour",
 }
 
-#: Which settings and parts of a ``<gazebo>`` are for what.
+#: Descriptions of the tags that settings and parts of a ``<gazebo>`` apply to.
 _FOR = {"visual": "a visual", "collision": "a collision", "link": "a link", "joint": "a joint"}
-#: Of a rotation: what counts as another one.
+#: Least difference of two rotations that counts.
 _TURNED = 1e-9
 
 
@@ -40,8 +40,8 @@ def record_losses(
     """Record what the conversion did with each part of a robot.
 
     Args:
-        model: that was made of it.
-        bundle: whose files were written.
+        model: the resulting SDF model.
+        bundle: the written files.
     """
     root = conversion.model.root
     losses.keep(root, "model")
@@ -102,7 +102,7 @@ def _shapes(losses: LossTable, conversion: SdfConversion, model: SdfModel) -> No
 
 
 def _colour(losses: LossTable, body: Body, defined: Material | None, model: SdfModel) -> None:
-    """What becomes of the material of a visual, of which ``defined`` has the colour."""
+    """Record the material of a visual; ``defined`` has its colour."""
     if body.material is None or defined is None:
         return
     if id(body.at) not in model.coloured:
@@ -125,7 +125,7 @@ def _shape(losses: LossTable, body: Body, name: str, frame: Transform) -> None:
 def _origin(
     losses: LossTable, at: Element, frame: Transform, what: str, *, is_turned: bool
 ) -> None:
-    """A frame; urdfdom takes a pitch near a right angle for one where ``is_turned``."""
+    """Record an origin; if ``is_turned``, urdfdom rounds a pitch near 90 degrees to 90 degrees."""
     origin = at.child("origin")
     losses.keep(origin, what)
     off = _apart(frame.rotation, from_rpy(*snapped_rpy(frame.rotation))) if is_turned else 0.0
@@ -172,7 +172,7 @@ def _of_axis(losses: LossTable, joint: Joint, part: Element) -> None:
 
 
 def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -> None:
-    """What ``<gazebo>`` holds, each child in what took it."""
+    """Record the children of a ``<gazebo>``, with the tags that received them."""
     block, reference = one.block, one.block.get("reference") or ""
     joint = conversion.model.joints_by_name.get(reference)
     if not one.takers and not any(child.tag in KEEPING_TAGS for child in block.children):
@@ -206,7 +206,7 @@ def _keep_all(losses: LossTable, root: Element, what: str) -> None:
 
 
 def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:
-    """Why nothing takes a block."""
+    """Why a block is ignored."""
     if joint is not None and reference not in conversion.joint_names:
         return f"joint '{reference}' is merged or dropped"
     if reference in conversion.dropped:

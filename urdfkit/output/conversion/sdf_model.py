@@ -1,8 +1,8 @@
-"""The model of an SDF: what sdformat makes of a URDF.
+"""The SDF model that sdformat creates from a URDF.
 
-Fixed joints are merged, but for preserved ones: a link has the mass and the shapes of all links
-that are merged into it, which stay as frames. Source: parser_urdf.cc of sdformat 14 to 16, which
-writes the same SDF; names and survivors come from `urdfkit.ros.gazebo.conversion`.
+Links of fixed joints are merged, except preserved ones: a link has the mass and the shapes of all
+links merged into it, which remain as frames. Source: parser_urdf.cc of sdformat 14 to 16, which
+writes the same SDF; names and merged links come from `urdfkit.ros.gazebo.conversion`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,7 +20,7 @@ from urdfkit.robot.values import number, vector
 from urdfkit.ros.gazebo.conversion import WORLD, SdfConversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.values import is_true
 
-#: The version that sdformat 14 to 16 write for a URDF.
+#: SDF version that sdformat 14 to 16 write for a URDF.
 VERSION = "1.11"
 
 
@@ -32,7 +32,7 @@ class SdfModel:
         uris: of the mesh files, by the ``id`` of the reference.
 
     Raises:
-        UrdfkitError: sdformat would compute numbers that are none.
+        UrdfkitError: sdformat would compute NaN or infinity.
     """
 
     def __init__(self, conversion: SdfConversion, uris: Mapping[int, str]) -> None:
@@ -43,7 +43,7 @@ class SdfModel:
             link.name: frame for body in conversion.links for link, frame in body.body.links
         }
         self.extensions = GazeboBlocks(conversion.model.gazebo)
-        self.coloured: set[int] = set()  # the visuals that have the colour of the URDF, by ``id``
+        self.coloured: set[int] = set()  # visuals with the colour of the URDF, by ``id``
         self._inertias = Inertias(conversion.model.links)
         self.tag = self._made()
 
@@ -97,7 +97,7 @@ class SdfModel:
         return tag
 
     def _part(self, kind: str, name: str, body: Body, frame: Transform) -> Tag:
-        """A visual or collision, in the frame of the link that it is merged into."""
+        """A visual or collision in the frame of the link that it is merged into."""
         tag = Tag(kind, {"name": name})
         at = frame @ body.origin
         set_value(tag, "pose", pose_text(at.position, snapped_rpy(at.rotation)))
@@ -138,7 +138,7 @@ class SdfModel:
 
 
 def is_hinge(joint: Joint, conversion: SdfConversion) -> bool:
-    """True for a fixed joint that an old tag makes a revolute one without a range."""
+    """True for a fixed joint that a legacy tag turns into a revolute joint without a range."""
     tags = {
         child.tag
         for block in conversion.model.gazebo
@@ -150,12 +150,12 @@ def is_hinge(joint: Joint, conversion: SdfConversion) -> bool:
 
 
 def _children(tree: KinematicTree, name: str) -> list[Joint]:
-    """The joints below a link as urdfdom orders them, by name."""
+    """The child joints of a link in urdfdom's order, by name."""
     return sorted(tree.children[name], key=lambda joint: joint.name)
 
 
 def in_order(tree: KinematicTree) -> Iterator[str]:
-    """The links as sdformat visits them: depth first, by the names of their joints."""
+    """The links in sdformat's order: depth first, by the names of their joints."""
     stack = [tree.roots[0].name]
     while stack:
         name = stack.pop()
@@ -165,7 +165,7 @@ def in_order(tree: KinematicTree) -> Iterator[str]:
 
 
 def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
-    """The joints that vanish as sdformat merges their links: those furthest out first."""
+    """The joints whose links sdformat merges, deepest first."""
     tree = conversion.tree
     stack: list[tuple[str, Joint | None, bool]] = [(tree.roots[0].name, None, False)]
     while stack:
@@ -217,7 +217,7 @@ def _limit(tag: Tag, limit: Limit, *, has_range: bool) -> None:
 
 
 def _colour(visual: Tag, material: Material) -> bool:
-    """Give a visual the colour of its material; false where ``<gazebo>`` has one for it."""
+    """Set the colour of a visual; False if ``<gazebo>`` defines its material."""
     tag = child_of(visual, "material")
     tag = SubElement(visual, "material") if tag is None else tag
     if child_of(tag, "diffuse") is not None or child_of(tag, "ambient") is not None:

@@ -19,9 +19,9 @@ from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.document import Element
 
-#: Random poses that the frames are compared at.
+#: Number of random poses at which frames are compared.
 POSES = 20
-#: Bounds: of frames and centres of mass in m; of the others relative to the largest entry.
+#: Bounds: of frames and centres of mass in m; of other differences relative to the largest entry.
 LENGTH, PART = 1e-9, 1e-6
 #: Bound of inertia where sdformat rounds a pitch near 90 degrees to 90 degrees.
 ROUNDED = 1e-2
@@ -30,15 +30,15 @@ ROUNDED = 1e-2
 class SdfProof(Record):
     """The largest differences between an SDF and the robot."""
 
-    frames: float  # of the placement of a link, in m and of entries of its rotation
-    masses: float  # of links that are merged, as a part of the mass
-    centers: float  # of their centres of mass, in m
-    inertia: float  # of their tensors, as a part of the largest entry
-    joints: float  # of a limit, as a part of it; 1 for other ends or another kind
-    shapes: float  # of the placement of a visual or collision, in m and of entries of its rotation
-    missing: int  # visuals and collisions that should be there
-    is_rounded: bool  # True if sdformat takes a pitch for a right angle in what it merges
-    part: str  # whose frame differs most
+    frames: float  # of link poses, in m and in entries of the rotation
+    masses: float  # of merged links, relative to the mass
+    centers: float  # of centres of mass of merged links, in m
+    inertia: float  # of tensors of merged links, relative to the largest entry
+    joints: float  # of limits, relative; 1 for other parent, child or type
+    shapes: float  # of poses of visuals and collisions, in m and in entries of the rotation
+    missing: int  # number of missing visuals and collisions
+    is_rounded: bool  # True if sdformat rounds a pitch to 90 degrees in a merged link
+    part: str  # the link whose frame differs most
 
     @property
     def holds(self) -> bool:
@@ -65,18 +65,18 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
     """Compare an SDF with a robot.
 
     Args:
-        conversion: says which links Gazebo drops.
+        conversion: has the links that Gazebo drops.
     """
     tree = robot.tree
-    kept = [name for name in tree.parents if name not in conversion.dropped and name != "world"]
+    names = [name for name in tree.parents if name not in conversion.dropped and name != "world"]
     worst = (0.0, "")
-    for given in random_poses(tree.model.joints, POSES):
-        ours, theirs = frames(tree, given), sdf.placed(kept, positions(tree, given))
+    for sample in random_poses(tree.model.joints, POSES):
+        ours, theirs = frames(tree, sample), sdf.placed(names, positions(tree, sample))
         root = ours[tree.roots[0].name]
-        for name in kept:
+        for name in names:
             worst = max(worst, (_apart(root.inverse @ ours[name], theirs[name]), name))
     groups: dict[str, list[str]] = {}
-    for name in kept:
+    for name in names:
         groups.setdefault(sdf.link_of(name), []).append(name)
     masses = [*_masses(sdf, tree, groups)]
     mass, center, tensor = (max((one[i] for one in masses), default=0.0) for i in range(3))
@@ -102,7 +102,7 @@ def _apart(one: Transform, other: Transform) -> float:
 
 
 def _off(ours: Transform, theirs: Transform) -> float:
-    """How far apart two shapes are; where urdfdom rounds the rotation, only by position."""
+    """Difference of two shape poses; only of position if urdfdom rounds the rotation."""
     is_rounded = abs(ours.rotation[2][0]) >= SNAP
     apart = _apart(ours, theirs)
     return (
@@ -113,10 +113,10 @@ def _off(ours: Transform, theirs: Transform) -> float:
 def _masses(
     sdf: Sdf, tree: KinematicTree, groups: Mapping[str, list[str]]
 ) -> Iterator[tuple[float, float, float]]:
-    """How much mass, centre and tensor of each link differ from those of what belongs to it.
+    """Differences of mass, centre and tensor of each SDF link from its links of the robot.
 
     Args:
-        groups: the links of the robot by the link of the SDF that they belong to.
+        groups: links of the robot by the link of the SDF.
     """
     at_zero, links = frames(tree, {}), tree.model.links_by_name
     for top, names in groups.items():
@@ -131,7 +131,7 @@ def _masses(
 def _shapes(
     sdf: Sdf, tree: KinematicTree, groups: Mapping[str, list[str]]
 ) -> Iterator[tuple[float, int]]:
-    """How far visuals and collisions are from the robot's nearest, and how many are missing."""
+    """Distance of shapes from the nearest shape of the robot, and number of missing shapes."""
     at_zero, links = frames(tree, {}), tree.model.links_by_name
     for top, names in groups.items():
         for kind in ("visual", "collision") if top else ():
@@ -165,7 +165,7 @@ def _different(ours: MassProperties, theirs: MassProperties) -> tuple[float, flo
 
 
 def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[float]:
-    """How much the joints differ: in their ends and kind by 1, in limits by a part."""
+    """Differences of the joints: 1 for other links or type, else relative differences of limits."""
     for joint in robot.model.joints:
         if joint.child_name in conversion.dropped or joint.kind == "fixed":
             continue
@@ -193,12 +193,12 @@ def _limits(tag: Element, joint: Joint) -> Iterator[float]:
     for name, one in (("effort", joint.limit.effort), ("velocity", joint.limit.velocity)):
         wanted[name] = one.value if one else 0.0
     for name, value in wanted.items():
-        found = number(text(limit, name))
-        yield 1.0 if found is None else abs(found - value) / (abs(value) or 1.0)
+        converted = number(text(limit, name))
+        yield 1.0 if converted is None else abs(converted - value) / (abs(value) or 1.0)
 
 
 def _is_rounded(tree: KinematicTree) -> bool:
-    """True if a frame has a pitch that urdfdom takes for a right angle."""
+    """True if a frame has a pitch that urdfdom rounds to 90 degrees."""
     fixed = (joint.origin for joint in tree.model.joints if joint.kind == "fixed")
     own = (link.inertial.origin for link in tree.model.links if link.inertial)
     return any(abs(at.rotation[2][0]) >= SNAP for at in (*fixed, *own))

@@ -1,7 +1,7 @@
 """Reads an SDF model by the semantics of SDF 1.7 to 1.11.
 
-Nothing here knows how the file was made: frames come from ``relative_to`` and ``attached_to``,
-bodies from what is attached to a link.
+The reader is independent of the writer: frames come from ``relative_to`` and ``attached_to``,
+bodies from the frames that are attached to a link.
 """
 
 from collections.abc import Iterable, Mapping
@@ -18,7 +18,7 @@ class Sdf:
     """The model in an SDF file.
 
     Raises:
-        UrdfkitError: it holds none.
+        UrdfkitError: the file has no model.
     """
 
     def __init__(self, source: Source) -> None:
@@ -40,40 +40,40 @@ class Sdf:
         }
 
     def link_of(self, name: str) -> str:
-        """The link that a link or frame belongs to; empty if there is none."""
-        seen = set()
-        while name in self._frames and name not in seen:
-            seen.add(name)
+        """The link that a link or frame is attached to; empty if there is none."""
+        visited = set()
+        while name in self._frames and name not in visited:
+            visited.add(name)
             name = self._frames[name].get("attached_to") or ""
         return name if name in self.links else ""
 
     def placed(self, names: Iterable[str], moved: Mapping[str, float]) -> dict[str, Transform]:
-        """Where links and frames are in the model.
+        """Poses of links and frames in the model.
 
         Args:
             moved: positions of joints in rad or m, by name.
 
         Raises:
-            UrdfkitError: one of them is nowhere.
+            UrdfkitError: the pose of a frame is undefined.
         """
-        found: dict[str, Transform] = {"__model__": Transform(), "world": Transform()}
+        poses: dict[str, Transform] = {"__model__": Transform(), "world": Transform()}
         known = {*self.links, *self._frames, *self.joints}
-        for wanted in names:
+        for target in names:
             steps: list[tuple[str, Transform]] = []
-            name = wanted
-            while name not in found:
+            name = target
+            while name not in poses:
                 if name not in known or len(steps) > len(known):
-                    raise UrdfkitError(f"the SDF does not say where '{wanted}' is")
+                    raise UrdfkitError(f"the SDF does not define the pose of '{target}'")
                 before, step = self._step(name, moved)
                 steps.append((name, step))
                 name = before
             for one, step in reversed(steps):
-                found[one] = found[name] @ step
+                poses[one] = poses[name] @ step
                 name = one
-        return found
+        return poses
 
     def _step(self, name: str, moved: Mapping[str, float]) -> tuple[str, Transform]:
-        """What a link, frame or joint is relative to, and where it is in that."""
+        """The frame that a link, frame or joint is relative to, and its pose in that frame."""
         if name in self.joints:
             joint = self.joints[name]
             before, at = pose(joint)

@@ -1,4 +1,4 @@
-"""The robots of which no SDF is written: Gazebo has none, or reads them in a way of its own."""
+"""Robots that cannot be converted to SDF: Gazebo rejects or misreads them."""
 
 from collections.abc import Iterator
 
@@ -12,23 +12,25 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
-#: What urdfdom reads, and what each of them needs.
+#: Shapes that urdfdom reads, and the attribute that each shape requires.
 _SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
 
-#: Elements within one another that tinyxml2 reads, with which sdformat reads a URDF.
+#: Greatest depth of nested elements in tinyxml2, which sdformat uses.
 _MAX_DEPTH = 500
 
 
 def require(robot: Context, conversion: SdfConversion) -> None:
-    """Raise an error at the first place for which no SDF can be written.
+    """Raise an error at the first part that cannot be converted to SDF.
 
     Raises:
-        UrdfkitError: Gazebo rejects the robot, or reads a part of it that it calls wrong.
+        UrdfkitError: Gazebo rejects the robot, or loses a part of it.
     """
     diagnostics = run_rules(robot, sorted(CODES)).diagnostics
-    for one in rejections(diagnostics, conversion):
-        remedy = f"; see: urdfkit explain {one.code}" if one.code else ""
-        raise UrdfkitError(f"{one.span}: {one.reader} rejects the robot: {one.message}{remedy}")
+    for rejection in rejections(diagnostics, conversion):
+        hint = f"; see: urdfkit explain {rejection.code}" if rejection.code else ""
+        raise UrdfkitError(
+            f"{rejection.span}: {rejection.reader} rejects the robot: {rejection.message}{hint}"
+        )
     for diagnostic in diagnostics:
         if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
             raise UrdfkitError(
@@ -60,7 +62,7 @@ def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
 
 
 def _too_deep(root: Element) -> Element | None:
-    """The first element that has too many around it."""
+    """The first element that is nested too deeply."""
     stack = [(root, 1)]
     while stack:
         element, depth = stack.pop()

@@ -1,16 +1,16 @@
-"""Numbers as sdformat writes them."""
+"""Numbers and poses as sdformat writes them."""
 
 from collections.abc import Iterable
 from math import asin, atan2, copysign, pi
 
 from urdfkit.core.spatial import Rotation, Vector
 
-#: urdfdom takes a pitch whose sine is larger for a right angle: 4.5 mrad around it.
+#: urdfdom rounds a pitch whose sine is larger to 90 degrees: within 4.5 mrad.
 SNAP = 0.99999
 
 
 def number_text(value: float) -> str:
-    """A number with 16 digits, and -0 as 0."""
+    """A number with 16 digits; -0 is written as 0."""
     return f"{value:.16g}" if value else "0"
 
 
@@ -19,18 +19,18 @@ def numbers_text(values: Iterable[float]) -> str:
 
 
 def pose_text(position: Vector, rpy: Vector) -> str:
-    """A pose as SDF has it: m and rad."""
+    """A pose in the format of SDF, in m and rad."""
     return numbers_text((*position, *rpy))
 
 
 def snapped_rpy(rotation: Rotation) -> Vector:
-    """Roll, pitch and yaw as urdfdom computes them: near a right angle the pitch is one.
+    """Roll, pitch and yaw as urdfdom computes them, with a rounded pitch near 90 degrees.
 
     Source: ``Rotation::getRPY`` in urdfdom_headers' pose.h.
     """
     (xx, xy, _), (yx, yy, _), (zx, zy, zz) = rotation
     if abs(zx) >= SNAP:
-        # Four times x * x, x * y and y * y of the quaternion: its x and y, but for a factor.
+        # Four times x * x, x * y and y * y of the quaternion: x and y up to a factor.
         squares = (1 + xx - yy - zz, xy + yx, 1 - xx + yy - zz)
         x, y = squares[:2] if squares[0] > squares[2] else squares[1:]
         return (0.0, copysign(pi / 2, -zx), 2 * atan2(x, -y))

@@ -1,4 +1,4 @@
-"""Simpler shapes for a collision mesh, and how far they are from it."""
+"""Simpler shapes for a collision mesh, and their deviation from it."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from urdfkit.robot.model import Body
 class SimplerCollision(Record):
     """A primitive or convex meshes."""
 
-    note: str  # what it is, and how far outside of the mesh
+    note: str  # the kind of shape, and its greatest distance outside of the mesh
     primitive: Piece | None = None
     meshes: tuple[Mesh, ...] = ()
 
 
 def simplified(robot: Context, geometry: Body, how: str) -> SimplerCollision | None:
-    """What stands for the mesh of a collision; None where it is flat or not there.
+    """Simpler shapes for the mesh of a collision; None if the mesh is flat or missing.
 
     Args:
         how: ``decompose`` or ``primitives``, as in `urdfkit.output.conversion.options.COLLISIONS`.
@@ -50,13 +50,13 @@ def _primitive(mesh: Mesh) -> SimplerCollision:
 def _pieces(mesh: Mesh) -> SimplerCollision:
     parts = decompose(mesh)
     count = len(parts.parts)
-    what = "its convex hull" if count == 1 else f"{count} convex pieces"
-    return SimplerCollision(_note(what, protrusion(parts, mesh)), meshes=_apart(parts))
+    shapes = "its convex hull" if count == 1 else f"{count} convex pieces"
+    return SimplerCollision(_note(shapes, protrusion(parts, mesh)), meshes=_apart(parts))
 
 
 def _apart(mesh: Mesh) -> tuple[Mesh, ...]:
     return tuple(mesh._replace(parts=(part,)) for part in mesh.parts)
 
 
-def _note(what: str, error: float) -> str:
-    return f"{what}, up to {error * 1e3:.3g} mm outside of the mesh"
+def _note(shapes: str, error: float) -> str:
+    return f"{shapes}, up to {error * 1e3:.3g} mm outside of the mesh"

@@ -1,4 +1,4 @@
-"""A robot as Pinocchio reads its URDF, without urdfkit's model of it."""
+"""A URDF as Pinocchio reads it, independent of urdfkit's model."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from urdfkit.robot.rigid_bodies import RigidBody
 
 
 def read_text(text: bytes) -> TextReading | None:
-    """A URDF without xacro; None if Pinocchio rejects it."""
+    """Read a URDF without xacro; None if Pinocchio rejects it."""
     try:
         with _silenced():
             return TextReading(pin.buildModelFromXML(text.decode("utf-8", "replace")))
@@ -26,7 +26,7 @@ class TextReading:
     """Frames and masses of a URDF.
 
     Args:
-        model: of Pinocchio's reader, with the root fixed.
+        model: model of Pinocchio's reader, with the root fixed.
     """
 
     def __init__(self, model: pin.Model) -> None:
@@ -34,10 +34,10 @@ class TextReading:
         self._data = model.createData()
 
     def placements(self, positions: Mapping[str, float]) -> dict[str, Floats]:
-        """Where each link is in the frame of the root, as homogeneous matrices, (4, 4).
+        """Homogeneous matrices (4, 4) of the links in the frame of the root.
 
         Args:
-            positions: of all joints that one number moves, in rad or m.
+            positions: of all joints with one degree of freedom, in rad or m.
         """
         q = pin.neutral(self._model)
         for number, name in enumerate(self._model.names):
@@ -54,20 +54,20 @@ class TextReading:
         }
 
     def inertia(self, body: RigidBody) -> Floats:
-        """The pseudo-inertia of links that are fixed together, (4, 4), in the topmost's frame."""
+        """Pseudo-inertia of links that are fixed together, (4, 4), in the topmost link's frame."""
         number = self._model.getJointId(body.joint.name) if body.joint else 0
-        found: Floats = self._model.inertias[number].toPseudoInertia().toMatrix()
-        return found
+        matrix: Floats = self._model.inertias[number].toPseudoInertia().toMatrix()
+        return matrix
 
 
 @contextmanager
 def _silenced() -> Iterator[None]:
-    """Nothing on the standard error of the process, to which urdfdom writes what it rejects."""
-    kept = os.dup(2)
-    with open(os.devnull, "wb") as nothing:
-        os.dup2(nothing.fileno(), 2)
+    """Discard the standard error of the process, to which urdfdom writes its errors."""
+    stderr = os.dup(2)
+    with open(os.devnull, "wb") as null:
+        os.dup2(null.fileno(), 2)
     try:
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(stderr, 2)
+        os.close(stderr)

@@ -1,4 +1,4 @@
-"""URDF on disk: the robot without xacro, in a directory with all files that it names."""
+"""Conversion to URDF: the robot without xacro, in a directory with all referenced files."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from urdfkit.text.document import Attribute, Element
 
 
 class UrdfProof(Record):
-    """What is different in the URDF that was written, when it is read again."""
+    """Differences between the robot and the written URDF, read again."""
 
-    elements: int  # that were compared with their attributes
-    different: int  # of them, apart from the names of files
-    missing: int  # files that it names and that are not there
+    elements: int  # number of compared elements
+    different: int  # number of different elements, ignoring file names
+    missing: int  # number of referenced files that do not exist
 
     @property
     def part(self) -> str:
@@ -54,13 +54,13 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
             "joint": len(robot.model.joints),
             "file": len(bundle.contents),
         }
-        found = Conversion("urdf", bundle.urdf, "", counts, entries, proof)
-        found.write_report(directory)
-    return found
+        conversion = Conversion("urdf", bundle.urdf, "", counts, entries, proof)
+        conversion.write_report(directory)
+    return conversion
 
 
 def prove(written: Context, robot: Context) -> UrdfProof:
-    """Compare a URDF that was written with the robot."""
+    """Compare the written URDF with the robot."""
     names = {id(one.filename.at) for one in robot.model.shapes if one.filename}
     names |= {id(one) for one in _texture_names(robot)}
     ours, theirs = ([*one.document.root.walk()] for one in (robot, written))
@@ -79,7 +79,7 @@ def _texture_names(robot: Context) -> list[Attribute]:
 def _content(
     element: Element, names: set[int], like: Element | None = None
 ) -> tuple[str, str, dict[str, str]]:
-    """The tag, text and attributes of an element, without the names of files."""
+    """Tag, text and attributes of an element, without file names."""
     attributes = (like or element).attributes
     left = {name for name, one in attributes.items() if id(one) in names}
     values = {name: one.value for name, one in element.attributes.items() if name not in left}

@@ -1,6 +1,6 @@
-"""USD on disk, by the converter of the Newton project, with its warnings at our lines.
+"""Conversion to USD by the converter of the Newton project, with its warnings at source lines.
 
-https://github.com/newton-physics/urdf-usd-converter, which takes a bundle of the robot.
+https://github.com/newton-physics/urdf-usd-converter, which reads a bundle of the robot.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ from urdfkit.text.editing.edits import remove_attribute, rename_attribute, repla
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import read_xml
 
-#: COLLADA is converted: what it says of units and axes is then applied as everywhere here.
+#: COLLADA is converted, to apply its units and axes as urdfkit does elsewhere.
 _CONSUMER = Consumer("usd", "urdf-usd-converter", (BINARY_STL, OBJ), ".obj")
-#: A warning to those who write the converter, not about the robot.
+#: Warnings about the converter, not about the robot.
 _OF_PROGRAM = re.compile(r"\bdeprecated\b", re.IGNORECASE)
 _AT_LINE = re.compile(r"(?:^|: )(?P<tag>[\w.-]+): (?P<text>.*) \(line: (?P<line>\d+)\)$")
 
@@ -48,9 +48,9 @@ _AT_LINE = re.compile(r"(?:^|: )(?P<tag>[\w.-]+): (?P<text>.*) \(line: (?P<line>
 class Warned(Record):
     """A warning of the converter."""
 
-    element: Element  # that it is about; the root if it names none
+    element: Element  # the element concerned; the root if unknown
     text: str
-    is_loss: bool  # the element is not converted
+    is_loss: bool  # True if the element is not converted
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
@@ -73,16 +73,16 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
             mark = losses.lose if warned.is_loss else losses.approximate
             mark(warned.element, warned.text)
         entries = tuple(losses.entries(robot.document.root, OTHERWISE, {}))
-        found = Conversion("usd", f"{bundle.name}.usda", "fixed", stage.counts, entries, proof)
-        found.write_report(directory)
-    return found
+        conversion = Conversion("usd", f"{bundle.name}.usda", "fixed", stage.counts, entries, proof)
+        conversion.write_report(directory)
+    return conversion
 
 
 def _converted(robot: Context, places: _ConvertedElements, directory: str) -> list[str]:
-    """Let the converter write USD; returns its warnings.
+    """Run the converter; returns its warnings.
 
     Raises:
-        UrdfkitError: it rejects the robot.
+        UrdfkitError: the converter rejects the robot.
     """
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:
@@ -103,7 +103,7 @@ def _converted(robot: Context, places: _ConvertedElements, directory: str) -> li
 
 
 def _with_rpy(origin: Element) -> Iterator[Edit]:
-    """Edits that turn a quaternion of URDF 1.1, which the converter ignores, into angles."""
+    """Edits that replace a quaternion of URDF 1.1, which the converter ignores, by angles."""
     written = origin.attributes.get("quat_xyzw") if origin.tag == "origin" else None
     values = numbers(written.value) if written else None
     if written is not None and values and reads_quaternions(origin):
@@ -113,12 +113,12 @@ def _with_rpy(origin: Element) -> Iterator[Edit]:
 
 
 class _ConvertedElements:
-    """The elements of a robot, by what the converter calls them.
+    """Finds elements of a robot by their lines, paths and prims in messages of the converter.
 
     Args:
-        robot: as it was read.
-        bundle: of it, written.
-        path: of its URDF, which is given the name of the bundle: it becomes that of a file.
+        robot: the robot.
+        bundle: its written bundle.
+        path: path of its URDF, named after the bundle, as the output file has the same name.
     """
 
     def __init__(self, robot: Context, bundle: Bundle, path: str) -> None:
@@ -127,7 +127,7 @@ class _ConvertedElements:
         with open(path, "rb") as file:
             source = Source(path, file.read())
         document, _ = read_xml(source)
-        assert document is not None  # it was written from one
+        assert document is not None  # the bundle was written from it
         name = document.root.attributes.get("name")
         if name is None:
             raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it one")
@@ -149,16 +149,16 @@ class _ConvertedElements:
         """The element that a message is about.
 
         Args:
-            prims: the visuals and collisions, by the paths of their prims.
+            prims: visuals and collisions by the paths of their prims.
         """
         text = " ".join(text.split()).replace(os.path.dirname(self.path) + os.sep, "")
         at = _AT_LINE.search(text)
         if at:
-            found = self._by_line.get((at["tag"], int(at["line"])), self._root)
-            return Warned(found, at["text"], found is not self._root)
+            element = self._by_line.get((at["tag"], int(at["line"])), self._root)
+            return Warned(element, at["text"], element is not self._root)
         for new, path in self._files.items():
             if new in text or PurePosixPath(new).name in text:
-                found = self._by_path.get(path, self._root)
-                return Warned(found, text, found is not self._root)
+                element = self._by_path.get(path, self._root)
+                return Warned(element, text, element is not self._root)
         prim = prims.get(text.rpartition(": ")[2])
         return Warned(self._root if prim is None else prim, text, is_loss=False)

@@ -1,4 +1,4 @@
-"""What the converter to USD makes of each part of a robot, as the stage shows it."""
+"""The result of the conversion to USD for each part of a robot, from the stage."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ from urdfkit.output.conversion.usd_shapes import gprims
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Link
 
-#: Of what the converter does not know.
+#: Note on elements that the converter does not support.
 OTHERWISE = "stored under urdf:, which no simulator reads"
 _NO_BODY = "the link is no rigid body in USD: it is fixed, and nothing is below it"
 _NO_MESH = "the converter makes no mesh of the file"
@@ -92,7 +92,7 @@ def _joint(losses: LossTable, joint: Joint, stage: Stage) -> None:
 
 
 def _attributes(losses: LossTable, joint: Joint, prim: Any) -> None:
-    """What the prim of a joint has besides its axis and range."""
+    """Record attributes of a joint other than axis and range."""
     for path, (name, _) in RESISTANCE.items():
         tag, _, written = path.partition("@")
         element = joint.at.child(tag)

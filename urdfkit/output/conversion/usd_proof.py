@@ -1,4 +1,4 @@
-"""What a stage of USD holds, compared with the robot that it was made from."""
+"""Compares a USD stage with the robot that it was converted from."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
 
-#: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
-#: precision for masses.
+#: Bounds: of frames in m, and of other differences relative to the largest number: USD stores
+#: masses in single precision.
 LENGTH, PART = 1e-9, 1e-5
-#: The converter's names of attributes of a joint, by the paths of URDF's, with the power of a
-#: degree in their units.
+#: The converter's attributes of a joint, by the paths of URDF's attributes, with the power of
+#: degrees in their units.
 RESISTANCE = {
     "limit@velocity": ("velocityLimit", 1),
     "dynamics@damping": ("damping", -1),
     "dynamics@friction": ("friction", 0),
 }
-#: Numbers below this are rounding.
+#: Numbers below this are rounding errors.
 _LEAST = 1e-9
-#: Difference of a part that is missing, or of another kind.
+#: Difference of a part that is missing or of another type.
 _WHOLE = 1.0
 
 _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
@@ -53,12 +53,12 @@ _TYPES = {
 class UsdProof(Record):
     """The largest differences between a stage and the robot."""
 
-    frames: float  # of the placement of a link at zero, in m and of entries of its rotation
-    masses: float  # of links that are fixed together, and of their tensors, as a part of the most
-    axes: float  # of a unit vector, and of the frames of a joint in its parent and its child
-    joints: float  # of a limit or coupling, as a part of it; 1 for another kind of joint
-    shapes: float  # of the place or size of a visual or collision, as a part of its size
-    part: str  # that differs most: a link or joint
+    frames: float  # of link poses at zero, in m and in entries of the rotation
+    masses: float  # of masses and tensors of links that are fixed together, relative
+    axes: float  # of unit vectors, and of the frames of joints in parent and child
+    joints: float  # of limits or mimic, relative; 1 for another joint type
+    shapes: float  # of pose or size of visuals and collisions, relative to the size
+    part: str  # the link or joint that differs most
 
     @property
     def holds(self) -> bool:
@@ -83,20 +83,20 @@ class Stage:
     """A stage and the prims of a robot in it.
 
     Args:
-        stage: of USD.
-        robot: that it was made from.
+        stage: the USD stage.
+        robot: the robot that it was converted from.
     """
 
     def __init__(self, stage: Any, robot: Context) -> None:
-        self._stage = stage  # whose prims end with it
+        self._stage = stage  # keeps its prims alive
         self._cache = UsdGeom.XformCache()
         root = stage.GetDefaultPrim()
         self.joints = {
             _name(prim): prim
             for prim in root.GetChild("Physics").GetChildren()
             if prim.IsA("PhysicsJoint")
-        }  # by the names of the robot
-        self.links: dict[str, Any] = {}  # those that have a prim, by name
+        }  # by the names in the robot
+        self.links: dict[str, Any] = {}  # prims of links, by name
         self._robot = robot
         tree = robot.tree
         placed = tree.frames
@@ -112,16 +112,16 @@ class Stage:
         self.counts = {"link": len(self.links), "joint": len(self.joints), "geom": meshes}
 
     def _child(self, parent: Any, name: str, at: Transform) -> Any:
-        """The prim of a link; a visual may have the same name."""
-        found = [
+        """Prim of a link; a visual may have the same name."""
+        prims = [
             prim for prim in parent.GetChildren() if prim.IsA(UsdGeom.Xform) and _name(prim) == name
         ]
-        return min(found, key=lambda prim: self.difference(prim, at), default=None)
+        return min(prims, key=lambda prim: self.difference(prim, at), default=None)
 
     def _shapes(self, link: Link) -> Iterator[tuple[Any, Body]]:
         prim, links = self.links.get(link.name), set(self.links.values())
         if prim is not None:
-            # The order of children on the stage is that of several layers.
+            # The order of children on the stage depends on several layers.
             stack = prim.GetPrimStack()
             written = next(spec for spec in stack if spec.specifier == Sdf.SpecifierDef)
             children = [prim.GetChild(spec.name) for spec in written.nameChildren]
@@ -129,13 +129,13 @@ class Stage:
             yield from zip(prims, converted_shapes(link), strict=False)
 
     def forget_placements(self) -> None:
-        """Let the placements be computed again, after a change of the stage."""
+        """Clear cached poses, after a change of the stage."""
         self._cache.Clear()
 
     def difference(self, prim: Any, at: Transform) -> float:
-        """How far a prim is from a frame, in m or of entries of its rotation."""
-        found = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        return float(np.abs(found - homogeneous(at)).max())
+        """Difference of a prim from a frame, in m or in entries of the rotation."""
+        pose = np.array(self._cache.GetLocalToWorldTransform(prim)).T
+        return float(np.abs(pose - homogeneous(at)).max())
 
     def inertia(self, prim: Any) -> tuple[float, Floats, Floats]:
         """Mass in kg, (3,) centre in m and (3, 3) tensor about that, in the frame of a prim."""
@@ -146,25 +146,25 @@ class Stage:
         turned = rotation_of(axes) if axes else np.eye(3)
         moments = np.array(api.GetDiagonalInertiaAttr().Get() or (0, 0, 0), dtype=float)
         center = np.array(api.GetCenterOfMassAttr().Get() or (0, 0, 0), dtype=float)
-        if not np.isfinite(center).all():  # what is not written
+        if not np.isfinite(center).all():  # not written in the stage
             center = np.zeros(3)
         return float(api.GetMassAttr().Get() or 0), center, turned @ np.diag(moments) @ turned.T
 
     def axis_in_child(self, joint: Joint) -> Floats:
-        """The axis of a joint that has a prim, a unit vector in the frame of the child."""
+        """Axis of a joint with a prim, a unit vector in the frame of the child."""
         prim = self.joints[joint.name]
         turned = rotation_of(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get())
-        found: Floats = turned @ _AXES[_axis_token(prim)]
-        return found
+        axis: Floats = turned @ _AXES[_axis_token(prim)]
+        return axis
 
     def relative_rotation(self, prim: Any) -> Floats:
-        """The rotation of the second body of a joint in the first one, (3, 3)."""
+        """Rotation of the second body of a joint in the first body, (3, 3)."""
         return self._relative(prim)[:3, :3]
 
     def frame_difference(self, prim: Any) -> float:
-        """Difference of the frames that a joint joins, in entries of a rotation and parts of 1 m.
+        """Difference of the two frames of a joint, in entries of the rotation and in m.
 
-        The larger one counts where the parent is farther away than 1 m.
+        Lengths are relative to the distance of the parent if it is above 1 m.
         """
         joint = UsdPhysics.Joint(prim)
         first = _frame(joint.GetLocalPos0Attr(), joint.GetLocalRot0Attr())
@@ -174,41 +174,41 @@ class Stage:
         return float(away.max())
 
     def _relative(self, prim: Any) -> Floats:
-        """The placement of the second body of a joint in the first one, (4, 4)."""
+        """Pose of the second body of a joint in the first body, (4, 4)."""
         joint = UsdPhysics.Joint(prim)
         placed = []
         for relation in (joint.GetBody0Rel(), joint.GetBody1Rel()):
             bodies = [self._stage.GetPrimAtPath(path) for path in relation.GetTargets()]
             at = self._cache.GetLocalToWorldTransform(bodies[0]) if bodies else Gf.Matrix4d(1)
             placed.append(np.array(at).T)
-        found: Floats = np.linalg.inv(placed[0]) @ placed[1]
-        return found
+        pose: Floats = np.linalg.inv(placed[0]) @ placed[1]
+        return pose
 
 
 def _axis_token(prim: Any) -> str:
-    """The axis of a joint in its own frame; that of a planar one is the locked translation."""
+    """Axis of a joint in its own frame; for a planar joint, the locked translation."""
     locked = (axis for axis in _AXES if prim.HasAPI("PhysicsLimitAPI", f"trans{axis}"))
     return prim.GetAttribute("physics:axis").Get() or next(locked, "X")
 
 
 def _frame(position: Any, rotation: Any) -> Floats:
-    found = np.eye(4)
-    found[:3, :3], found[:3, 3] = rotation_of(rotation.Get()), position.Get()
-    return found
+    frame = np.eye(4)
+    frame[:3, :3], frame[:3, 3] = rotation_of(rotation.Get()), position.Get()
+    return frame
 
 
 def rotation_of(quaternion: Any) -> Floats:
-    """The matrix of a rotation, (3, 3); `Gf.Rotation` loses small ones, since it has an angle."""
-    found: Floats = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
-    return found
+    """Rotation matrix of a quaternion, (3, 3); `Gf.Rotation` loses small rotations."""
+    matrix: Floats = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
+    return matrix
 
 
 def _name(prim: Any) -> str:
-    """What the robot calls a prim."""
+    """Name of a prim in the robot."""
     return str(prim.GetDisplayName() or prim.GetName())
 
 
-@np.errstate(over="ignore", invalid="ignore")  # of numbers that USD has no room for
+@np.errstate(over="ignore", invalid="ignore")  # numbers that are out of range in USD
 def prove(stage: Stage, robot: Context) -> UsdProof:
     """Compare a stage with a robot."""
     placed = robot.tree.frames
@@ -223,7 +223,7 @@ def prove(stage: Stage, robot: Context) -> UsdProof:
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the inertia of links that are fixed together differs, as a part of it."""
+    """Relative differences of the inertia of links that are fixed together."""
     for group in rigid_bodies(robot.tree):
         ours = sum((of_link(*one) for one in group.links), np.zeros((4, 4)))
         theirs = np.zeros((4, 4))
@@ -234,7 +234,7 @@ def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
 
 
 def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the axes and frames of the joints that have a prim differ."""
+    """Differences of axes and frames of the joints with a prim."""
     for joint in robot.model.joints:
         if joint.name in stage.joints:
             yield stage.frame_difference(stage.joints[joint.name]), joint.name
@@ -244,16 +244,16 @@ def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
 
 
 def _shape_differences(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the visuals and collisions of the links that have a prim differ."""
-    found = {id(body.at): prim for prim, body in stage.shapes}
+    """Differences of visuals and collisions of the links with a prim."""
+    prims = {id(body.at): prim for prim, body in stage.shapes}
     for link in robot.model.links:
         for body in converted_shapes(link) if link.name in stage.links else ():
-            prim = found.get(id(body.at))
+            prim = prims.get(id(body.at))
             yield (shape_difference(prim, robot, body) if prim else _WHOLE), link.name
 
 
 def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the joints differ: in kind and ends by all, in limits by a part."""
+    """Differences of the joints: 1 for another type, parent or child, else relative."""
     for joint in robot.model.joints:
         prim = stage.joints.get(joint.name)
         if prim is None:
@@ -267,14 +267,14 @@ def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
 
 
 def _joins(stage: Stage, prim: Any, joint: Joint) -> bool:
-    """True if a joint moves its child."""
+    """True if the prim joins the links of a joint."""
     child = stage.links.get(joint.child_name)
     targets = UsdPhysics.Joint(prim).GetBody1Rel().GetTargets()
     return child is not None and targets == [child.GetPath()]
 
 
 def _limits(prim: Any, joint: Joint) -> Iterator[float]:
-    """How much the limits differ, as a part of the larger one."""
+    """Differences of the limits, relative to the larger one."""
     yield 0.0
     if joint.kind == "continuous" or joint.limit is None:
         return
@@ -289,7 +289,7 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
 
 
 def _resistance(prim: Any, joint: Joint) -> Iterator[float]:
-    """How much velocity limit, damping and friction differ, as a part of them."""
+    """Relative differences of velocity limit, damping and friction."""
     per_degree = 1.0 if joint.kind == "prismatic" else degrees(1.0)
     for path, (name, power) in RESISTANCE.items():
         tag, _, written = path.partition("@")
@@ -302,7 +302,7 @@ def _resistance(prim: Any, joint: Joint) -> Iterator[float]:
 
 
 def _mimic(stage: Stage, prim: Any, joint: Joint) -> Iterator[float]:
-    """How much the coupling of a joint differs, if the converter has written it."""
+    """Differences of the mimic of a joint, if the converter has written it."""
     if joint.mimic is None or not prim.HasAPI("NewtonMimicAPI"):
         return
     leader = stage.joints.get(joint.mimic.joint.value) if joint.mimic.joint else None

@@ -1,7 +1,7 @@
-"""Rotations of the converter to USD, written again from those of the robot.
+"""Replaces the rotations in the converter's USD by the rotations of the robot.
 
-The converter computes with the arc cosine of a single precision number, as USD does with what it
-writes: small rotations are up to 5e-4 rad off then.
+The converter and USD compute the arc cosine of a number in single precision, with errors of small
+rotations up to 5e-4 rad.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _ORIENT = "xformOp:orient"
 
 
 def write_rotations(stage: Stage, robot: Context) -> None:
-    """Write the rotations of links, of visuals and collisions, and of the frames of joints."""
+    """Write the rotations of links, visuals, collisions, and frames of joints."""
     layers = set()
     for name, prim in stage.links.items():
         for joint in robot.tree.parents[name]:
@@ -39,7 +39,7 @@ def write_rotations(stage: Stage, robot: Context) -> None:
 
 
 def _orient(prim: Any, rotation: Rotation) -> Any:
-    """Give a prim a rotation in double precision; returns the layer of the old one."""
+    """Set the rotation of a prim in double precision; returns the layer of the old rotation."""
     (old,) = prim.GetAttribute(_ORIENT).GetPropertyStack(Usd.TimeCode.Default())
     owner = old.owner
     owner.RemoveProperty(old)
@@ -49,7 +49,7 @@ def _orient(prim: Any, rotation: Rotation) -> Any:
 
 
 def _turn_frames(stage: Stage, prim: Any, joint: Joint) -> set[Any]:
-    """Let the frame of a joint in its child have the axis, and that in its parent equal it."""
+    """Rotate the frame of a joint in its child to the axis, and match the frame in its parent."""
     second = UsdPhysics.Joint(prim).GetLocalRot1Attr()
     turned = rotation_of(second.Get())
     if joint.kind != "fixed":
@@ -67,11 +67,11 @@ def _turn_frames(stage: Stage, prim: Any, joint: Joint) -> set[Any]:
 
 
 def _shortest(before: Floats, after: Floats) -> Floats:
-    """The shortest rotation from one unit vector to another near it, (3, 3)."""
+    """The shortest rotation from a unit vector to another one near it, (3, 3)."""
     x, y, z = np.cross(before, after)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    found: Floats = np.eye(3) + cross + cross @ cross / (1 + before @ after)
-    return found
+    rotation: Floats = np.eye(3) + cross + cross @ cross / (1 + before @ after)
+    return rotation
 
 
 def _quaternion(rotation: Floats) -> Any:

@@ -1,4 +1,4 @@
-"""The visuals and collisions of a USD stage, compared with those of the robot."""
+"""Compares visuals and collisions of a USD stage with the robot."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.body_inertia import homogeneous
 from urdfkit.robot.model import Body, Link, Shape
 
-#: The types of the prims of URDF's primitives.
+#: Prim types of URDF's primitives.
 _TYPES = {"box": "Cube", "sphere": "Sphere", "cylinder": "Cylinder"}
-#: Lengths below this, in m, are rounding.
+#: Lengths in m below this are rounding errors.
 _LEAST = 1e-9
 _CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 
 
 def converted_shapes(link: Link) -> list[Body]:
-    """The visuals and collisions of a link that become prims, in the order of the prims."""
+    """Visuals and collisions of a link that become prims, in the order of the prims."""
     return [
         body
         for body in (*link.visuals, *link.collisions)
@@ -31,12 +31,12 @@ def converted_shapes(link: Link) -> list[Body]:
 
 
 def gprims(prim: Any) -> list[Any]:
-    """The prims with a shape at a prim or below it; none of a mesh that is not converted."""
+    """Prims with a shape at a prim or below it; empty for a mesh that is not converted."""
     return [one for one in Usd.PrimRange(prim) if one.IsA(UsdGeom.Gprim)]
 
 
 def shape_difference(prim: Any, robot: Context, body: Body) -> float:
-    """Difference of a prim from a visual or collision in place and size, as a part of its size.
+    """Difference of a prim from a visual or collision in pose and size, relative to the size.
 
     A mesh is compared by its bounding box in the frame of the visual or collision.
     """
@@ -82,7 +82,7 @@ def _half_extents(prim: Any) -> Floats | None:
 
 
 def _vertices(prim: Any) -> Iterator[tuple[Floats, Floats]]:
-    """Vertices (n, 3) of the meshes at a prim or below it, and their placement in its parent."""
+    """Vertices (n, 3) of the meshes at a prim or below it, and their pose in its parent."""
     for mesh in gprims(prim):
         if mesh.IsA(UsdGeom.Mesh):
             points = np.array(UsdGeom.Mesh(mesh).GetPointsAttr().Get(), dtype=float)
@@ -91,7 +91,7 @@ def _vertices(prim: Any) -> Iterator[tuple[Floats, Floats]]:
 
 
 def _matrix(prim: Any, ancestor: Any) -> Floats:
-    """The placement of a prim in an ancestor, (4, 4)."""
+    """Pose of a prim in an ancestor, (4, 4)."""
     found, _ = UsdGeom.XformCache().ComputeRelativeTransform(prim, ancestor)
     result: Floats = np.array(found).T
     return result

@@ -1,8 +1,8 @@
-"""The kinematic tree in several formats, one in each module; each has ``render(tree)``."""
+"""The kinematic tree in several formats; each format is a module with ``render(tree)``."""
 
 from urdfkit.output.diagrams.rows import TreeRow, rows
 
-#: Modules of this package that have ``render``.
+#: Modules with ``render``.
 FORMATS = ("text", "dot", "mermaid", "svg", "json")
 
 __all__ = ["FORMATS", "TreeRow", "rows"]

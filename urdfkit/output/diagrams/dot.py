@@ -18,6 +18,6 @@ def render(tree: KinematicTree) -> str:
 
 
 def _quoted(*lines: str) -> str:
-    """A string; of several lines, each is centred."""
+    """A quoted string; each of several lines is centred."""
     escaped = (line.replace("\\", "\\\\").replace('"', '\\"') for line in lines)
     return '"{}"'.format("\\n".join(escaped))

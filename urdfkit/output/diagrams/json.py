@@ -1,4 +1,4 @@
-"""The tree for programs: flat lists, parents before children."""
+"""The tree as JSON: flat lists, parents before children."""
 
 from typing import Any
 

@@ -20,6 +20,6 @@ def render(tree: KinematicTree) -> str:
 
 
 def _quoted(text: str) -> str:
-    """A string; characters that mean something to Mermaid or HTML are entities."""
+    """A quoted string; special characters of Mermaid and HTML become entities."""
     special = {'"': "#quot;", "#": "#35;", "<": "#lt;", ">": "#gt;", "`": "#96;", "\\": "#92;"}
     return '"{}"'.format("".join(special.get(letter, letter) for letter in printable(text)))

@@ -1,4 +1,4 @@
-"""The kinematic tree as rows, parents before children: what every diagram is drawn from."""
+"""The kinematic tree as rows, parents before children, for all diagrams."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from urdfkit.robot.tree import KinematicTree
 
 
 class TreeRow(Record):
-    """A link, where a joint leads to it."""
+    """A link, and one of its parent joints."""
 
-    link: str  # its name
-    joint: Joint | None  # that leads here; None for a root
+    link: str  # name
+    joint: Joint | None  # parent joint; None for a root
     parent: str  # the link above; empty for a root
-    depth: int  # joints above
+    depth: int  # number of joints above
     is_last: bool  # True for the last child of its parent
-    #: True where the link has its children in an earlier row: a loop, a second parent.
+    #: True if an earlier row has the link with its children: a loop, or a second parent.
     is_again: bool
 
 
 def rows(tree: KinematicTree) -> Iterator[TreeRow]:
-    """Every link, in the order of the document; what no root leads to comes last."""
-    seen: set[str] = set()
+    """All links in document order; links that no root leads to come last."""
+    visited: set[str] = set()
     for start in (*(root.name for root in tree.roots), *tree.children):
-        if start in seen:
+        if start in visited:
             continue
         stack: list[TreeRow] = [TreeRow(start, None, "", 0, True, False)]
         while stack:
             row = stack.pop()
-            row = row._replace(is_again=row.link in seen)
+            row = row._replace(is_again=row.link in visited)
             yield row
             if row.is_again:
                 continue
-            seen.add(row.link)
+            visited.add(row.link)
             below = tree.children[row.link]
             for index in range(len(below) - 1, -1, -1):
                 joint, is_last = below[index], index == len(below) - 1
@@ -46,7 +46,7 @@ def rows(tree: KinematicTree) -> Iterator[TreeRow]:
 
 
 def axis(joint: Joint) -> str:
-    """The axis of a joint that has one: ``z``, ``-y`` or ``0.6 0 0.8``; else empty."""
+    """The axis of a joint, such as ``z``, ``-y`` or ``0.6 0 0.8``; empty without an axis."""
     if joint.kind not in DEGREES_OF_FREEDOM or joint.kind == "floating":
         return ""
     vector = direction(joint)
@@ -57,16 +57,16 @@ def axis(joint: Joint) -> str:
 
 
 def limits(joint: Joint) -> list[str]:
-    """The limits of a joint that are written: position, effort and velocity."""
-    found: list[str] = []
+    """The defined limits of a joint: position, effort and velocity."""
+    texts: list[str] = []
     of, ends = unit(joint), bounds(joint)
     if ends:
-        found.append(f"{ends[0]:.4g} to {ends[1]:.4g} {of}")
+        texts.append(f"{ends[0]:.4g} to {ends[1]:.4g} {of}")
     if joint.limit and joint.limit.effort and joint.kind in DEGREES_OF_FREEDOM:
-        found.append(f"{joint.limit.effort.value:.4g} {effort_unit(joint)}")
+        texts.append(f"{joint.limit.effort.value:.4g} {effort_unit(joint)}")
     if joint.limit and joint.limit.velocity and joint.kind in DEGREES_OF_FREEDOM:
-        found.append(f"{joint.limit.velocity.value:.4g} {of}/s")
-    return found
+        texts.append(f"{joint.limit.velocity.value:.4g} {of}/s")
+    return texts
 
 
 def caption(joint: Joint) -> str:

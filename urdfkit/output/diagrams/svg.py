@@ -1,6 +1,6 @@
-"""The tree as an image, drawn here: no other program is needed.
+"""The tree as an SVG image, without other programs.
 
-Every link has a row, so that a robot of any shape can be read and printed.
+Each link has a row, so that trees of any shape are readable and printable.
 """
 
 from collections.abc import Iterator
@@ -11,10 +11,10 @@ from urdfkit.output.diagrams.rows import TreeRow, caption, rows
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.terminal import printable
 
-#: In pixels: a row, a level of the tree, the margin, and a letter of the fixed-width font.
+#: Sizes in pixels: height of a row, indentation of a level, margin, and width of a letter.
 ROW, LEVEL, MARGIN, LETTER = 30, 26, 16, 7.8
 
-#: The deepest level; what lies deeper is drawn there.
+#: Deepest level; deeper links are drawn there.
 MAX_DEPTH = 60
 
 _COLOURS = {
@@ -67,7 +67,7 @@ def _body(found: list[TreeRow]) -> Iterator[str]:
 
 
 def _line(row: TreeRow, parent: int, number: int) -> str:
-    """The line from below the parent's box to the left of the child's."""
+    """The line from below the parent's box to the left of the child's box."""
     x = _left(row.depth - 1) + LEVEL / 2
     return f'<path d="M{x:g} {_middle(parent) + 11:g} V{_middle(number):g} H{_left(row.depth):g}"/>'
 
@@ -94,7 +94,7 @@ def _label(row: TreeRow) -> str:
 
 
 def _text(text: str) -> str:
-    """A text in XML, which cannot hold all that a name can."""
+    """A text escaped for XML, without invalid characters."""
     return escape(printable(text))
 
 
@@ -112,5 +112,5 @@ def _right(row: TreeRow) -> float:
 
 
 def _width(text: str) -> float:
-    """Width of a text in pixels; East Asian letters are twice as wide."""
+    """Width of a text in pixels; East Asian characters are twice as wide."""
     return LETTER * sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)

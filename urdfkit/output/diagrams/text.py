@@ -1,4 +1,4 @@
-"""The tree for a terminal: a link in each line, behind it the joint that leads to it."""
+"""The tree as text: a link per line, followed by its parent joint."""
 
 from collections.abc import Iterator
 
@@ -6,11 +6,11 @@ from urdfkit.output.diagrams.rows import captions, rows
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.terminal import printable
 
-#: Deeper links are all drawn at this depth: no terminal is wider.
+#: Deepest level; deeper links are drawn there, as terminals are not wider.
 MAX_DEPTH = 40
 
 
-#: Columns for the description of a joint at least, however deep it is in the tree.
+#: Least number of columns for the description of a joint, at any depth.
 LEAST_WIDTH = 40
 
 
@@ -24,7 +24,7 @@ def render(tree: KinematicTree, width: int = 80) -> str:
 
 
 def _lines(tree: KinematicTree, width: int) -> Iterator[str]:
-    bars: list[str] = []  # what stands left of a row at each depth
+    bars: list[str] = []  # text left of a row at each depth
     for row in rows(tree):
         if row.joint is None:
             yield row.link
@@ -46,7 +46,7 @@ def _lines(tree: KinematicTree, width: int) -> Iterator[str]:
 
 
 def _filled(line: str, parts: list[str], indent: str, width: int) -> Iterator[str]:
-    """A line and what goes behind it, in further lines where there is no room."""
+    """A line with its parts, wrapped to further lines."""
     for part in parts:
         if len(line) + len(part) + 1 <= width:  # a comma may follow
             line += part

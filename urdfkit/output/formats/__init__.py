@@ -1,12 +1,12 @@
-"""One output per file: the listing of this directory is the catalogue, and one law holds.
+"""Output formats of ``urdfkit check``: each module of this directory is one format.
 
 A format is a module with
 ``render(report: Report, *, color: bool = False, width: int = 80) -> str``; the text ends with a
-newline. ``color`` allows escape sequences, ``width`` is the number of columns of the reader's
-screen; a format for programs takes no notice of either. Modules with a leading underscore are
-parts that formats share. A format that can do so has ``stream``, too, which gives the same text in
-parts: that of very many findings never is in memory as a whole. A format for people has
-``findings``, which gives the parts without what stands below the findings.
+newline. ``color`` allows escape sequences, ``width`` is the number of columns of the terminal;
+machine-readable formats ignore both. Modules with a leading underscore contain code that formats
+share. A format may also have ``stream``, which yields the same text in parts, so that a report
+with very many findings is never in memory as a whole. A format for people has ``findings``, which
+yields the parts without the text below the findings.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ class Render(Protocol):
 
 
 def names() -> list[str]:
-    """The formats there are, sorted; nothing is imported."""
+    """Names of all formats, sorted; no format is imported."""
     files = sorted(os.listdir(os.path.dirname(__file__)))
     return [file[:-3] for file in files if file.endswith(".py") and not file.startswith("_")]
 
 
 def get(name: str) -> Render:
-    """The ``render`` of a format.
+    """The ``render`` function of a format.
 
     Raises:
-        KeyError: there is none of that name.
+        KeyError: the format is unknown.
     """
     if name not in names():
         raise KeyError(name)
@@ -48,15 +48,15 @@ def get(name: str) -> Render:
 def stream(
     name: str, report: Report, *, color: bool = False, width: int = 80, quiet: bool = False
 ) -> Iterator[str]:
-    """A report in a format, in parts if the format has them.
+    """A report in a format, in parts if the format has ``stream``.
 
     Args:
-        color: as of ``render``.
-        width: as of ``render``.
-        quiet: leave out what stands below the findings, if the format has it.
+        color: see ``render``.
+        width: see ``render``.
+        quiet: omit the text below the findings, if the format has ``findings``.
 
     Raises:
-        KeyError: there is none of that name.
+        KeyError: the format is unknown.
     """
     render = get(name)
     module = import_module(render.__module__)

@@ -1,4 +1,4 @@
-"""Findings on a page of text: places, lines of source, macro calls, notes, fixes."""
+"""Findings as text: locations, source lines, macro calls, notes, fixes."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise, takewhile
@@ -12,7 +12,7 @@ from urdfkit.text.terminal import columns, frame, printable, wrap
 
 #: Calls of one macro, and steps of one trace, that are shown.
 MAX_CALLS = 8
-#: Words at the end of a message that are not said again; fewer, such as a unit, are.
+#: Least number of common words at the end of two messages that are not repeated.
 CLAUSE = 4
 #: Colours of severities.
 COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
@@ -26,7 +26,7 @@ _GUTTER = 8  # columns before a line of source
 
 
 class TextPage:
-    """Lays out findings for one width, with colours or without."""
+    """Formats findings for a width, with or without colours."""
 
     def __init__(self, color: bool, width: int) -> None:
         self.color = color
@@ -34,7 +34,7 @@ class TextPage:
         self._paths: dict[str, str] = {}
 
     def finding(self, diagnostic: Diagnostic) -> str:
-        """One with all that is known of it."""
+        """A finding with its source line, expansion traces, notes, help and fix."""
         blocks = [
             self.head(diagnostic),
             *self._frame(diagnostic.span, diagnostic.severity),
@@ -51,8 +51,8 @@ class TextPage:
         return _lines(blocks)
 
     def brief(self, group: Sequence[Diagnostic]) -> str:
-        """Findings that are alike in few lines: where, what, and what to do."""
-        first, *others = group
+        """Similar findings in a few lines: locations, message, and fix or help."""
+        first, *similar = group
         blocks = [self.head(first._replace(message=without_search(first.message)))]
         if macros := [
             step for step in (first.calls[0].via if first.calls else ()) if step.kind == "macro"
@@ -60,9 +60,9 @@ class TextPage:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
             where = self._near(macros[-1].span, first.span) + more
             blocks.append(self._step("macro", macros[-1].name, where))
-        if others:
-            places = few([self._near(other.span, first.span) for other in others], MAX_CALLS)
-            blocks.append(self._labelled(f"{len(others)} more like this", places))
+        if similar:
+            places = few([self._near(item.span, first.span) for item in similar], MAX_CALLS)
+            blocks.append(self._labelled(f"{len(similar)} more like this", places))
         if first.variants:
             blocks.append(self._labelled("variants", ", ".join(first.variants)))
         if first.fix:
@@ -72,7 +72,7 @@ class TextPage:
         return _lines(blocks)
 
     def head(self, diagnostic: Diagnostic) -> str:
-        """The place, the severity, the code and the message."""
+        """Location, severity, code and message."""
         place, severity = self.place(diagnostic.span), diagnostic.severity
         remarks = [f"for {name}" for name in diagnostic.targets]
         if diagnostic.confidence is not Confidence.MEASURED:
@@ -83,15 +83,17 @@ class TextPage:
         return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
 
     def _notes(self, diagnostic: Diagnostic) -> Iterator[str]:
-        """The related places; those of one message in one note."""
-        alike: dict[str, list[Span]] = {}
+        """Notes on related locations; locations with the same message share a note."""
+        by_message: dict[str, list[Span]] = {}
         for related in diagnostic.related:
-            alike.setdefault(related.message, []).append(related.span)
-        for message, spans in alike.items():
-            first, *others = spans
+            by_message.setdefault(related.message, []).append(related.span)
+        for message, spans in by_message.items():
+            first = spans[0]
             places = [self._near(first, diagnostic.span)]
             places += [self._near(span, last) for last, span in pairwise(spans)]
-            text = f"{message}: {few(places, MAX_CALLS)}" if others else f"{places[0]}: {message}"
+            text = (
+                f"{message}: {few(places, MAX_CALLS)}" if spans[1:] else f"{places[0]}: {message}"
+            )
             yield self._labelled("note", text)
 
     def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
@@ -105,10 +107,10 @@ class TextPage:
         return f"  {self.paint(f'{label}:', '1')} {self.wrap(text, indent=used, used=used)}"
 
     def _traces(self, diagnostic: Diagnostic) -> Iterator[str]:
-        """How expansion arrived at the place, from there outwards.
+        """Expansion traces, innermost step first.
 
-        Steps that all calls share are printed once: the inner ones before the calls, the outer
-        ones after them.
+        Steps that all calls share are printed once: inner steps before the calls, outer steps
+        after them.
         """
         traces = [call.via[::-1] for call in diagnostic.calls]
         if len(traces) < 2 and not any(traces):
@@ -118,8 +120,8 @@ class TextPage:
         outer = _shared([trace[::-1] for trace in own])
         yield from self._steps(traces[0][:inner])
         if len(traces) > 1:
-            what = "expanded from {} places" if any(own) else "{} findings here"
-            yield f"  {what.format(len(traces))}:"
+            heading = "expanded from {} places" if any(own) else "{} findings here"
+            yield f"  {heading.format(len(traces))}:"
             for call, trace in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
                 yield self._call(call, trace[: len(trace) - outer], diagnostic)
             if len(traces) > MAX_CALLS:
@@ -127,17 +129,17 @@ class TextPage:
         yield from self._steps(own[0][len(own[0]) - outer :])
 
     def _call(self, call: Call, trace: Sequence[Step], diagnostic: Diagnostic) -> str:
-        """One of several calls: where it is, and what it says that the finding has not said."""
+        """One of several calls: its location, and the part of its message that is new."""
         places = [self._near(step.span, diagnostic.span) for step in trace[:MAX_CALLS]]
-        is_said = call.message == diagnostic.message
-        text = call.element if is_said else _unsaid(call.message, diagnostic.message)
+        is_same = call.message == diagnostic.message
+        text = call.element if is_same else _difference(call.message, diagnostic.message)
         where = ", from ".join(places)
-        # A path that is longer than a line begins there nevertheless.
+        # A path that is longer than a line is not moved to the next line.
         return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4).lstrip()
 
     def _steps(self, trace: Sequence[Step]) -> Iterator[str]:
         for number, step in enumerate(trace):
-            if MAX_CALLS <= number < len(trace) - 1:  # the outermost is where a person looks
+            if MAX_CALLS <= number < len(trace) - 1:  # the outermost step is always shown
                 if number == MAX_CALLS:
                     yield f"  ... {counted(len(trace) - MAX_CALLS - 1, 'more call')} ..."
                 continue
@@ -147,7 +149,7 @@ class TextPage:
         return f"  {self.wrap(f'{_STEPS[kind].format(name)} {where}', indent=4, used=2)}"
 
     def _near(self, span: Span, other: Span) -> str:
-        """A place; without the path if it is the path of another one, which was named before."""
+        """A location; without the path if the other location, shown before, has the same path."""
         if span.source.path != other.source.path:
             return self.place(span)
         line, column = span.source.position(span.start)
@@ -158,7 +160,7 @@ class TextPage:
         return f"{self.path(span.source.path)}:{line}:{column}"
 
     def path(self, path: str) -> str:
-        """A path as it is shown; many findings have the same."""
+        """A path as it is shown; cached, as many findings share a path."""
         if path not in self._paths:
             self._paths[path] = printable(shown(path))
         return self._paths[path]
@@ -174,16 +176,16 @@ def _lines(blocks: Iterable[str]) -> str:
     return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
 
-def _unsaid(message: str, said: str) -> str:
-    """What a message says that another has not said: without the clause that both end with."""
-    words, known = without_search(message).split(" "), without_search(said).split(" ")
-    alike = takewhile(lambda pair: pair[0] == pair[1], zip(words[::-1], known[::-1], strict=False))
-    shared = len(list(alike))
+def _difference(message: str, other: str) -> str:
+    """A message without the clause at its end that another message ends with, too."""
+    words, others = without_search(message).split(" "), without_search(other).split(" ")
+    pairs = zip(words[::-1], others[::-1], strict=False)
+    shared = len(list(takewhile(lambda pair: pair[0] == pair[1], pairs)))
     return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words).rstrip(":;,")
 
 
 def _shared(traces: Sequence[Sequence[Step]]) -> int:
-    """How many first steps all traces share."""
+    """Number of first steps that all traces share."""
     shared = min(map(len, traces))
     while any(trace[:shared] != traces[0][:shared] for trace in traces):
         shared -= 1

@@ -1,4 +1,4 @@
-"""Paths in reports that services read: they know files by their place in the repository."""
+"""Paths in machine-readable reports: services identify a file by its path in the repository."""
 
 import os
 
@@ -6,5 +6,5 @@ from urdfkit.text.source import shown
 
 
 def posix(path: str) -> str:
-    """A path as people are shown it, with forward slashes on every system."""
+    """The shown path of a file, with forward slashes on every system."""
     return shown(path).replace(os.sep, "/")

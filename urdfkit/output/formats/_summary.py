@@ -1,4 +1,4 @@
-"""What follows the findings in a text: crashed rules, what can be fixed, targets, the counts."""
+"""Text below the findings: crashed rules, fixable findings, targets, counts."""
 
 import os
 from collections.abc import Iterator
@@ -12,28 +12,28 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable
 
-#: Letters of arguments; they may be paths.
+#: Most characters of argument values that are shown; the values may be paths.
 MAX_VALUES = 160
-#: Rules that failed with one error that are named.
+#: Most rules that are named if they failed with the same error.
 MAX_CODES = 4
-#: Skipped files that are named.
+#: Most skipped files that are named.
 MAX_FILES = 3
 
 
 def crashes(report: Report, page: TextPage) -> Iterator[str]:
-    """The rules that crashed, those with one error together."""
+    """The crashed rules, grouped by error."""
     for crash, codes in _crashed(report):
-        whose = "that rule" if crash.code in external() else "urdfkit"
-        what = few(codes, MAX_CODES) or "the check"
+        owner = "that rule" if crash.code in external() else "urdfkit"
+        rules = few(codes, MAX_CODES) or "the check"
         text = (
-            f"{page.path(crash.path)}: {what} failed with {crash.error}. This is a bug in "
-            f"{whose}, not in the robot: please report it with the file."
+            f"{page.path(crash.path)}: {rules} failed with {crash.error}. This is a bug in "
+            f"{owner}, not in the robot: please report it with the file."
         )
         yield page.wrap(text, indent=4) + "\n"
 
 
 def hints(report: Report, page: TextPage) -> str:
-    """Where to read more, what can be fixed, and what the severities depend on."""
+    """Hints: how to explain a code, number of fixable findings, detected targets."""
     lines = [f"Explain a code: urdfkit explain {code}" for code in _worst(report)]
     lines += (page.wrap(hint, indent=2) for hint in _fixable(report))
     lines += map(printable, report.argument_typos)
@@ -45,23 +45,23 @@ def hints(report: Report, page: TextPage) -> str:
 
 
 def _worst(report: Report) -> Iterator[str]:
-    """The code of the first of the worst findings, if there are any."""
+    """The code of the first finding of the highest severity, if any."""
     worst = next(filter(report.count, Severity), None)
-    codes = (found.code for found in report.diagnostics if found.severity is worst)
+    codes = (finding.code for finding in report.diagnostics if finding.severity is worst)
     yield from islice(codes, 1)
 
 
 def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """The last line: how much was found, and which rules did not get to look."""
+    """The last line: number of findings, and skipped files and rules."""
     page = TextPage(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
-    found = [counted(count, severity.value) for severity, count in counts.items() if count]
+    totals = [counted(count, severity.value) for severity, count in counts.items() if count]
     none = "no new findings" if report.tolerated else "no findings"
-    text = f"{', '.join(found) or none} in {counted(len(report.files), 'file')}"
+    text = f"{', '.join(totals) or none} in {counted(len(report.files), 'file')}"
     reasons = [*_launched(report)]
-    if unchecked := sum(found.code == NOT_CHECKED for found in report.diagnostics):
+    if unchecked := sum(item.code == NOT_CHECKED for item in report.diagnostics):
         reasons.append(f"{counted(unchecked, 'robot')} not checked")
-    reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
+    reasons += [f"{skipped} skipped: {reason}" for reason, skipped in _skipped(report)]
     if crashed := {crash.code for crash in report.crashed if crash.code}:
         reasons.append(f"{counted(len(crashed), 'rule')} crashed")
     if report.suppressed:
@@ -79,7 +79,7 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def _fixable(report: Report) -> Iterator[str]:
-    """How many findings would be fixed, what lets more be fixed, and why some are left."""
+    """Number of fixable findings, options that fix more, and reasons why others are not fixable."""
     fixable = report.fixable
     if fixable is None:
         return
@@ -97,33 +97,33 @@ def _fixable(report: Report) -> Iterator[str]:
 
 def _crashed(report: Report) -> Iterator[tuple[Crashed, list[str]]]:
     """The first crash of each error and file, with the codes of all rules that failed with it."""
-    alike: dict[tuple[str, str], list[Crashed]] = {}
+    by_error: dict[tuple[str, str], list[Crashed]] = {}
     for crash in report.crashed:
-        alike.setdefault((crash.path, crash.error), []).append(crash)
-    for crashes in alike.values():
+        by_error.setdefault((crash.path, crash.error), []).append(crash)
+    for crashes in by_error.values():
         yield crashes[0], [crash.code for crash in crashes]
 
 
 def _launched(report: Report) -> Iterator[str]:
-    """Which robots were checked with the arguments of which launch files."""
+    """Robots that were checked with arguments from launch files."""
     values: dict[tuple[str, str], dict[str, str]] = {}
-    for one in report.launched:
-        for name, value in one.arguments.items():
-            values.setdefault((one.path, name), {}).setdefault(value, one.launch)
+    for robot in report.launched:
+        for name, value in robot.arguments.items():
+            values.setdefault((robot.path, name), {}).setdefault(value, robot.launch)
     for (path, name), launches in values.items():
         files = {os.path.basename(launch) for launch in launches.values()}
         where = min(files) if len(files) == 1 else counted(len(files), "launch file")
-        what = f"{name} {', '.join(launches)}"
-        if len(what) > MAX_VALUES:
-            what = f"{len(launches)} values of {name}"
-        yield printable(f"{shown(path)} with {what} of {where}")
+        text = f"{name} {', '.join(launches)}"
+        if len(text) > MAX_VALUES:
+            text = f"{len(launches)} values of {name}"
+        yield printable(f"{shown(path)} with {text} of {where}")
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:
-    """Reasons, and which files or how many rules were skipped for them."""
+    """Pairs of a reason, and the files or the number of rules that were skipped for it."""
     codes: dict[str, set[str]] = {}
     files: dict[str, set[str]] = {}
-    reported = {one.span.source.path for one in report.diagnostics if one.code == NOT_CHECKED}
+    reported = {item.span.source.path for item in report.diagnostics if item.code == NOT_CHECKED}
     for skip in report.skipped:
         if skip.path in reported:
             continue
@@ -131,9 +131,9 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             codes.setdefault(skip.reason, set()).add(skip.code)
         else:
             files.setdefault(skip.reason, set()).add(skip.path)
-    found = [(reason, counted(len(codes[reason]), "rule")) for reason in sorted(codes)]
+    reasons = [(reason, counted(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
         paths = sorted({shown(path) for path in files[reason]})
         named = ", ".join(paths) if len(paths) <= MAX_FILES else counted(len(paths), "file")
-        found.append((reason, printable(named)))
-    return found
+        reasons.append((reason, printable(named)))
+    return reasons

@@ -1,8 +1,8 @@
-"""Text in reports that are XML."""
+"""Text in XML reports."""
 
 
 def xml_text(text: str) -> str:
-    """A text without the characters that XML cannot hold."""
+    """A text with ``?`` in place of characters that XML does not allow."""
     return "".join(
         char if char in "\t\n" or (char >= " " and not "\ud800" <= char <= "\udfff") else "?"
         for char in text

@@ -1,6 +1,6 @@
 """Checkstyle's XML, which many CI servers and review tools read: Jenkins, SonarQube, reviewdog.
 
-Source of the form: what Checkstyle's own ``XMLLogger`` writes; there is no schema of it.
+Source of the format: the output of Checkstyle's own ``XMLLogger``; it has no schema.
 """
 
 from xml.etree import ElementTree
@@ -10,7 +10,7 @@ from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import xml_text
 
-#: Of Checkstyle; programs recognise the format by it.
+#: Version of Checkstyle, by which programs recognise the format.
 _VERSION = "4.3"
 
 
@@ -41,7 +41,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def _file(root: Element, files: dict[str, Element], path: str) -> Element:
-    """The element of a file, made when first asked for."""
+    """The element of a file, created on first use."""
     name = posix(path)
     if name not in files:
         files[name] = SubElement(root, "file", name=xml_text(name))

@@ -1,4 +1,4 @@
-"""One line a finding, which no screen breaks: for grep, editors and short lists."""
+"""One line per finding, never wrapped: for grep, editors and short lists."""
 
 from collections.abc import Iterator
 
@@ -21,8 +21,8 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
 
 
 def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The findings and crashed rules alone."""
+    """The findings and crashed rules only."""
     page = TextPage(color, _WIDE)
-    for found in report.diagnostics:
-        yield f"{page.head(found)}\n"
+    for finding in report.diagnostics:
+        yield f"{page.head(finding)}\n"
     yield from crashes(report, page)

@@ -1,4 +1,4 @@
-"""For people who want all of it: every finding with its line of source, calls and notes."""
+"""Every finding with its source line, macro calls and notes."""
 
 from collections.abc import Iterator
 from itertools import chain, groupby
@@ -26,7 +26,7 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
 
 
 def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The findings and crashed rules alone."""
+    """The findings and crashed rules only."""
     page = TextPage(color, width)
     between = ""
     for block in chain(_findings(report, page), crashes(report, page)):
@@ -35,6 +35,6 @@ def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterato
 
 
 def _findings(report: Report, page: TextPage) -> Iterator[str]:
-    # What is shown as one is in one file, and the findings are in the order of files.
-    for _, of_file in groupby(report.diagnostics, key=lambda one: one.span.source.path):
+    # A group of findings is in one file, and the findings are sorted by file.
+    for _, of_file in groupby(report.diagnostics, key=lambda item: item.span.source.path):
         yield from map(page.finding, grouped(tuple(of_file)))

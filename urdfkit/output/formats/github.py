@@ -1,6 +1,6 @@
 """Annotations of a GitHub workflow: GitHub shows every finding at its line of the pull request.
 
-Source of the form: GitHub's documentation of workflow commands.
+Source of the format: GitHub's documentation of workflow commands.
 """
 
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
     end_line, end_column = span.source.position(span.end)
     path = posix(span.source.path)
     properties = f"file={_property(path)},line={line},endLine={end_line}"
-    if end_line == line:  # GitHub takes columns for one line only
+    if end_line == line:  # GitHub accepts columns only in a single line
         properties += f",col={column},endColumn={end_column}"
     title = _property(f"{diagnostic.code} {diagnostic.name}")
     text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")

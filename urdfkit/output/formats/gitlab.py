@@ -1,6 +1,6 @@
 """GitLab's code quality report: a JSON list that merge requests show.
 
-Source of the form: GitLab's documentation of code quality reports.
+Source of the format: GitLab's documentation of code quality reports.
 """
 
 import json

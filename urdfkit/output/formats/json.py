@@ -1,7 +1,7 @@
-"""For programs: one JSON document, as ``report.schema.json`` describes it.
+"""The report as a JSON document; ``report.schema.json`` is its schema.
 
-Lines and columns count from 1, columns in characters; an end is the place after the last
-character. The same report gives the same bytes.
+Lines and columns count from 1, columns in characters; an end is the position after the last
+character. Equal reports yield equal bytes.
 """
 
 import json
@@ -15,7 +15,7 @@ from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span
 
-#: Of the document; a change that could break a reader counts it up.
+#: Version of the document; an incompatible change increments it.
 VERSION = 2
 
 
@@ -25,7 +25,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """The same in parts, a finding in each."""
+    """Like `render`, in parts of one finding each."""
     before, empty, after = _dumped(without_findings(report)).partition("[]")
     yield before
     between, end = "[\n    ", empty
@@ -36,14 +36,14 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
 
 
 def without_findings(report: Report) -> dict[str, Any]:
-    """The document as plain values, with an empty list of findings."""
+    """The document as plain values; its list of findings is empty."""
     return {
         "version": VERSION,
         "urdfkit": __version__,
         "diagnostics": [],
         "launched": [
-            {"path": posix(one.path), "launch": posix(one.launch), "arguments": one.arguments}
-            for one in report.launched
+            {"path": posix(item.path), "launch": posix(item.launch), "arguments": item.arguments}
+            for item in report.launched
         ],
         "skipped": [
             {"code": skip.code, "path": posix(skip.path), "reason": skip.reason}
@@ -62,7 +62,7 @@ def _dumped(content: dict[str, Any]) -> str:
 
 
 def finding(diagnostic: Diagnostic) -> dict[str, Any]:
-    """One of the findings, as plain values."""
+    """A finding as plain values."""
     return {
         "code": diagnostic.code,
         "name": diagnostic.name,

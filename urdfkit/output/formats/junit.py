@@ -16,7 +16,7 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """The whole report, a test suite for every file."""
+    """The whole report; one test suite per file."""
     root = Element("testsuites", name="urdfkit")
     paths = dict.fromkeys(map(posix, report.files))
     paths.update(dict.fromkeys(posix(d.span.source.path) for d in report.diagnostics))
@@ -66,8 +66,8 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
     case = _new_case(suite, path, name)
     case.set("file", xml_text(path))
     case.set("line", str(diagnostics[0].span.line))
-    variants = dict.fromkeys(name for found in diagnostics for name in found.variants)
-    if all(found.variants for found in diagnostics):
+    variants = dict.fromkeys(name for finding in diagnostics for name in finding.variants)
+    if all(finding.variants for finding in diagnostics):
         properties = SubElement(case, "properties")
         value = xml_text(", ".join(variants))
         SubElement(properties, "property", name="variants", value=value)

@@ -10,22 +10,22 @@ from urdfkit.output.formats._summary import summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.markdown import escape
 
-#: Findings of one table. GitHub takes 1 MiB for all steps of a job.
+#: Most findings in a table. GitHub accepts 1 MiB for all steps of a job.
 MAX_ROWS = 200
-_WIDE = 10**6  # of a line that is never broken
+_WIDE = 10**6  # width at which no line is wrapped
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """A heading with the counts, a table of errors and warnings, and the infos folded up."""
+    """A heading with the counts, a table of errors and warnings, and a folded table of infos."""
     counts = summary(report, width=_WIDE).strip()
     shown = grouped(report.diagnostics)
-    bad = [found for found in shown if found.severity is not Severity.INFO]
-    bad.sort(key=lambda found: found.severity.rank)
-    infos = [found for found in shown if found.severity is Severity.INFO]
+    bad = [item for item in shown if item.severity is not Severity.INFO]
+    bad.sort(key=lambda item: item.severity.rank)
+    infos = [item for item in shown if item.severity is Severity.INFO]
     lines = [f"### urdfkit: {escape(counts)}", ""]
     for crash in report.crashed:
-        what = crash.code or "the check"
-        text = f"{what} crashed on {posix(crash.path)}: {crash.error}. This is a bug in urdfkit."
+        place = f"{crash.code or 'the check'} crashed on {posix(crash.path)}"
+        text = f"{place}: {crash.error}. This is a bug in urdfkit."
         lines += [f"**{escape(text)}**", ""]
     if bad:
         lines += [*_table(bad), ""]

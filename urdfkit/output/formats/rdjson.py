@@ -1,6 +1,6 @@
-"""reviewdog's JSON, by which it comments on pull requests, with fixes as suggestions.
+"""reviewdog's JSON, for comments on pull requests, with fixes as suggestions.
 
-Columns count bytes of UTF-8, ends are exclusive. Source of the form: the comments of reviewdog's
+Columns count bytes of UTF-8, ends are exclusive. Source of the format: the comments in reviewdog's
 ``reviewdog.proto``.
 """
 
@@ -27,19 +27,19 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
     span = diagnostic.span
     text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")
-    found: dict[str, Any] = {
+    entry: dict[str, Any] = {
         "message": text,
         "location": {"path": posix(span.source.path), "range": _range(span)},
         "severity": _SEVERITIES[diagnostic.severity],
         "code": {"value": diagnostic.code},
     }
     if suggestions := _suggestions(diagnostic):
-        found["suggestions"] = suggestions
-    return found
+        entry["suggestions"] = suggestions
+    return entry
 
 
 def _suggestions(diagnostic: Diagnostic) -> list[dict[str, Any]]:
-    """The edits of a fix; none where one is in another file, which a suggestion cannot reach."""
+    """The edits of a fix; empty if an edit is in another file, which a suggestion cannot change."""
     edits = diagnostic.fix.edits if diagnostic.fix else ()
     if any(edit.span.source is not diagnostic.span.source for edit in edits):
         return []

@@ -1,8 +1,8 @@
-"""SARIF 2.1.0 for code scanning: every finding at its region in the file that a person edits.
+"""SARIF 2.1.0 for code scanning: every finding at its region in the source file.
 
 The macro calls that led to a finding are related locations, the element after expansion is its
-logical location, and the fingerprint stays the same under edits elsewhere. Columns count UTF-16
-code units, as SARIF wants.
+logical location, and edits elsewhere do not change the fingerprint. Columns count UTF-16
+code units, as SARIF requires.
 """
 
 import json
@@ -20,7 +20,7 @@ from urdfkit.text.source import Source, Span
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
 _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
-#: Calls of one macro that are worth a location.
+#: Most calls of a macro that become related locations.
 _MAX_CALLS = 20
 
 
@@ -67,8 +67,8 @@ def _rule(rule: rules.Rule) -> dict[str, Any]:
 
 
 def _invocation(report: Report) -> dict[str, Any]:
-    found = [one for one in report.diagnostics if one.code == rule_index.NOT_CHECKED]
-    levels = {one.span.source.path: _LEVELS[one.severity] for one in found}
+    unchecked = [item for item in report.diagnostics if item.code == rule_index.NOT_CHECKED]
+    levels = {item.span.source.path: _LEVELS[item.severity] for item in unchecked}
     notes = [
         {
             "level": levels.get(skip.path, "note"),
@@ -126,7 +126,7 @@ def _related(diagnostic: Diagnostic) -> list[dict[str, Any]]:
 
 
 def _steps(call: Call, *, several: bool) -> list[tuple[Span, str]]:
-    """The steps to one call, innermost first; of several calls each with its numbers."""
+    """Expansion steps of a call, innermost first; with its message if there are several calls."""
     steps = []
     for step in reversed(call.via):
         verb = "included" if step.kind == "include" else f"expanded from {step.kind} '{step.name}'"

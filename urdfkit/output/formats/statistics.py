@@ -1,4 +1,4 @@
-"""How often each rule found something, the most frequent first."""
+"""Number of findings of each rule, the most frequent first."""
 
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._summary import summary

@@ -1,4 +1,4 @@
-"""For people: errors with their line of source, warnings in brief, infos counted."""
+"""The default format: errors with their source line, warnings in brief, number of infos."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -11,12 +11,12 @@ from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
-#: Codes of infos that are named.
+#: Most codes of infos that are named.
 MAX_CODES = 6
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """Errors, warnings, how many infos, then the crashed rules, the hints, and the summary."""
+    """Errors, warnings and crashed rules, then the number of infos, the hints, and the summary."""
     return "".join(stream(report, color=color, width=width))
 
 
@@ -29,10 +29,10 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
 
 
 def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Errors, warnings and crashed rules alone."""
+    """Errors, warnings and crashed rules only."""
     page = TextPage(color, width)
     for error in _of(report, Severity.ERROR):
-        yield from (f"{page.finding(one)}\n" for one in grouped(error))
+        yield from (f"{page.finding(finding)}\n" for finding in grouped(error))
     for warning in _of(report, Severity.WARNING):
         yield from map(page.brief, groups(warning))
     if report.count(Severity.WARNING):
@@ -41,14 +41,14 @@ def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterato
 
 
 def _of(report: Report, severity: Severity) -> Iterator[tuple[Diagnostic, ...]]:
-    """The findings of a severity, file by file: what is shown as one is in one file."""
-    found = (one for one in report.diagnostics if one.severity is severity)
-    for _, of_file in groupby(found, key=lambda one: one.span.source.path):
+    """The findings of a severity, grouped by file, as findings of one group are in one file."""
+    findings = (item for item in report.diagnostics if item.severity is severity)
+    for _, of_file in groupby(findings, key=lambda item: item.span.source.path):
         yield tuple(of_file)
 
 
 def _infos(report: Report, page: TextPage) -> str:
-    codes = Counter(one.code for one in report.diagnostics if one.severity is Severity.INFO)
+    codes = Counter(item.code for item in report.diagnostics if item.severity is Severity.INFO)
     if not codes:
         return ""
     names = few([code for code, _ in codes.most_common()], MAX_CODES)

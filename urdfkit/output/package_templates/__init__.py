@@ -1,7 +1,7 @@
-"""New ROS 2 packages to start a robot from, for Gazebo Harmonic.
+"""Templates of new ROS 2 packages for a robot, for Gazebo Harmonic.
 
-A template is a file of the package with ``@name@`` for its name, and ``.in`` behind its own. The
-files of ``common`` are in every package, those of the other directories in packages of that kind.
+A template is a file with the suffix ``.in``, in which ``@name@`` stands for the package name. The
+files of ``common`` are in every package, the files of other directories in packages of that kind.
 """
 
 import os
@@ -20,19 +20,19 @@ _NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 
 def create(name: str, kind: str, directory: str) -> tuple[str, ...]:
-    """Write a new package, whole or not at all.
+    """Write a new package; after an error, nothing is written.
 
     Args:
         name: of the package and of its robot.
         kind: one of `KINDS`.
-        directory: in which it becomes a directory of its name.
+        directory: parent of the new package directory.
 
     Returns:
         The files, relative to the package, sorted.
 
     Raises:
-        UrdfkitError: the name is none of a ROS package.
-        UnwritableFile: there is something of that name already, or it cannot be written.
+        UrdfkitError: the name is not a valid ROS package name.
+        UnwritableFile: the directory exists, or cannot be written.
     """
     files = sorted(_filled(name, kind))
     _require_name(name, files)
@@ -56,7 +56,7 @@ def _filled(name: str, kind: str) -> Iterator[BundledFile]:
 
 
 def _require_name(name: str, files: list[BundledFile]) -> None:
-    """Also rejects the names of packages that the new one depends on."""
+    """Reject invalid names, and names of packages that the new package depends on."""
     if len(name) < 2 or not _NAME.fullmatch(name):
         raise UrdfkitError(
             f"'{name}' is not a valid package name: two or more lowercase letters, digits and "

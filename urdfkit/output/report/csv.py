@@ -1,4 +1,4 @@
-"""One table of the report, for a spreadsheet."""
+"""A table of the report as CSV, for spreadsheets."""
 
 import csv
 import io
@@ -8,7 +8,7 @@ from typing import Any
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.report.document import ReportDocument
 
-#: The tables there are, and the columns of each.
+#: Columns of each table.
 COLUMNS = {
     "findings": "severity code name message path line column element help".split(),
     "links": "name mass share center moments visuals collisions path line".split(),
@@ -17,17 +17,17 @@ COLUMNS = {
     "statics": "joint unit at_zero worst effort used exceeded".split(),
     "collisions": "first second verdict frequency distance".split(),
 }
-#: Where the rows of a table are, if they are a part of what the document has under its name.
+#: Key of the rows, for tables whose part of the document contains more than rows.
 _ROWS = {"statics": "joints", "collisions": "pairs"}
-#: A cell that begins with one of these is a formula to a spreadsheet.
+#: First characters of a cell that a spreadsheet interprets as a formula.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def render(document: ReportDocument, table: str = "findings") -> str:
-    """A table with a header.
+    """A table with a header row.
 
     Raises:
-        UrdfkitError: the robot cannot be read and has no such table.
+        UrdfkitError: the table is missing, for example because the robot cannot be read.
     """
     rows = document[table]
     if rows is None:
@@ -48,7 +48,7 @@ def _rows(rows: Iterable[dict[str, Any]], columns: Iterable[str]) -> Iterator[li
 
 
 def cell(value: object) -> object:
-    """A list as its parts with spaces between; a text that is a formula to no spreadsheet."""
+    """A value as a cell: lists are joined with spaces, formulas are quoted."""
     if isinstance(value, list):
         return cell(" ".join(map(str, value))) if value else ""
     if isinstance(value, str) and value.startswith(_FORMULA) and not _is_numbers(value):

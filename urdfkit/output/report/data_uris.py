@@ -1,4 +1,4 @@
-"""Drawings and images of a robot, each as an address that holds the whole image."""
+"""Drawings and images of a robot as ``data:`` URIs."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ if TYPE_CHECKING:
     from urdfkit.render import Scene
     from urdfkit.text.diagnostic import Diagnostic
 
-#: A tree of more links is no help as a drawing.
+#: Most links of a kinematic tree that is drawn.
 MAX_LINKS = 400
 VIEWS = ("iso", "front", "left", "top")
-#: Pixels of the sheet of all views, and of the image of the findings.
+#: Size in pixels of the sheet of all views, and of the image of the findings.
 SHEET, MARKED = (1280, 720), (960, 540)
 
 
 def tree(context: Context) -> dict[str, str]:
-    """The kinematic tree, if there is one that can be drawn."""
+    """Drawing of the kinematic tree; empty if it is missing or too large."""
     if context.reading.document is None or not 0 < len(context.model.links) <= MAX_LINKS:
         return {}
     return {"tree": address("image/svg+xml", svg.render(context.tree).encode("utf-8", "replace"))}
 
 
 def images(built: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
-    """The robot from four sides; and with the links of errors and warnings in colour."""
+    """Images of the robot from four sides, and with links of errors and warnings coloured."""
     from urdfkit.render import marked, render_image
 
-    seen = built._replace(items=tuple(item for item in built.items if item.role == "visual"))
-    if not seen.items:
+    visuals = built._replace(items=tuple(item for item in built.items if item.role == "visual"))
+    if not visuals.items:
         return {}
-    found = {"views": webp(render_image(seen, VIEWS, size=SHEET))}
-    coloured = marked(seen, context, diagnostics)
+    uris = {"views": webp(render_image(visuals, VIEWS, size=SHEET))}
+    coloured = marked(visuals, context, diagnostics)
     if coloured.labels:
-        found["marked"] = webp(render_image(coloured, size=MARKED))
-    return found
+        uris["marked"] = webp(render_image(coloured, size=MARKED))
+    return uris
 
 
 def webp(image: Image) -> str:
@@ -51,5 +51,5 @@ def webp(image: Image) -> str:
 
 
 def address(kind: str, data: bytes) -> str:
-    """A ``data:`` address; an image behind one runs no scripts, whatever is in it."""
+    """A ``data:`` URI; scripts in an image with such a URI do not run."""
     return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"

@@ -1,7 +1,7 @@
-"""The document of a report: plain values that JSON can hold.
+"""The document of a report: plain values that JSON can represent.
 
-Lengths in m, angles in rad, masses in kg, moments in kg·m². A part that cannot be had, for want
-of a library or of a robot, is None, and ``missing`` says why.
+Lengths in m, angles in rad, masses in kg, moments in kg·m². A part that cannot be computed,
+because a library is missing or the robot cannot be read, is None; ``missing`` has the reason.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, shown, without_directory
 from urdfkit.workspace.resolve import Resolver
 
-#: Of the document; a change that could break a reader counts it up.
+#: Version of the document; an incompatible change increments it.
 VERSION = 1
 
 ReportDocument = dict[str, Any]
 
-#: The parts that are computed from the robot, each by a function of its Context.
+#: Functions that compute the parts of the document from a robot's Context.
 _PARTS: dict[str, Callable[[Context], object]] = {
     "robot": tables.robot,
     "links": tables.links,
@@ -48,16 +48,16 @@ _PARTS: dict[str, Callable[[Context], object]] = {
     "gazebo": tables.gazebo,
     "meshes": tables.meshes,
 }
-#: The parts that take a while.
+#: The slow parts.
 LONG = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
-    """A robot and its findings, as a report needs them."""
+    """A robot, its findings, and the document that reports them."""
 
     document: ReportDocument  # for all outputs
     context: Context  # the robot
-    diagnostics: tuple[Diagnostic, ...]  # what ``urdfkit check`` finds
+    diagnostics: tuple[Diagnostic, ...]  # findings of ``urdfkit check``
 
 
 def describe(
@@ -67,19 +67,19 @@ def describe(
     quick: bool = False,
     progress: Progress | None = None,
 ) -> ReportInput:
-    """Everything that a report says of a robot.
+    """The contents of a report.
 
-    Of a robot that cannot be read, only the findings are reported.
+    If the robot cannot be read, only its findings are reported.
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
-        quick: leave out what takes a while, which is all of `LONG`.
-        progress: called with the number of steps done and of all, where it takes a while.
+        quick: omit the slow parts, `LONG`.
+        progress: called with the number of finished steps and of all steps of a slow part.
 
     Raises:
-        UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: a launch file describes none, or several.
-        ConfigError: the configuration has several variants of the file, or none of this name.
+        UnreadableFile: the file is missing or cannot be read.
+        UnreadableRobot: a launch file describes no robot, or several.
+        ConfigError: the configuration has several variants of the file, or lacks this variant.
     """
     options = options.with_config()
     source, resolver = Source.of(file), Resolver(options.packages)
@@ -94,10 +94,10 @@ def describe(
 
 
 def completed(reported: ReportInput, progress: Progress | None = None) -> ReportInput:
-    """The same with what takes a while.
+    """A report with the slow parts.
 
     Args:
-        progress: called with the number of steps done and of all.
+        progress: called with the number of finished steps and of all steps.
     """
     long: dict[str, Callable[[Context], object]] = {
         "statics": physics.statics,
@@ -112,12 +112,12 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
 
 
 def _computed(
-    context: Context, wanted: Mapping[str, Callable[[Context], object]]
+    context: Context, functions: Mapping[str, Callable[[Context], object]]
 ) -> tuple[ReportDocument, dict[str, str]]:
-    """Parts of a document, and why some of them cannot be had."""
+    """Parts of a document, and the reasons why parts are missing."""
     parts: ReportDocument = {}
     missing: dict[str, str] = {}
-    for name, part in wanted.items():
+    for name, part in functions.items():
         try:
             parts[name] = part(context)
         except Unavailable as reason:
@@ -129,8 +129,8 @@ def _document(context: Context, report: Report) -> ReportDocument:
     parts, missing = _computed(context, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
-            {"by": one.reader, "code": one.code, "message": one.message}
-            for one in rejections(report.diagnostics, context.gazebo)
+            {"by": rejection.reader, "code": rejection.code, "message": rejection.message}
+            for rejection in rejections(report.diagnostics, context.gazebo)
         ]
     is_read = context.reading.document is not None
     places = ElementLookup(context.model if is_read else None)
@@ -157,9 +157,9 @@ def _document(context: Context, report: Report) -> ReportDocument:
 
 
 def _portable(document: ReportDocument, context: Context) -> ReportDocument:
-    """What JSON can hold, without the directories of the machine that it was made on.
+    """The document as JSON can represent it, without directories of this machine.
 
-    Paths in the workspace of the robot begin at the workspace.
+    Paths in the workspace of the robot are relative to the workspace.
     """
     file = disk.real(context.source.path)
     around = (context.resolver.packages.workspace(file), os.path.dirname(file))
@@ -167,17 +167,17 @@ def _portable(document: ReportDocument, context: Context) -> ReportDocument:
 
     def portable(value: Any) -> Any:
         if isinstance(value, dict):
-            return {key: portable(one) for key, one in value.items()}
+            return {key: portable(item) for key, item in value.items()}
         if isinstance(value, list | tuple):
-            return [portable(one) for one in value]
+            return [portable(item) for item in value]
         if not isinstance(value, str) or os.sep not in value:
             return value
         for directory in around:
             value = without_directory(value, directory)
         return without_directory(value, home, "~/")
 
-    found: ReportDocument = portable(finite(document))
-    return found
+    result: ReportDocument = portable(finite(document))
+    return result
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:
@@ -193,8 +193,8 @@ def _targets(report: Report) -> list[dict[str, Any]]:
 
 def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
     counts = dict.fromkeys((severity.value for severity in Severity), 0)
-    for found in report.diagnostics:
-        counts[_severity(found, name).value] += 1
+    for finding in report.diagnostics:
+        counts[_severity(finding, name).value] += 1
     verdict = "passes"
     if counts["error"]:
         verdict = "fails"
@@ -204,8 +204,8 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
     return {"name": name, "about": about, "evidence": evidence, "verdict": verdict, **counts}
 
 
-def _severity(found: Diagnostic, target: str) -> Severity:
-    """How bad a finding is for one program alone."""
-    rule = rule_index.get(found.code)
-    own = rule.severities.get(target) if found.targets else None
-    return own or found.severity
+def _severity(finding: Diagnostic, target: str) -> Severity:
+    """Severity of a finding for one target."""
+    rule = rule_index.get(finding.code)
+    own = rule.severities.get(target) if finding.targets else None
+    return own or finding.severity

@@ -1,9 +1,9 @@
-"""The 3D engine: three.js as trimesh's package brings it, read when a page is written.
+"""The 3D engine: three.js from trimesh's package, read when a page is written.
 
-Compared were the packages that ship a 3D engine as a script: trimesh's viewer (0.7 MB; three.js
-with its reader of glTF, and trimesh is installed anyway), viser (0.8 MB; its page speaks a
-protocol of its own), meshcat (0.9 MB; an old three.js, and it needs IPython, ZeroMQ and Tornado)
-and k3d (2.6 MB, and it needs the Jupyter widgets).
+Packages that contain a 3D engine as a script: trimesh's viewer (0.7 MB; three.js with its glTF
+loader, and trimesh is installed anyway), viser (0.8 MB; its page uses a protocol of its own),
+meshcat (0.9 MB; an old three.js, and it needs IPython, ZeroMQ and Tornado) and k3d (2.6 MB, and
+it needs the Jupyter widgets).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from urdfkit.core.installation import needing
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 
-#: The engine ends here in the script of trimesh's page; what follows is that page's own.
+#: End of the engine in the script of trimesh's page; the code of the page follows.
 _END = "THREE.GLTFLoader=GLTFLoader;})();"
 _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 _TEMPLATE = "templates/viewer.zip"
@@ -24,16 +24,16 @@ _TEMPLATE = "templates/viewer.zip"
 class PageEngine(Record):
     """The 3D engine (JavaScript) of a page."""
 
-    script: str  # that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice
-    package: str  # that it comes from, with its version
-    licence: str  # the text of the licence
+    script: str  # defines ``THREE`` and ``THREE.GLTFLoader``; with its copyright notice
+    package: str  # the source package, with its version
+    licence: str  # text of the licence
 
 
 def load() -> PageEngine:
     """Load the 3D engine.
 
     Raises:
-        UrdfkitError: trimesh is not installed, or is one whose viewer is another.
+        UrdfkitError: trimesh is not installed, or its viewer has another format.
     """
     with needing("the 3D view", "report"):
         from trimesh.resources import get_bytes
@@ -42,9 +42,7 @@ def load() -> PageEngine:
     package = distribution("trimesh")
     name = f"trimesh {package.version}"
     if not end:
-        raise UrdfkitError(
-            f"the viewer of {name} is not one that urdfkit knows: pip install 'trimesh>=4.9'"
-        )
+        raise UrdfkitError(f"the viewer of {name} is not supported: pip install 'trimesh>=4.9'")
     notice = script[: script.find("*/") + 2]
     return PageEngine(script + end, name, f"{notice}\n\n{_licence()}")
 
@@ -58,7 +56,7 @@ def _page(archive: bytes) -> str:
 
 
 def _licence() -> str:
-    """The text of the MIT licence, which is that of three.js and of trimesh, as trimesh has it."""
+    """Text of the MIT licence of three.js and trimesh, from trimesh's package."""
     try:
         files = distribution("trimesh").files or []
     except PackageNotFoundError:

@@ -1,4 +1,4 @@
-"""Findings for a page: with the piece of source that they are about, and the links they concern."""
+"""Findings for a page: with their source excerpt, and their links and joints."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -10,31 +10,31 @@ from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
 
-#: Lines around the one that a finding is about.
+#: Lines shown before and after the line of a finding.
 CONTEXT = 1
-#: Characters of a line that are shown on either side of what is marked, and of that itself.
+#: Most characters that are shown on either side of the marked text, and of the marked text.
 MAX_SIDE, MAX_MARKED = 80, 240
 _MORE = "..."
 
 
 def findings(diagnostics: Iterable[Diagnostic], places: ElementLookup) -> list[dict[str, Any]]:
-    """The findings, each as the JSON report has it, with what a page needs besides."""
+    """The findings as in the JSON report, with additional entries for a page."""
     return [
         {
-            **_written(found),
-            "family": rule_index.FAMILIES.get(found.code[:3], found.code[:3]),
-            "links": _unique(places.link(call.element) for call in found.calls),
-            "joints": _unique(places.joint(call.element) for call in found.calls),
-            "excerpt": excerpt(found.span),
-            "explanation": rule_index.get(found.code).explanation,
+            **_written(finding),
+            "family": rule_index.FAMILIES.get(finding.code[:3], finding.code[:3]),
+            "links": _unique(places.link(call.element) for call in finding.calls),
+            "joints": _unique(places.joint(call.element) for call in finding.calls),
+            "excerpt": excerpt(finding.span),
+            "explanation": rule_index.get(finding.code).explanation,
         }
-        for found in diagnostics
+        for finding in diagnostics
     ]
 
 
-def _written(found: Diagnostic) -> dict[str, Any]:
-    entry = as_json.finding(found)
-    del entry["variants"]  # a report is about one
+def _written(finding: Diagnostic) -> dict[str, Any]:
+    entry = as_json.finding(finding)
+    del entry["variants"]  # a report covers one variant
     return entry
 
 
@@ -43,7 +43,7 @@ def _unique(names: Any) -> list[str]:
 
 
 def excerpt(span: Span) -> list[dict[str, Any]]:
-    """The line of a span and those around it, as text before, in and after the span."""
+    """The line of a span and its neighbours, as text before, in and after the span."""
     source, line = span.source, span.line
     last = source.position(len(source.data))[0]
     shown = range(max(1, line - CONTEXT), min(last, line + CONTEXT) + 1)

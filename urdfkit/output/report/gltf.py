@@ -1,9 +1,9 @@
-"""Binary glTF of the surfaces of a robot, small enough to travel inside a page.
+"""Binary glTF of the surfaces of a robot, small enough to embed in a page.
 
 Positions are 16-bit numbers in the box of each surface and normals 8-bit ones
-(``KHR_mesh_quantization``), corners that are alike are one, and surfaces that are alike share
+(``KHR_mesh_quantization``), equal corners are merged, and equal surfaces share
 their bytes. A node is a surface in the frame of its link, with ``link``, ``role`` and ``label``
-among its extras; where links are is not in the file, since joints move them.
+among its extras; the file has no link poses, since joints move the links.
 """
 
 import json
@@ -23,12 +23,12 @@ from urdfkit.render.textures import texture as read_image
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
-#: Textures over so many bytes are written anew, smaller.
+#: Size in bytes above which a texture is compressed again.
 MAX_TEXTURE = 4 * 1024 * 1024
 
 
 class GltfWriter:
-    """Collects surfaces; `data` is the file."""
+    """Collects surfaces; `data` returns the file."""
 
     def __init__(self) -> None:
         self._bytes = bytearray()
@@ -42,7 +42,7 @@ class GltfWriter:
         self.triangles = 0
 
     def add(self, item: SceneItem) -> None:
-        """One surface; what has no finite extent is left out."""
+        """Add a surface; a surface without a finite extent is ignored."""
         corners = _corners(item)
         if corners is None:
             return
@@ -73,7 +73,7 @@ class GltfWriter:
 
     @property
     def data(self) -> bytes:
-        """The file; the same surfaces give the same bytes."""
+        """Contents of the file; equal surfaces yield equal bytes."""
         document = {
             "asset": {"version": "2.0", "generator": "urdfkit"},
             "extensionsUsed": ["KHR_mesh_quantization"],
@@ -99,7 +99,7 @@ class GltfWriter:
         return pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
     def _once(self, key: object, place: list[dict[str, Any]], entry: dict[str, Any]) -> int:
-        """The number of an entry, which is made if there is none like it."""
+        """Index of an entry, which is added if it does not exist."""
         if key not in self._known:
             self._known[key] = len(place)
             place.append(entry)
@@ -122,7 +122,7 @@ class GltfWriter:
         bounded: bool = False,
         target: int = _ARRAY,
     ) -> int:
-        """Rows of numbers; each begins at a multiple of four bytes."""
+        """Index of an accessor of rows of numbers; each row is aligned to four bytes."""
         rows = values.reshape(len(values), -1)
         width = rows.shape[1]
         more: dict[str, int] = {"target": target}
@@ -159,7 +159,7 @@ class GltfWriter:
         return self._once(("material", json.dumps(entry)), self._materials, entry)
 
     def _image(self, texture: str | bytes | None) -> int | None:
-        """An image that every browser shows; None for what is none."""
+        """Index of an image that every browser shows; None if the texture is not an image."""
         if texture is None or ("image", texture) in self._known:
             return None if texture is None else self._known["image", texture]
         data = _shown(texture)
@@ -170,7 +170,7 @@ class GltfWriter:
 
 
 def write(items: Iterable[SceneItem]) -> tuple[bytes, int]:
-    """A file of surfaces, and how many triangles it holds."""
+    """A glTF file of surfaces, and its number of triangles."""
     writer = GltfWriter()
     for item in items:
         writer.add(item)
@@ -178,10 +178,10 @@ def write(items: Iterable[SceneItem]) -> tuple[bytes, int]:
 
 
 def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
-    """Numbers as the file holds them: faces, positions, where and how large, normals, uv, colours.
+    """Quantized arrays: faces, positions, offset and size, normals, uv, colours.
 
-    Positions are parts of 65535 of the surface's longest edge: a scale that is the same along
-    all axes leaves normals as they are.
+    Positions are in units of 1/65535 of the surface's longest edge: a uniform scale does not
+    change normals.
     """
     finite = np.asarray(np.isfinite(item.vertices).all(axis=1))
     triangles = item.faces[finite[item.faces].all(axis=1)]
@@ -205,10 +205,10 @@ def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
     _, first, number = np.unique(
         rows.view(f"V{rows.shape[1]}").reshape(-1), return_index=True, return_inverse=True
     )
-    kept = [None if column is None else column[first] for column in columns]
+    unique = [None if column is None else column[first] for column in columns]
     narrow = np.uint16 if len(first) < 65536 else np.uint32
     faces = number.reshape(-1)[(np.cumsum(is_used) - 1)[triangles.reshape(-1)]]
-    return faces.astype(narrow), kept[0], low, np.float64(size), *kept[1:]
+    return faces.astype(narrow), unique[0], low, np.float64(size), *unique[1:]
 
 
 def _column(
@@ -230,7 +230,7 @@ def _linear(part: float) -> float:
 
 
 def _shown(texture: str | bytes) -> bytes:
-    """A PNG or JPEG as it is, another image as a JPEG; nothing for what is none."""
+    """A PNG or JPEG unchanged, another image as a JPEG; empty if it is not an image."""
     if texture == STRIPES:
         return stripes()
     data = texture if isinstance(texture, bytes) else _file(texture)
@@ -241,17 +241,17 @@ def _shown(texture: str | bytes) -> bytes:
 
 
 def _file(path: str) -> bytes:
-    """The bytes of a file, if they may travel as they are."""
+    """Contents of a file, if it is small enough to embed."""
     try:
         if disk.state(path).st_size > MAX_TEXTURE:
             return b""
         return disk.read(path)
-    except (OSError, ValueError):  # it is gone, or is no name of a file
+    except (OSError, ValueError):  # missing, or not a file name
         return b""
 
 
 def _kind(data: bytes) -> str:
-    """The kind of an image that every browser shows; empty for another one."""
+    """Media type of an image that every browser shows; empty for other data."""
     if data.startswith(b"\x89PNG\r\n\x1a\n"):
         return "image/png"
     return "image/jpeg" if data.startswith(b"\xff\xd8\xff") else ""

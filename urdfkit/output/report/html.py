@@ -1,7 +1,7 @@
 """The report as one HTML file that opens offline, from the templates in this package.
 
-Everything that comes from a robot is escaped by Jinja. The page also carries a content security
-policy: the browser runs only the scripts whose hashes it names, and loads nothing from anywhere.
+Jinja escapes all text from a robot. The page also has a content security policy: the browser
+runs only scripts whose hashes the policy lists, and loads nothing from other sites.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ if TYPE_CHECKING:
     from urdfkit.output.report.engine import PageEngine
     from urdfkit.output.report.scene import PageScene
 
-#: Findings and rows of a table that a page shows; more make a browser slow.
+#: Most findings, and rows of a table, that a page shows; more make a browser slow.
 MAX_FINDINGS, MAX_ROWS = 500, 400
-#: Links of a matrix.
+#: Most links of a collision matrix.
 MAX_MATRIX = 60
 
 _DIRECTORY = os.path.join(os.path.dirname(__file__), "templates")
-#: The scripts of the 3D view, in the order of their needs.
+#: Scripts of the 3D view, in the order of their dependencies.
 _SCENE = ("joints.js", "surfaces.js", "model.js", "overlays.js", "camera.js", "scene.js")
 _SEVERITIES = ("error", "warning", "info")
 _QUOTED = re.compile(r"'([^']*)'")
@@ -52,9 +52,9 @@ def render(
     """The page as HTML.
 
     Args:
-        drawings: addresses of images, by name.
-        scene: the robot in three dimensions; None for a page without.
-        shape: for the viewer, which sends its page new contents: the number of this robot.
+        drawings: URIs of images, by name.
+        scene: the robot in 3D; None for a page without a 3D view.
+        shape: number of this robot in the viewer, which sends new contents to its page.
 
     Raises:
         UrdfkitError: Jinja is not installed.
@@ -76,10 +76,10 @@ def render(
 
 
 def render_plain(template: str, translator: Translator, **context: object) -> str:
-    """A page without a 3D view, of another template.
+    """A page without a 3D view, from another template.
 
     Args:
-        context: what it shows, by name.
+        context: variables of the template.
     """
     scripts = [_read("page.js")]
     return (
@@ -105,7 +105,7 @@ def render_view(translator: Translator) -> str:
 def render_content(
     document: ReportDocument, translator: Translator, drawings: Mapping[str, str]
 ) -> str:
-    """The contents about the robot, without the page around it."""
+    """The contents about the robot, without the page around them."""
     context = _context(document, translator, drawings)
     return _environment().get_template("content.html.j2").render(context)
 
@@ -115,16 +115,16 @@ def _context(
 ) -> dict[str, Any]:
     robot = document["robot"]
     name = robot["name"] if robot else ""
-    found = sorted(document["gathered"], key=lambda one: _SEVERITIES.index(one["severity"]))
+    findings = sorted(document["gathered"], key=lambda item: _SEVERITIES.index(item["severity"]))
     return {
         "document": document,
         "drawings": drawings,
         "_": translator,
         "title": printable(name or os.path.basename(document["file"])),
         "absent": _by_reason(document["missing"].items()),
-        "skipped": _by_reason((one["code"], one["reason"]) for one in document["skipped"]),
-        "groups": _groups(found[:MAX_FINDINGS]),
-        "more": max(0, len(found) - MAX_FINDINGS),
+        "skipped": _by_reason((item["code"], item["reason"]) for item in document["skipped"]),
+        "groups": _groups(findings[:MAX_FINDINGS]),
+        "more": max(0, len(findings) - MAX_FINDINGS),
         "rows": MAX_ROWS,
         "verdicts": VERDICTS,
         "plurals": PLURALS,
@@ -150,23 +150,23 @@ def _context(
     }
 
 
-def _matrix(found: dict[str, Any] | None) -> list[tuple[str, list[dict[str, Any] | None]]]:
-    """The lower half of the matrix of collisions, a row for each link; empty if it is too large."""
-    if not found or len(found["links"]) > MAX_MATRIX:
+def _matrix(collisions: dict[str, Any] | None) -> list[tuple[str, list[dict[str, Any] | None]]]:
+    """Lower half of the collision matrix, one row per link; empty if it is too large."""
+    if not collisions or len(collisions["links"]) > MAX_MATRIX:
         return []
-    pairs = {frozenset((pair["first"], pair["second"])): pair for pair in found["pairs"]}
-    names = found["links"]
+    pairs = {frozenset((pair["first"], pair["second"])): pair for pair in collisions["pairs"]}
+    names = collisions["links"]
     return [
         (name, [pairs.get(frozenset((name, other))) for other in names[:number]])
         for number, name in enumerate(names)
     ]
 
 
-def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
-    """The pairs that collide, or come near to it, the most frequent first."""
+def _colliding(collisions: dict[str, Any] | None) -> list[dict[str, Any]]:
+    """Pairs of links that collide or nearly collide, the most frequent first."""
     pairs = [
         pair
-        for pair in (found["pairs"] if found else ())
+        for pair in (collisions["pairs"] if collisions else ())
         if pair["near_miss"] or pair["verdict"] not in ("adjacent", "never")
     ]
     return sorted(pairs, key=lambda pair: -(pair["frequency"] or 0.0))
@@ -175,14 +175,14 @@ def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
 def _rejections(
     converted: dict[str, Any] | None,
 ) -> list[tuple[str, list[tuple[str, str, list[str]]]]]:
-    """Why each reader rejects the robot: messages with the codes of their rules.
+    """Reasons why each reader rejects the robot: messages with the codes of their rules.
 
-    Messages that differ only in names are one, with the first name of each of the others.
+    Messages that differ only in names are merged; the first name of each is listed.
     """
     readers: dict[str, dict[tuple[str, str], list[str]]] = {}
-    for found in converted["rejected"] if converted else ():
-        alike = (_QUOTED.sub("''", found["message"]), found["code"])
-        readers.setdefault(found["by"], {}).setdefault(alike, []).append(found["message"])
+    for rejection in converted["rejected"] if converted else ():
+        key = (_QUOTED.sub("''", rejection["message"]), rejection["code"])
+        readers.setdefault(rejection["by"], {}).setdefault(key, []).append(rejection["message"])
     return [
         (
             reader,
@@ -196,18 +196,18 @@ def _rejections(
 
 
 def _by_reason(missing: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
-    """What cannot be had, each with the reason: by the reason."""
-    found: dict[str, list[str]] = {}
+    """Names of missing parts, by reason."""
+    names: dict[str, list[str]] = {}
     for name, reason in missing:
-        found.setdefault(reason, []).append(name)
-    return found
+        names.setdefault(reason, []).append(name)
+    return names
 
 
 def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[int, Any]]]]:
-    """The findings by what they are about, each with a number; the worst first."""
+    """The findings by rule family, each with a number; the worst first."""
     groups: dict[str, list[tuple[int, Any]]] = {}
-    for number, found in enumerate(findings):
-        groups.setdefault(found["family"], []).append((number, found))
+    for number, finding in enumerate(findings):
+        groups.setdefault(finding["family"], []).append((number, finding))
     return list(groups.items())
 
 
@@ -239,7 +239,7 @@ def _read(name: str) -> str:
 
 
 def _safe(text: str) -> str:
-    """A text of our own that is markup, or stands where nothing is escaped."""
+    """A text of urdfkit that must not be escaped."""
     from markupsafe import Markup
 
     assert "</script" not in text.lower()
@@ -247,7 +247,7 @@ def _safe(text: str) -> str:
 
 
 def _json(value: object) -> str:
-    """JSON for a script element, which nothing in it can end."""
+    """JSON for a script element; it cannot contain the end tag of the element."""
     from jinja2.utils import htmlsafe_json_dumps
 
     return htmlsafe_json_dumps(value, ensure_ascii=False, separators=(",", ":"))
@@ -258,7 +258,7 @@ def _base64(data: bytes) -> str:
 
 
 def _policy(scripts: Sequence[str], *, live: bool) -> str:
-    """What a page may do: run these scripts, and show what it carries; a live one, ask us."""
+    """Content security policy: embedded scripts and images; a live page may use its server."""
     hashes = (hashlib.sha256(script.encode()).digest() for script in scripts)
     sources = " ".join(f"'sha256-{_base64(digest)}'" for digest in hashes)
     connections = "'self' blob: data:" if live else "blob: data:"
@@ -280,14 +280,14 @@ def _number(value: float | None) -> str:
 
 
 def _words(name: str) -> str:
-    """A name or a path that a line may break after its underscores and slashes."""
+    """A name or path with line break opportunities after underscores and slashes."""
     from markupsafe import Markup, escape
 
     return Markup(re.sub(r"([_/])(?!/)", r"\1<wbr>", str(escape(printable(name)))))
 
 
 def _vector(values: Sequence[float | None] | None, places: int = 12) -> str:
-    """Numbers that a line may break between, with no more decimal places than are given."""
+    """Numbers with line break opportunities between them, and at most ``places`` decimal places."""
     from markupsafe import Markup
 
     texts = ("?" if value is None else _number(round(value, places)) for value in values or ())
@@ -295,13 +295,13 @@ def _vector(values: Sequence[float | None] | None, places: int = 12) -> str:
 
 
 def _dots(moments: Sequence[float | None] | None) -> str:
-    """A drawing of three moments on a logarithmic scale from 1e-7 to 100 kg·m²."""
+    """Drawing of three moments on a logarithmic scale from 1e-7 to 100 kg·m²."""
     from markupsafe import Markup
 
-    known = [moment for moment in moments or () if moment is not None and moment > 0]
-    if not known:
+    positive = [moment for moment in moments or () if moment is not None and moment > 0]
+    if not positive:
         return ""
-    places = [min(max((log10(moment) + 7) / 9, 0.0), 1.0) for moment in known]
+    places = [min(max((log10(moment) + 7) / 9, 0.0), 1.0) for moment in positive]
     dots = "".join(f'<circle cx="{4 + 92 * place:.1f}" cy="6" r="3"/>' for place in places)
     return Markup(
         '<svg class="dots" viewBox="0 0 100 12" width="100" height="12" aria-hidden="true">'

@@ -12,7 +12,7 @@ _VERDICTS = {"passes": "🟢", "passes with warnings": "🟡", "fails": "🔴"}
 
 
 def render(document: ReportDocument, translator: Translator) -> str:
-    """Summary, verdicts and findings first; tables follow as long as they fit."""
+    """Summary, verdicts, findings, and then tables."""
     return fitted(_sections(document, translator))
 
 
@@ -52,10 +52,10 @@ def _target(target: dict[str, Any], _: Translator) -> list[str]:
 
 
 def _findings(findings: Iterable[dict[str, Any]], _: Translator) -> Iterator[list[str]]:
-    for found in sorted(findings, key=lambda one: list(_SIGNS).index(one["severity"])):
-        place = f"{found['path']}:{found['line']}:{found['column']}"
-        what = f"{_SIGNS[found['severity']]} {found['code']}"
-        yield [what, code(place), escape(found["message"])]
+    for finding in sorted(findings, key=lambda item: list(_SIGNS).index(item["severity"])):
+        place = f"{finding['path']}:{finding['line']}:{finding['column']}"
+        kind = f"{_SIGNS[finding['severity']]} {finding['code']}"
+        yield [kind, code(place), escape(finding["message"])]
 
 
 def _link(link: dict[str, Any]) -> list[str]:

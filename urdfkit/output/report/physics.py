@@ -7,11 +7,11 @@ from urdfkit.output.report.tables import Row
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of
 
-#: Poses that statics and collisions sample; the commands of their own take more.
+#: Number of sampled poses for statics and for collisions; the separate commands sample more.
 POSES, SAMPLES = 200, 1000
-#: Pairs of links that a report compares; more take minutes, in which nobody waits for a page.
+#: Most pairs of links that a report compares; more take minutes.
 MAX_PAIRS = 10_000
-#: Torques in N·m, and forces in N, under this are rounding.
+#: Torques in N·m and forces in N below this value are rounding errors.
 NOISE = 1e-9
 
 
@@ -19,16 +19,16 @@ def statics(context: Context) -> Row:
     """The gravity load of each joint in its worst pose, the most loaded joint first.
 
     Raises:
-        Unavailable: Pinocchio is not installed, or cannot take the robot.
+        Unavailable: Pinocchio is not installed, or cannot read the robot.
     """
     robot = context.dynamics
     from urdfkit.physics.dynamics.statics import statics as loads_of
 
-    found = loads_of(robot, samples=POSES)
+    result = loads_of(robot, samples=POSES)
     joints = context.model.joints_by_name
     return {
-        "poses": found.poses,
-        "mass": found.mass,
+        "poses": result.poses,
+        "mass": result.mass,
         "joints": [
             {
                 "joint": load.joint,
@@ -39,18 +39,18 @@ def statics(context: Context) -> Row:
                 "used": load.used,
                 "exceeded": load.is_exceeded,
             }
-            for load in found.loads
+            for load in result.loads
         ],
     }
 
 
 def _round(torque: float) -> float:
-    """A torque, or 0 where it is but the rounding of sums."""
+    """A torque; 0 if it is only a rounding error."""
     return 0.0 if abs(torque) < NOISE else torque
 
 
 def standing(context: Context) -> Row:
-    """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
+    """Stability of the robot with all joints at zero, as in ``urdfkit statics``.
 
     Raises:
         Unavailable: links and joints do not form one tree.
@@ -61,11 +61,11 @@ def standing(context: Context) -> Row:
 
 
 def collisions(context: Context, progress: Progress | None = None) -> Row:
-    """Which links can collide with which, as sampling shows it.
+    """Pairs of links that can collide, by sampling.
 
     Args:
         context: the robot.
-        progress: called with the number of samples done and of all.
+        progress: called with the number of finished samples and of all samples.
 
     Raises:
         Unavailable: coal is not installed, or the robot has too many pairs of links.
@@ -94,5 +94,5 @@ def collisions(context: Context, progress: Progress | None = None) -> Row:
             for pair in matrix.pairs
         ],
         "parts": list(matrix.parts),
-        "omitted": [{"link": one.link, "reason": one.reason} for one in matrix.omitted],
+        "omitted": [{"link": item.link, "reason": item.reason} for item in matrix.omitted],
     }

@@ -1,4 +1,4 @@
-"""A robot in three dimensions, for the engine in a page: surfaces, and how joints move links."""
+"""A robot for the 3D engine in a page: surfaces, and how joints move links."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
     from urdfkit.lint.context import Context
     from urdfkit.render import Scene
 
-#: A page of more links is too slow to open, one of more triangles too large to send.
+#: Limits of a page: more links are too slow to open, more triangles too large to send.
 MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
 
 
 def without_report() -> str:
-    """Why there is no 3D view where what draws it is not installed."""
+    """Message if the libraries for images and the 3D view are not installed."""
     return f"images and the 3D view need: {install_command('report')}"
 
 
 class PageScene(Record):
-    """The robot as the 3D engine draws it."""
+    """A robot in the format of the 3D engine."""
 
-    model: bytes  # binary glTF, packed with gzip; each surface in the frame of its link
+    model: bytes  # binary glTF, compressed with gzip; each surface in the frame of its link
     robot: dict[str, Any]  # links, and joints with parents before children, as plain values
 
 
@@ -46,7 +46,7 @@ def surfaces(context: Context) -> Scene:
 
 
 def build(context: Context, built: Scene) -> PageScene:
-    """The scene of a robot; of one with very many triangles a coarse one."""
+    """The scene of a robot; simplified if the robot has very many triangles."""
     from urdfkit.output.report.gltf import write
     from urdfkit.render.coarse import coarsened
 
@@ -76,5 +76,5 @@ def nothing() -> PageScene:
 
 
 def packed(model: bytes) -> bytes:
-    """A model as a page carries it."""
+    """A compressed model."""
     return gzip.compress(model, 6, mtime=0)  # 9 takes twice as long for 0.1 % less

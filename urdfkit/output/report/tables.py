@@ -13,10 +13,10 @@ Row = dict[str, Any]
 
 
 def robot(context: Context) -> Row:
-    """What it is as a whole, all joints at zero; in the frame of its root."""
+    """Properties of the whole robot with all joints at zero, in the frame of its root."""
     model, tree = context.model, context.tree
-    seen = summarise(context)
-    whole = seen.weight.whole.properties
+    overview = summarise(context)
+    whole = overview.weight.whole.properties
     return {
         "name": model.name,
         "links": len(model.links),
@@ -26,8 +26,8 @@ def robot(context: Context) -> Row:
         "mass": model.mass,
         "center": list(whole.center) if whole else None,
         "visuals": sum(len(link.visuals) for link in model.links),
-        "size": list(seen.shapes.box.edges) if seen.shapes.box else None,
-        "reach": seen.reach.distance if seen.reach else None,
+        "size": list(overview.shapes.box.edges) if overview.shapes.box else None,
+        "reach": overview.reach.distance if overview.reach else None,
         "collisions": sum(len(link.collisions) for link in model.links),
     }
 
@@ -55,7 +55,7 @@ def _link(link: Link, total: float) -> Row:
 
 
 def _shape(shape: Shape | None) -> str:
-    """The mesh that it is, or its kind."""
+    """File name of a mesh, or kind of another shape."""
     if shape is None:
         return ""
     return shape.filename.value if shape.filename else shape.kind
@@ -67,7 +67,7 @@ def _place(span: Span) -> Row:
 
 
 def joints(context: Context) -> list[Row]:
-    """Each joint with its type, links, axis, limits and the joint that it follows."""
+    """Each joint with its type, links, axis, limits and mimicked joint."""
     return [_joint(joint) for joint in context.model.joints]
 
 
@@ -96,7 +96,7 @@ def _joint(joint: Joint) -> Row:
 
 
 def gazebo(context: Context) -> Row:
-    """The result of the conversion to SDF: each link, and the links that are left."""
+    """The result of the conversion to SDF: for each URDF link, and the remaining links."""
     conversion = context.gazebo
     results = {
         link.name: _conversion_result(link.name, conversion.survivor, conversion.dropped)
@@ -130,7 +130,7 @@ def _conversion_result(name: str, survivor: dict[str, str], dropped: dict[str, s
 
 
 def meshes(context: Context) -> list[Row]:
-    """Each mesh that the robot names: where its file is, and what the file holds."""
+    """Each mesh reference of the robot, with path and properties of the file."""
     counts = _triangles(context)
     rows = []
     for mesh in context.files.meshes:
@@ -151,14 +151,14 @@ def meshes(context: Context) -> list[Row]:
 
 
 def _triangles(context: Context) -> dict[str, int]:
-    """How many triangles a mesh file gives, by the name that it is referred to."""
-    found: dict[str, int] = {}
+    """Number of triangles of mesh files, by the file name in the robot."""
+    counts: dict[str, int] = {}
     for shape in context.model.shapes:
-        if shape.filename and shape.filename.value not in found:
+        if shape.filename and shape.filename.value not in counts:
             try:
                 mesh = context.meshes.mesh(shape)
             except (ImportError, MissingLibrary, Unavailable):
                 return {}
             if mesh is not None:
-                found[shape.filename.value] = sum(len(part.faces) for part in mesh.parts)
-    return found
+                counts[shape.filename.value] = sum(len(part.faces) for part in mesh.parts)
+    return counts

@@ -1,11 +1,11 @@
-"""The words of a page in the reader's language; what a rule says stays English."""
+"""Translations of the texts of a page; messages of rules remain English."""
 
 import json
 import os
 
-#: Languages by their code; English is the key that the others are found under.
+#: Language codes; the English texts are the keys of the translations.
 LANGUAGES = ("en", "zh")
-#: Severities after any number but 1.
+#: Plurals of severities.
 PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 
 

@@ -1,4 +1,4 @@
-"""report(): the report of a robot in the format of a file's suffix."""
+"""The `report` function: the report of a robot in a format."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
 
-#: Forms of a report, by the suffix of a file.
+#: Formats of a report, by file suffix.
 SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json", ".csv": "csv"}
 
 
@@ -28,7 +28,7 @@ def report(
     quick: bool = False,
     progress: Progress | None = None,
 ) -> tuple[str, ReportDocument]:
-    """The text of a report, and the document that it was made from.
+    """The text of a report, and its document.
 
     Args:
         file: a URDF or xacro file.
@@ -36,12 +36,12 @@ def report(
         options: of the check.
         language: of headings and the like: ``en`` or ``zh``.
         table: of CSV, one of `csv.COLUMNS`.
-        quick: leave out what takes a while: images, statics and collisions.
-        progress: called with the number of steps done and of all, where it takes a while.
+        quick: omit the slow parts: images, statics, stability and collisions.
+        progress: called with the number of finished steps and of all steps of a slow part.
 
     Raises:
-        UnreadableFile: the file is missing or may not be read.
-        UrdfkitError: the form needs a library that is not installed, or has no such table.
+        UnreadableFile: the file is missing or cannot be read.
+        UrdfkitError: the format needs a library that is not installed, or lacks the table.
     """
     is_quick = quick or not _shows_all(form, table)
     reported = describe(file, options, quick=is_quick, progress=progress)
@@ -60,14 +60,14 @@ def report(
 
 
 def _shows_all(form: str, table: str) -> bool:
-    """True if a form shows what takes a while."""
+    """True if a format shows the slow parts."""
     return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
 def _page(
     reported: ReportInput, translator: Translator, *, has_images: bool
 ) -> tuple[str, ReportDocument]:
-    """A page with images and the 3D view, if they can be had; else with the reason why not."""
+    """A page with images and the 3D view, or with the reason why they are missing."""
     from urdfkit.output.report import html
 
     document, data_uris, scene = rendered(reported, has_images=has_images)
@@ -79,32 +79,32 @@ def _page(
 
 
 class RobotImages(Record):
-    """A robot as images."""
+    """Images of a robot."""
 
-    document: ReportDocument  # its contents, and why an image is missing
-    drawings: dict[str, str]  # addresses of images, by name
-    scene: PageScene | None  # the robot in three dimensions; None if it cannot be had
+    document: ReportDocument  # of the report, with the reason if an image is missing
+    drawings: dict[str, str]  # URIs of images, by name
+    scene: PageScene | None  # the robot in 3D; None if it is unavailable
 
 
 def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
-    """Drawings of a robot, and the robot in three dimensions; what cannot be had is left out."""
+    """Drawings of a robot, and the robot in 3D; unavailable images are omitted."""
     from urdfkit.output.report import data_uris, scene
 
     context = reported.context
-    found = data_uris.tree(context)
+    drawings = data_uris.tree(context)
     if context.reading.document is None or not context.model.links:
-        return RobotImages(reported.document, found, None)
+        return RobotImages(reported.document, drawings, None)
     try:
         built = scene.surfaces(context)
     except Unavailable as error:
-        return RobotImages(_without_view(reported.document, str(error)), found, None)
+        return RobotImages(_without_view(reported.document, str(error)), drawings, None)
     if has_images:
-        found |= data_uris.images(built, context, reported.diagnostics)
+        drawings |= data_uris.images(built, context, reported.diagnostics)
     document, triangles = reported.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
         reason = f"simplified: the robot has {triangles} triangles: see urdfkit mesh simplify"
         document = _without_view(document, reason)
-    return RobotImages(document, found, scene.build(context, built))
+    return RobotImages(document, drawings, scene.build(context, built))
 
 
 def _without_view(document: ReportDocument, reason: str) -> ReportDocument:
@@ -113,10 +113,10 @@ def _without_view(document: ReportDocument, reason: str) -> ReportDocument:
 
 
 def form_of(target: str) -> str:
-    """The format of the suffix of a file.
+    """The report format of a file name.
 
     Raises:
-        UrdfkitError: it has none.
+        UrdfkitError: the suffix is unknown.
     """
     for suffix, form in SUFFIXES.items():
         if target.lower().endswith(suffix):

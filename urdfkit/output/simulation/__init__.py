@@ -1,4 +1,4 @@
-"""Does a robot behave? Short simulations in MuJoCo, each with a verdict."""
+"""Short simulations of a robot in MuJoCo, each with a verdict."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ if TYPE_CHECKING:
 def simulate(
     robot: Context | str | os.PathLike[str], *, base: str = "auto", progress: Progress | None = None
 ) -> Simulation:
-    """Simulate a robot: does it stay whole, move, hold itself and land?
+    """Test in simulation whether a robot is stable, moves, holds its pose and lands.
 
-    Nothing is random, and nothing is written.
+    The simulations are deterministic, and nothing is written.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
+        robot: a URDF or xacro file, or the result of `urdfkit.read`.
         base: as for `urdfkit.convert`.
-        progress: counts the tests that are done.
+        progress: called with the number of finished tests and of all tests.
 
     Raises:
         MissingLibrary: MuJoCo is not installed.
         UrdfkitError: the robot cannot be read, or MuJoCo rejects it.
     """
     running = _running()
-    found: Simulation = running.run(
+    simulation: Simulation = running.run(
         robot if isinstance(robot, Context) else read(robot), base, progress
     )
-    return found
+    return simulation
 
 
 def motion(robot: Context, *, base: str, images: int) -> list[dict[str, Transform]]:
-    """Where the links of a robot are in the world while it is released, for so many images.
+    """Link poses in the world while a robot is released, at the times of ``images`` images.
 
-    There are fewer where the simulation diverges. The errors are those of `simulate`.
+    There are fewer if the simulation diverges. The errors are those of `simulate`.
     """
     return list(_running().motion(robot, base, images))
 

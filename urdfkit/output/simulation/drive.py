@@ -1,4 +1,4 @@
-"""Joints that are driven, one by one, with all of their effort."""
+"""Test of joints that are driven one by one with their full effort."""
 
 from collections.abc import Iterator
 
@@ -9,15 +9,15 @@ from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
 from urdfkit.robot.model import Joint
 
-#: Within so many seconds a joint reaches a tenth of its velocity, this one in rad/s or m/s, or an
-#: end of its range. Talos' grippers reach half of theirs.
+#: Within this time in s, a joint must reach this velocity in rad/s or m/s, this part of its
+#: velocity limit, or an end of its range. Talos' grippers reach half of their limit.
 DRIVEN, SPEED, PART = 1.0, 0.1, 0.1
-#: A joint that moves by less, in rad or m, is at the end of its range already.
+#: A joint that moves by less, in rad or m, was at the end of its range.
 _LEAST = 1e-3
 
 
 def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that its effort does not move, or throws; without gravity."""
+    """A verdict for each joint that is too slow or too fast with its effort; without gravity."""
     robot.set_up(gravity=False, contacts=False)
     driven, fails = False, False
     for joint in robot.leaders:
@@ -34,7 +34,7 @@ def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
 
 
 def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float) -> Verdict | None:
-    """None if the joint moves as it should."""
+    """A verdict on a joint; None if it passes."""
     model, data = robot.model, robot.started()
     dof, start = robot.dof(joint.name), robot.position(data, joint.name)
     lower, upper = robot.range(joint.name) or (-float("inf"), float("inf"))

@@ -1,4 +1,4 @@
-"""A floating robot that is dropped: does it land, sink, jitter, tip over?"""
+"""Drop test of a floating robot: whether it lands, sinks, jitters or tips over."""
 
 from collections.abc import Iterator
 from math import acos, degrees
@@ -12,22 +12,22 @@ from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.stability import is_freestanding, lowest_links
 
-#: The height in m that a robot is dropped from, and the seconds until it is to lie still; one that
-#: falls over late may take more.
+#: Height of the drop in m, and time in s after which the robot must be still; a robot that falls
+#: over late has more time.
 HEIGHT, DROPPED, LONGEST = 0.05, 3.0, 6.0
-#: In the last so many seconds, by what it may be accelerated, in m/s²: a robot may roll away.
+#: Final period in s, and its acceleration bound in m/s²: a robot may roll away.
 LAST, JITTER = 0.5, 2.0
-#: How deep it may be in the floor, in m: contacts of MuJoCo give way by 4 mm under a body, and by
-#: 11 mm under the light feet of a heavy robot.
+#: Most depth in the floor, in m: contacts of MuJoCo yield by 4 mm under a body, and by 11 mm
+#: under the light feet of a heavy robot.
 DEPTH = 0.02
-#: How far it may tilt, in degrees.
+#: Most tilt, in degrees.
 TILT = 30.0
 
 
 def drop(robot: SimulatedRobot) -> Iterator[Verdict]:
     """A verdict on a floating robot, with its joints locked, that falls on the floor.
 
-    Only the floor collides: links that overlap would fight the locks.
+    Links collide only with the floor: overlapping links would work against the locks.
     """
     dropped = f"dropped from {HEIGHT * 1e3:g} mm"
     if not robot.model.geom_contype.any():
@@ -86,7 +86,7 @@ def _lock(robot: SimulatedRobot, data: Any) -> None:
 
 
 def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
-    """How deep a link is in the floor, and which."""
+    """Depth in m of the deepest link in the floor, and its name."""
     deepest = (0.0, "")
     for contact in data.contact:
         names = [
@@ -99,7 +99,7 @@ def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
 
 
 def _is_to_stand(robot: SimulatedRobot) -> bool:
-    """True for what stands on wheels and casters; on two wheels it balances."""
+    """True for a robot on wheels and casters; False if it balances on two wheels."""
     links, tree = lowest_links(robot.robot), robot.robot.tree
     has_wheel = any(one.kind == "continuous" for link in links for one in tree.path(link))
     return len(links) > 2 and has_wheel and is_freestanding(tree, links)

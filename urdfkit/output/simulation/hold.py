@@ -1,4 +1,4 @@
-"""Joints that are held where they are by no more than their efforts."""
+"""Test of joints that are held in position with at most their efforts."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -11,16 +11,16 @@ from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot,
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.model import Joint
 
-#: A joint that gives way by more, in rad or m, does not hold.
+#: Most deviation of a joint that holds, in rad or m.
 SAG = 0.02
 #: Seconds that a robot is held for.
 HELD = 1.0
-#: How fast the joints are held, in rad/s: what a stiff drive does.
+#: Natural frequency of the position control in rad/s, as of a stiff drive.
 _STIFFNESS = 30.0
 
 
 def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that gives way; of a welded robot, without contacts."""
+    """A verdict for each joint that gives way, for a welded robot without contacts."""
     robot.set_up(FINE_STEP, contacts=False)
     model, data = robot.model, robot.started()
     needed, start = data.qfrc_bias.copy(), data.qpos.copy()
@@ -35,7 +35,7 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
             sag = abs(float(data.qpos[at] - start[at]))
             if sag > SAG:
                 sags[joint] = sag
-    # A joint that gives way moves others, although their efforts would suffice.
+    # A joint that gives way also moves joints whose efforts suffice.
     is_weak = np.abs(needed) > most
     weak = [joint for joint in sags if is_weak[robot.dof(joint.name)]]
     for joint in weak or sags:
@@ -56,22 +56,22 @@ def _is_limited(joint: Joint) -> bool:
     return bool(joint.limit and joint.limit.effort)
 
 
-def torques(model: Any, data: Any, wanted: Floats) -> Floats:
-    """What brings a robot to where it is to be, critically damped."""
+def torques(model: Any, data: Any, target: Floats) -> Floats:
+    """Torques and forces that move a robot to a configuration, critically damped."""
     moved = np.zeros(model.nv)
-    mujoco.mj_differentiatePos(model, moved, 1.0, wanted, data.qpos)
+    mujoco.mj_differentiatePos(model, moved, 1.0, target, data.qpos)
     acceleration = -(_STIFFNESS**2) * moved - 2 * _STIFFNESS * data.qvel
-    found = np.zeros(model.nv)
-    mujoco.mj_mulM(model, data, found, acceleration)
-    needed: Floats = found + data.qfrc_bias
+    inertial = np.zeros(model.nv)
+    mujoco.mj_mulM(model, data, inertial, acceleration)
+    needed: Floats = inertial + data.qfrc_bias
     return needed
 
 
 def _efforts(robot: SimulatedRobot) -> Floats:
-    """The most that each coordinate may be driven with; without a limit endless."""
-    found = np.full(robot.model.nv, np.inf)
+    """Effort limit of each coordinate; infinite without a limit."""
+    efforts = np.full(robot.model.nv, np.inf)
     for joint in robot.robot.model.joints:
         effort = joint.limit.effort if joint.limit else None
         if effort is not None and (joint.name in robot.followers or joint in robot.leaders):
-            found[robot.dof(joint.name)] = max(effort.value, 0.0)
-    return found
+            efforts[robot.dof(joint.name)] = max(effort.value, 0.0)
+    return efforts

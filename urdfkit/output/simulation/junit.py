@@ -1,4 +1,4 @@
-"""Verdicts as JUnit XML for CI servers: a test case each, with the robot as its suite."""
+"""Verdicts as JUnit XML for CI servers: a test case per verdict, the robot as test suite."""
 
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
@@ -8,15 +8,15 @@ from urdfkit.output.formats._xml import xml_text
 from urdfkit.output.simulation.verdicts import Simulation, Verdict
 
 
-def render(found: Simulation, file: str) -> str:
+def render(simulation: Simulation, file: str) -> str:
     """The verdicts on the robot of a file."""
     root = Element("testsuites", name="urdfkit simulate")
     suite = SubElement(root, "testsuite", name=xml_text(posix(file)))
-    for verdict in found.verdicts:
+    for verdict in simulation.verdicts:
         _case(suite, posix(file), verdict)
     for element in (root, suite):
-        element.set("tests", str(len(found.verdicts)))
-        element.set("failures", str(sum(not one.passes for one in found.verdicts)))
+        element.set("tests", str(len(simulation.verdicts)))
+        element.set("failures", str(sum(not item.passes for item in simulation.verdicts)))
     ElementTree.indent(root)
     text = ElementTree.tostring(root, encoding="unicode")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'

@@ -1,4 +1,4 @@
-"""A robot without drives: it may fall, but not blow up nor gain energy."""
+"""Test of a robot without drives: it may fall, but must not diverge or gain energy."""
 
 from __future__ import annotations
 
@@ -19,21 +19,22 @@ from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.values import number
 from urdfkit.text.source import Span
 
-#: A robot may gain the energy that lifts it by so much, and a part of its largest kinetic energy.
+#: Bound of energy gain: the energy to lift the robot by this height in m, plus this part of its
+#: largest kinetic energy.
 LIFT, PART = 1e-3, 0.01
-#: The part that steps of MuJoCo's default may add to the motion of a sound robot, as to a UR10e.
+#: Part of the kinetic energy that a valid robot, such as a UR10e, may gain from the default step.
 PART_OF_STEPS = 0.1
-#: Seconds that a robot is released for.
+#: Duration in s.
 RELEASED = 2.0
 
 
 class _Release(Record):
-    """What a released robot does."""
+    """Energies of a released robot."""
 
-    gain: float  # the most energy over that of the start, in J
+    gain: float  # largest energy above the initial energy, in J
     weight: float  # in N
-    kinetic: float  # the largest energy of motion, in J
-    bad: int | None  # the coordinate that diverges
+    kinetic: float  # largest kinetic energy, in J
+    bad: int | None  # index of the coordinate that diverges; None if none does
 
     @property
     def bound(self) -> float:
@@ -50,30 +51,30 @@ class _Release(Record):
 
 
 def release(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """Whether a robot gains energy or diverges, with the cause."""
+    """Verdicts on whether a robot gains energy or diverges, with the cause."""
     yield from _driven_by_damping(robot)
-    found = _released(robot, STEP)
-    text = f"released for {RELEASED:g} s, it gains {found.gain:.2g} J (bound {found.bound:.2g} J)"
-    if found.is_calm:
-        yield Verdict("energy", True, text, found.gain, found.bound)
+    result = _released(robot, STEP)
+    text = f"released for {RELEASED:g} s, it gains {result.gain:.2g} J (bound {result.bound:.2g} J)"
+    if result.is_calm:
+        yield Verdict("energy", True, text, result.gain, result.bound)
         return
-    if found.may_be_of_steps and _released(robot, FINE_STEP).is_calm:
+    if result.may_be_of_steps and _released(robot, FINE_STEP).is_calm:
         text += f", but not with steps of {FINE_STEP * 1e3:g} ms instead of {STEP * 1e3:g}"
-        yield Verdict("energy", True, text, found.gain, found.bound)
+        yield Verdict("energy", True, text, result.gain, result.bound)
         return
     why, names, span = _cause(robot)
-    if found.bad is None:
-        yield Verdict("energy", False, text + why, found.gain, found.bound, names, span)
+    if result.bad is None:
+        yield Verdict("energy", False, text + why, result.gain, result.bound, names, span)
         return
     model = robot.model
-    joint = model.joint(model.dof_jntid[found.bad]).name if found.bad < model.nv else ""
+    joint = model.joint(model.dof_jntid[result.bad]).name if result.bad < model.nv else ""
     text = f"released, its simulation diverges at joint '{joint}'{why}"
     place = span or robot.joint(joint)
-    yield Verdict("stability", False, text, found.gain, found.bound, names or (joint,), place)
+    yield Verdict("stability", False, text, result.gain, result.bound, names or (joint,), place)
 
 
 def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """Joints that are driven by what should slow them down; MuJoCo has no such damping."""
+    """Verdicts on joints with negative damping, which MuJoCo does not support."""
     for joint in robot.leaders:
         dynamics = joint.at.child("dynamics")
         written = dynamics.attributes.get("damping") if dynamics else None
@@ -87,7 +88,7 @@ def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
 
 
 def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
-    """Why a robot gains energy, and what is to blame."""
+    """Why a robot gains energy, and the links or joints that cause it."""
     is_of_contacts = _released(robot, STEP, contacts=False).is_calm
     robot.set_up()
     overlaps = robot.overlaps(robot.started())
@@ -117,9 +118,9 @@ def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _
 
 
 def moments(robot: SimulatedRobot, images: int) -> Iterator[dict[str, Transform]]:
-    """Where the links of a released robot are in the world, at times that are equally far apart.
+    """Link poses in the world of a released robot, at equal intervals.
 
-    It ends early where the simulation diverges.
+    Ends early if the simulation diverges.
     """
     robot.set_up()
     data, steps = robot.started(), round(RELEASED / STEP)

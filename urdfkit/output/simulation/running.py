@@ -1,4 +1,4 @@
-"""All simulations of a robot."""
+"""Runs all simulations of a robot."""
 
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ _ALL = (overlap, release, drive, sweep, follow)
 
 
 def run(robot: Context, base: str, progress: Progress | None) -> Simulation:
-    """All simulations of a robot; the arguments are those of `urdfkit.output.simulation`."""
+    """Run all simulations; the arguments are those of `urdfkit.output.simulation`."""
     simulated = SimulatedRobot(robot, base)
     tests = (*_ALL, drop if simulated.is_free else hold)
     verdicts: list[Verdict] = []
@@ -30,5 +30,5 @@ def run(robot: Context, base: str, progress: Progress | None) -> Simulation:
 
 
 def motion(robot: Context, base: str, images: int) -> Iterator[dict[str, Transform]]:
-    """The frames of `urdfkit.output.simulation.motion`."""
+    """Link poses for `urdfkit.output.simulation.motion`."""
     yield from moments(SimulatedRobot(robot, base), images)

@@ -21,9 +21,9 @@ from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.text.source import Span
 
-#: Seconds of a finer step than `STEP`: where that is calm, the coarser is at fault.
+#: A finer step than `STEP`, in s: a robot that is calm with it shows an integration error.
 FINE_STEP = 0.0005
-#: Links that are in one another by more, push each other away.
+#: Depth in m above which overlapping links push each other away.
 OVERLAP = 1e-3
 
 _BAD = (
@@ -37,14 +37,14 @@ class SimulatedRobot:
     """A robot in MuJoCo.
 
     Raises:
-        UrdfkitError: as `urdfkit.output.conversion.convert`.
+        UrdfkitError: as for `urdfkit.output.conversion.convert`.
     """
 
-    robot: Context  # as it was read
-    model: Any  # MuJoCo's, with a floor under a robot that floats
-    is_free: bool  # the root floats
-    leaders: list[Joint]  # the joints that one number moves and that follow none
-    followers: dict[str, str]  # the joints that follow another one, with that one
+    robot: Context  # the original
+    model: Any  # MuJoCo's, with a floor under a floating robot
+    is_free: bool  # True if the root floats
+    leaders: list[Joint]  # joints with one degree of freedom and without <mimic>
+    followers: dict[str, str]  # leaders of mimic joints, by joint
     neighbours: set[frozenset[str]]  # pairs of links with a joint between them
 
     def __init__(self, robot: Context, base: str) -> None:
@@ -52,15 +52,15 @@ class SimulatedRobot:
         self.robot = robot
         self.is_free = floats(robot, base)
         joints = robot.model.joints_by_name
-        known = laws(joints)
-        moving = [one for one in robot.model.joints if one.kind in (*TURNING, *SLIDING)]
-        self.leaders = [one for one in moving if known[one.name].leader == one.name]
+        couplings = laws(joints)
+        moving = [joint for joint in robot.model.joints if joint.kind in (*TURNING, *SLIDING)]
+        self.leaders = [joint for joint in moving if couplings[joint.name].leader == joint.name]
         self.followers = {
-            one.name: known[one.name].leader
-            for one in moving
-            if known[one.name].leader not in (one.name, "")
+            joint.name: couplings[joint.name].leader
+            for joint in moving
+            if couplings[joint.name].leader not in (joint.name, "")
         }
-        self.neighbours = {frozenset(robot.tree.ends(one) or ()) for one in robot.model.joints}
+        self.neighbours = {frozenset(robot.tree.ends(joint) or ()) for joint in robot.model.joints}
         self.model = self._compiled()
         self.model.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
         self.model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
@@ -83,7 +83,7 @@ class SimulatedRobot:
             return compiled(made, self.robot)
 
     def set_up(self, step: float = STEP, *, gravity: bool = True, contacts: bool = True) -> None:
-        """What holds for all steps from here on; drives are never simulated."""
+        """Set step, gravity and contacts of all following steps; drives are never simulated."""
         flags = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
         flags |= 0 if gravity else int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
         flags |= 0 if contacts else int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
@@ -91,9 +91,9 @@ class SimulatedRobot:
         self.model.opt.timestep = step
 
     def started(self) -> Any:
-        """The robot with its joints at zero, or at the end of their range nearest to it.
+        """Initial state: joints at zero, or at the end of their range nearest to zero.
 
-        What follows another joint is where that takes it.
+        Mimic joints are where their leaders move them.
         """
         data = mujoco.MjData(self.model)
         for index in np.flatnonzero(self.model.jnt_limited):
@@ -103,23 +103,25 @@ class SimulatedRobot:
         mujoco.mj_forward(self.model, data)
         return data
 
-    def place(self, data: Any, given: Mapping[str, float]) -> None:
-        """Put joints, and those that follow them, where they are to be; the others to 0."""
+    def place(self, data: Any, pose: Mapping[str, float]) -> None:
+        """Set the positions of joints and of their mimic joints; 0 for other joints."""
         leaders, coordinates, factors, shifts = self._linkage
         with np.errstate(over="ignore", invalid="ignore"):
-            found = factors * [given.get(leader, 0.0) for leader in leaders] + shifts
-        data.qpos[coordinates] = np.where(np.isfinite(found), found, 0.0)
+            values = factors * [pose.get(leader, 0.0) for leader in leaders] + shifts
+        data.qpos[coordinates] = np.where(np.isfinite(values), values, 0.0)
 
     @cached_property
     def _linkage(self) -> tuple[list[str], list[int], Floats, Floats]:
         """Leader, coordinate, factor and shift of each revolute, continuous or prismatic joint."""
-        known = laws(self.robot.model.joints_by_name)
-        moving = [one.name for one in self.robot.model.joints if one.kind in (*TURNING, *SLIDING)]
+        couplings = laws(self.robot.model.joints_by_name)
+        moving = [
+            joint.name for joint in self.robot.model.joints if joint.kind in (*TURNING, *SLIDING)
+        ]
         return (
-            [known[name].leader for name in moving],
+            [couplings[name].leader for name in moving],
             [self._coordinates[name] for name in moving],
-            np.array([known[name].factor for name in moving]),
-            np.array([known[name].shift for name in moving]),
+            np.array([couplings[name].factor for name in moving]),
+            np.array([couplings[name].shift for name in moving]),
         )
 
     def position(self, data: Any, joint: str) -> float:
@@ -128,24 +130,24 @@ class SimulatedRobot:
 
     @cached_property
     def _coordinates(self) -> dict[str, int]:
-        """Where the position of each joint of MuJoCo is; looking them up by name takes long."""
+        """Index of the position of each MuJoCo joint; cached, as look-ups by name are slow."""
         model = self.model
         return {model.joint(index).name: int(at) for index, at in enumerate(model.jnt_qposadr)}
 
     def dof(self, joint: str) -> int:
-        """The index of the velocity and the force of a joint."""
+        """Index of velocity and force of a joint."""
         return int(self.model.jnt_dofadr[self.model.joint(joint).id])
 
     def range(self, joint: str) -> tuple[float, float] | None:
         """Position limits of a joint, in rad or m; None if it has none."""
-        found = self.model.joint(joint).id
-        if not self.model.jnt_limited[found]:
+        index = self.model.joint(joint).id
+        if not self.model.jnt_limited[index]:
             return None
-        lower, upper = self.model.jnt_range[found]
+        lower, upper = self.model.jnt_range[index]
         return float(lower), float(upper)
 
     def _lowest(self) -> float | None:
-        """The height of the lowest point of all that collides, at the start."""
+        """Height of the lowest colliding point at the start; None without collisions."""
         data, model = self.started(), self.model
         lowest = [
             float(
@@ -159,7 +161,7 @@ class SimulatedRobot:
         return min(lowest, default=None)
 
     def overlaps(self, data: Any) -> dict[tuple[str, str], float]:
-        """The pairs of links that are in one another, with the depth; the floor is no link."""
+        """Depth in m of overlapping pairs of links; the floor is ignored."""
         deepest: dict[tuple[str, str], float] = {}
         for contact in data.contact:
             first, second = sorted(
@@ -172,7 +174,7 @@ class SimulatedRobot:
         return deepest
 
     def frames(self, data: Any) -> dict[str, Transform]:
-        """Where the links are in the world."""
+        """Poses of the links in the world."""
         return {
             name: Transform(_rotation(data.xmat[index]), vector(data.xpos[index]))
             for name in self.robot.tree.below(self.robot.tree.roots[0].name)
@@ -180,24 +182,24 @@ class SimulatedRobot:
         }
 
     def has_mesh(self, link: str) -> bool:
-        """True for a link that collides by the convex hull of a mesh."""
-        found = self.robot.model.links_by_name.get(link)
-        bodies = found.collisions if found else ()
+        """True for a link that collides with the convex hull of a mesh."""
+        element = self.robot.model.links_by_name.get(link)
+        bodies = element.collisions if element else ()
         return any(body.shape is not None and body.shape.kind == "mesh" for body in bodies)
 
     def collision(self, link: str) -> Span | None:
-        """Where the collision of a link is written."""
-        found = self.robot.model.links_by_name.get(link)
-        return found.collisions[0].at.span if found and found.collisions else None
+        """Source location of the first collision of a link."""
+        element = self.robot.model.links_by_name.get(link)
+        return element.collisions[0].at.span if element and element.collisions else None
 
     def joint(self, name: str) -> Span | None:
-        """Where a joint is written."""
-        found = self.robot.model.joints_by_name.get(name)
-        return found.at.span if found else None
+        """Source location of a joint."""
+        joint = self.robot.model.joints_by_name.get(name)
+        return joint.at.span if joint else None
 
 
 def diverged(data: Any) -> int | None:
-    """The coordinate that has no sensible value any more."""
+    """Index of a coordinate without a finite or plausible value; None if there is none."""
     for kind in _BAD:
         if data.warning[kind].number:
             return int(data.warning[kind].lastinfo)
@@ -205,12 +207,12 @@ def diverged(data: Any) -> int | None:
 
 
 def unit_of(joint: Joint) -> tuple[str, str]:
-    """The units of a joint's position and force."""
+    """Units of a joint's position and effort."""
     return ("m", "N") if joint.kind in SLIDING else ("rad", "N·m")
 
 
 def _add_lock(made: MjcfRobot, joint: Joint) -> None:
-    """An equality, off, that keeps a joint where it is."""
+    """Add an inactive equality that locks a joint."""
     made.spec.add_equality(
         type=mujoco.mjtEq.mjEQ_JOINT,
         objtype=mujoco.mjtObj.mjOBJ_JOINT,
@@ -225,4 +227,4 @@ def _rotation(matrix: Any) -> Rotation:
 
 
 def _ignore(warning: str) -> None:
-    """MuJoCo writes what it warns of to a file in the current directory otherwise."""
+    """Discard a warning, which MuJoCo otherwise writes to a file in the current directory."""

@@ -1,4 +1,4 @@
-"""Joints through their ranges: what collides on the way, and whether what follows does."""
+"""Tests of joints over their ranges: self-collisions, and positions of mimic joints."""
 
 from collections.abc import Iterator
 from math import pi
@@ -13,20 +13,20 @@ from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.kinematics import SLIDING, positions
 
-#: Positions of a joint that are looked at between its ends.
+#: Number of positions of a joint that are tested in its range.
 SAMPLES = 24
-#: A joint is jammed if links collide when it moves by this part of its range to either side, or by
-#: so much if that is less, in rad or m.
+#: A joint is jammed if links collide when it moves to either side by this part of its range, or
+#: by this much in rad or m, whichever is less.
 PART, TURN, SLIDE = 0.1, 0.1, 0.02
-#: Seconds that a robot is held for at an end of its ranges.
+#: Time in s for which leaders are held at an end of their ranges.
 _HELD = 0.5
 
 
 def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that collisions of the robot with itself jam.
+    """A verdict for each joint that is jammed by self-collisions.
 
-    The other joints stay at their start. Links with a joint between them do not count, nor what
-    overlaps at the start.
+    Other joints stay at their start. Links with a joint between them are ignored, as are pairs
+    that overlap at the start.
     """
     robot.set_up()
     poses = _Poses(robot)
@@ -57,7 +57,7 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
 
 
 class _Poses:
-    """A robot that is put in poses, and what collides there."""
+    """Collisions of a robot in poses."""
 
     def __init__(self, robot: SimulatedRobot) -> None:
         self._robot = robot
@@ -66,19 +66,19 @@ class _Poses:
         self.start = _given(robot, self._data)
 
     def collision(self, joint: str, position: float) -> tuple[tuple[str, str], float] | None:
-        """The deepest pair with one joint elsewhere, and the depth."""
+        """The deepest pair of links with one joint moved, and the depth in m."""
         model, data = self._robot.model, self._data
         self._robot.place(data, {**self.start, joint: position})
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_collision(model, data)
-        found = [
+        overlaps = [
             (depth, pair)
             for pair, depth in self._robot.overlaps(data).items()
             if frozenset(pair) not in self._robot.neighbours and pair not in self._before
         ]
-        depth, names = max(found, default=(0.0, ("", "")))
-        return (names, depth) if found else None
+        depth, names = max(overlaps, default=(0.0, ("", "")))
+        return (names, depth) if overlaps else None
 
 
 def _free_part(poses: _Poses, joint: str, lower: float, upper: float) -> float:
@@ -86,8 +86,8 @@ def _free_part(poses: _Poses, joint: str, lower: float, upper: float) -> float:
     grid = np.linspace(lower, upper, SAMPLES + 1)
     first = int(np.abs(grid - poses.start[joint]).argmin())
     free = 0
-    for way in (grid[first + 1 :], grid[:first][::-1]):
-        for at in way:
+    for side in (grid[first + 1 :], grid[:first][::-1]):
+        for at in side:
             if poses.collision(joint, float(at)):
                 break
             free += 1
@@ -99,7 +99,7 @@ def _given(robot: SimulatedRobot, data: Any) -> dict[str, float]:
 
 
 def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that is not where its leader takes it, at an end of the range."""
+    """A verdict for each mimic joint that does not follow its leader to an end of the range."""
     if not robot.followers:
         return
     worst = dict.fromkeys(robot.followers, (0.0, 0.0, 0.0))
@@ -125,7 +125,7 @@ def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
 
 
 def _stop(robot: SimulatedRobot, joint: str, should: float) -> str:
-    """What keeps a joint from going where it should, if its own range does."""
+    """Text on the range of a joint, if it prevents the position that ``<mimic>`` commands."""
     lower, upper = robot.range(joint) or (should, should)
     if lower <= should <= upper:
         return ""
@@ -133,7 +133,7 @@ def _stop(robot: SimulatedRobot, joint: str, should: float) -> str:
 
 
 def _held_at(robot: SimulatedRobot, end: int) -> dict[str, tuple[float, float]]:
-    """Where followers are, and should be, with all leaders held at one end of their ranges."""
+    """Actual and expected positions of mimic joints, with all leaders held at an end."""
     robot.set_up(gravity=False, contacts=False)
     model, data = robot.model, robot.started()
     driven = np.zeros(model.nv)
@@ -142,9 +142,9 @@ def _held_at(robot: SimulatedRobot, end: int) -> dict[str, tuple[float, float]]:
         driven[robot.dof(name)] = 1.0
         at[name] = (robot.range(name) or (at[name], at[name]))[end]
     robot.place(data, at)
-    wanted = data.qpos.copy()
+    target = data.qpos.copy()
     for _ in range(round(_HELD / STEP)):
-        data.qfrc_applied = torques(model, data, wanted) * driven
+        data.qfrc_applied = torques(model, data, target) * driven
         mujoco.mj_step(model, data)
     should = positions(robot.robot.tree, _given(robot, data))
     return {name: (robot.position(data, name), should[name]) for name in robot.followers}

@@ -1,4 +1,4 @@
-"""What simulations say of a robot."""
+"""Results of simulations."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ class Verdict(Record):
 
     #: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold``, ``drop``
     test: str
-    passes: bool  # False if the robot does not behave
-    message: str  # what happens, how much, and the bound
-    value: float  # that was measured, in the unit of the message
+    passes: bool
+    message: str  # the observation, with value and bound
+    value: float  # measured value, in the unit of the message
     bound: float  # of the value
-    names: tuple[str, ...] = ()  # of the links or joints that it is about
-    span: Span | None = None  # where the cause is written; None where it has no place
+    names: tuple[str, ...] = ()  # the links or joints concerned
+    span: Span | None = None  # source location of the cause; None if unknown
 
     def __str__(self) -> str:
         where = f" ({self.span})" if self.span else ""
@@ -33,25 +33,25 @@ class Simulation(Record):
 
     @property
     def passes(self) -> bool:
-        return all(one.passes for one in self.verdicts)
+        return all(verdict.passes for verdict in self.verdicts)
 
     @property
     def facts(self) -> dict[str, Any]:
-        """The verdict for JSON."""
+        """The verdicts for JSON."""
         return {
             "base": "free" if self.is_free else "fixed",
             "passes": self.passes,
             "verdicts": [
                 {
-                    "test": one.test,
-                    "passes": one.passes,
-                    "message": one.message,
-                    "value": one.value,
-                    "bound": one.bound,
-                    "names": list(one.names),
-                    "file": shown(one.span.source.path) if one.span else None,
-                    "line": one.span.line if one.span else None,
+                    "test": verdict.test,
+                    "passes": verdict.passes,
+                    "message": verdict.message,
+                    "value": verdict.value,
+                    "bound": verdict.bound,
+                    "names": list(verdict.names),
+                    "file": shown(verdict.span.source.path) if verdict.span else None,
+                    "line": verdict.span.line if verdict.span else None,
                 }
-                for one in self.verdicts
+                for verdict in self.verdicts
             ],
         }

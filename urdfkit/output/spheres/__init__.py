@@ -1,4 +1,4 @@
-"""Spheres for the links of a robot, as motion planners take them."""
+"""Collision spheres for the links of a robot, as motion planners use."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class LinkSpheres(Record):
 class RobotSpheres(Record):
     """The spheres of a robot."""
 
-    links: tuple[LinkSpheres, ...]  # those with geometry, in the order of the document
+    links: tuple[LinkSpheres, ...]  # of links with geometry, in document order
     total: SphereQuality
-    #: Geometry that is left out, or replaced by its hull, and why: sentences.
+    #: Sentences on geometry that is omitted or replaced by its hull, with the reason.
     left_out: tuple[str, ...]
     replaced: tuple[str, ...]
 
@@ -47,12 +47,12 @@ class RobotSpheres(Record):
             "version": 1,
             "links": [
                 {
-                    "link": one.link,
-                    **one.quality.facts,
-                    "centers": one.spheres.centers.tolist(),
-                    "radii": one.spheres.radii.tolist(),
+                    "link": link.link,
+                    **link.quality.facts,
+                    "centers": link.spheres.centers.tolist(),
+                    "radii": link.spheres.radii.tolist(),
                 }
-                for one in self.links
+                for link in self.links
             ],
             "total": self.total.facts,
             "left_out": list(self.left_out),
@@ -72,12 +72,12 @@ def fit_spheres(
     """Cover the links of a robot with spheres.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
-        most: spheres at most, unless there are more links.
-        margin: how far a sphere may stick out, in m; farther where that needs more spheres.
-        coverage: the part of the inside of each link that lies in a sphere, from 0 to 1.
-        visual: the visual geometry instead of the collision geometry.
-        progress: called with the number of steps done, and of all.
+        robot: a URDF or xacro file, or the result of `urdfkit.read`.
+        most: maximum number of spheres, unless there are more links.
+        margin: how far a sphere may protrude, in m; exceeded if ``most`` requires it.
+        coverage: part of the volume of each link that is covered by spheres, from 0 to 1.
+        visual: True to cover the visual geometry instead of the collision geometry.
+        progress: called with the number of finished steps and of all steps.
 
     Raises:
         UrdfkitError: there is no geometry to cover.
@@ -125,7 +125,7 @@ def _why_nothing(robot: Context, visual: bool, left_out: list[str]) -> str:
 
 
 def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
-    """The geometry of a link that consists of spheres; None if it has others, too."""
+    """The geometry of a link that consists only of spheres, otherwise None."""
     from numpy import array
 
     from urdfkit.mesh.sphere_fitting import Spheres
@@ -143,7 +143,7 @@ def _exact(robot: Context, name: str, visual: bool) -> Spheres | None:
 def _solids(
     robot: Context, visual: bool, left_out: list[str], replaced: list[str]
 ) -> Mapping[str, Floats]:
-    """The triangles (m, 3, 3) of each link with geometry, in its frame."""
+    """Triangles (m, 3, 3) of each link with geometry, in its frame."""
     from urdfkit.mesh.geometry import Mesh
 
     found = {}

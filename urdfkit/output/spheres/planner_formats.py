@@ -1,4 +1,4 @@
-"""Spheres in the files of motion planners, with the pairs of links that need no check."""
+"""Spheres in the file formats of motion planners, with the pairs of links to ignore."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,17 +11,17 @@ from urdfkit.output.exchange import element_tree
 from urdfkit.output.spheres import LinkSpheres, RobotSpheres
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 
-#: Configurations in which links are compared.
+#: Number of configurations in which links are compared.
 _SAMPLES = 10_000
 #: Decimals of a length in m: a micrometre.
 _DECIMALS = 6
-#: What Isaac Sim's editor writes into an XRDF, as a URDF has no such limits: in rad/s^2 and
+#: Limits that Isaac Sim's editor writes into an XRDF, as a URDF has none: in rad/s^2 and
 #: rad/s^3, or m/s^2 and m/s^3.
 _ACCELERATION, _JERK = 10.0, 10_000.0
 
 
 def curobo(robot: Context, found: RobotSpheres) -> str:
-    """The part of cuRobo's robot configuration that is about collisions.
+    """The collision part of cuRobo's robot configuration.
 
     Source: https://curobo.org/tutorials/1_robot_configuration.html
 
@@ -74,7 +74,7 @@ def xrdf(robot: Context, found: RobotSpheres) -> str:
 
 
 def urdf(robot: Context, found: RobotSpheres) -> str:
-    """The robot without xacro, its collisions replaced by spheres, as VAMP and foam have it."""
+    """The robot without xacro, with spheres as collisions, as for VAMP and foam."""
     root = element_tree(robot.document.root)
     spheres = {one.link: one for one in found.links}
     for link in root.iter("link"):
@@ -109,10 +109,10 @@ def _plain(one: LinkSpheres | None) -> list[dict[str, Any]]:
 
 
 def _ignored(robot: Context, links: Sequence[str]) -> dict[str, list[str]]:
-    """The pairs of links that need no check, each once, by the name of the first.
+    """Pairs of links to ignore, each once, by the name of the first link.
 
-    Those that a joint holds together, that collide in nearly all configurations, or in none of the
-    samples; of those that collide where the joints begin, the ones that do so mostly.
+    These pairs are connected by a joint, or collide in nearly all samples, or in none; pairs that
+    collide in the initial configuration must also collide in most samples.
     """
     matrix: Matrix = robot.collisions.matrix(samples=_SAMPLES, seed=0, begin={})
     checked = (PairVerdict.SOMETIMES, PairVerdict.UNKNOWN)

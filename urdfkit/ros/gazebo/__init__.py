@@ -1,4 +1,4 @@
-"""Gazebo: what it makes of a robot, its plugins and its sensors."""
+"""Gazebo: conversion of a robot to SDF, plugins, sensors, worlds."""
 
-#: In the messages of rules that have milder findings, too; `rejection` recognises them.
+#: Texts by which `rejection` recognises messages of rules that also have milder findings.
 REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"

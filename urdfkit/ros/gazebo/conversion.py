@@ -1,8 +1,8 @@
-"""What Gazebo makes of a robot: which links merge, which are dropped, and what things are called.
+"""Gazebo's conversion of a robot: merged links, dropped links, and new names.
 
-Gazebo converts URDF to SDF. On the way it merges the child of every fixed joint into the parent,
-drops links without mass together with everything below them, and gives collisions and
-visuals names of its own. Every plugin and sensor sees the result, not the URDF.
+Gazebo converts URDF to SDF: it merges the child of every fixed joint into the parent, drops links
+without mass together with everything below them, and renames collisions and visuals. Plugins and
+sensors see the result, not the URDF.
 
 Source: ``parser_urdf.cc`` of gazebosim/sdformat, versions 9 to 16; the tests compare with
 libsdformat 12.3.
@@ -21,7 +21,7 @@ from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.text.document import Element
 
-#: What SDF has for each type of joint; URDF's other types have no counterpart.
+#: SDF's type for each joint type; URDF's other types have no counterpart.
 JOINT_TYPES = {
     "revolute": "revolute",
     "continuous": "revolute",
@@ -30,17 +30,17 @@ JOINT_TYPES = {
 }
 #: The link of the ground; Gazebo never creates it.
 WORLD = "world"
-#: Between the names of a link and of what is merged into it.
+#: Separator between the name of a link and the name of a merged collision or visual.
 LUMP = "_fixed_joint_lump__"
 
 
 class Converter(Record):
-    """How a generation of sdformat drops links."""
+    """Rules by which a generation of sdformat drops links."""
 
-    name: str  # of its versions
+    name: str  # range of versions
     least_mass: float  # a link of this mass in kg or less counts as massless
-    stops_at_merged: bool  # True if a massless link that is merged loses the joints below it
-    has_frames: bool  # True if merged links and joints leave frames of their names
+    stops_at_merged: bool  # True if a merged massless link loses the joints below it
+    has_frames: bool  # True if merged links and joints remain as frames
 
 
 OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True, False)
@@ -48,10 +48,10 @@ NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False, True)
 
 
 class SimulatedLink:
-    """A link as Gazebo has it."""
+    """A link in Gazebo."""
 
     def __init__(self, body: RigidBody, tree: KinematicTree) -> None:
-        self.body = body  # the links of the URDF that it is made of
+        self.body = body  # the links of the URDF that it consists of
         self._tree = tree
 
     @property
@@ -64,18 +64,18 @@ class SimulatedLink:
 
     @cached_property
     def collisions(self) -> tuple[tuple[str, Element], ...]:
-        """What Gazebo calls each collision, and its element."""
+        """Gazebo's name of each collision, and its element."""
         return tuple(_named(self._merging_order, "collision"))
 
     @cached_property
     def visuals(self) -> tuple[tuple[str, Element], ...]:
-        """What Gazebo calls each visual, and its element."""
+        """Gazebo's name of each visual, and its element."""
         return tuple(_named(self._merging_order, "visual"))
 
     @cached_property
     def _merging_order(self) -> list[Link]:
-        """The links of the body as their shapes are merged: by the names of their joints."""
-        left = {link.name for link, _ in self.body.links}  # a loop of joints ends there
+        """The links of the body in the order in which shapes are merged: by joint name."""
+        left = {link.name for link, _ in self.body.links}  # prevents an endless loop
         order: list[Link] = []
         stack = [self.name]
         while stack:
@@ -84,13 +84,13 @@ class SimulatedLink:
                 continue
             left.remove(name)
             order.append(self._tree.model.links_by_name[name])
-            joints = sorted(self._tree.children[name], key=lambda one: one.name, reverse=True)
+            joints = sorted(self._tree.children[name], key=lambda joint: joint.name, reverse=True)
             stack += [joint.child_name for joint in joints]
         return order
 
 
 class SimulatedJoint(Record):
-    """A joint as Gazebo has it: its type in SDF, and the links between which it is."""
+    """A joint in Gazebo: its SDF type and its links."""
 
     joint: Joint
     type: str
@@ -104,13 +104,13 @@ class SdfConversion:
     Attributes:
         model: the URDF.
         converter: the generation of sdformat.
-        links: that Gazebo has, parents before children.
-        joints: that Gazebo has.
-        dropped: reasons by the name of a link that Gazebo does not have, merged ones aside.
-        massless: the bodies that are dropped for their own lack of mass, not with another one.
-        kept: names of the fixed joints that are not merged.
-        stranded: the bodies that are dropped with a link without mass that is merged.
-        added_links, added_joints: SDF elements that ``<gazebo>`` tags bring in.
+        links: links in Gazebo, parents before children.
+        joints: joints in Gazebo.
+        dropped: reasons by name of a dropped link; merged links are excluded.
+        massless: bodies that are dropped because they have no mass, not with another body.
+        kept: names of fixed joints that are not merged.
+        stranded: bodies that are dropped with a merged link without mass.
+        added_links, added_joints: SDF elements from ``<gazebo>`` tags.
     """
 
     def __init__(self, tree: KinematicTree, converter: Converter = NEW) -> None:
@@ -132,13 +132,13 @@ class SdfConversion:
 
     @property
     def added(self) -> frozenset[str]:
-        """Names of the links and joints that ``<gazebo>`` tags bring in as SDF."""
-        return frozenset(one.get("name") or "" for one in self.added_links + self.added_joints)
+        """Names of the links and joints that ``<gazebo>`` tags add as SDF."""
+        return frozenset(tag.get("name") or "" for tag in self.added_links + self.added_joints)
 
     def lost_joint_ends(self) -> Iterator[tuple[Element, Element, str]]:
-        """Ends of the added joints that are no link: the joint, the end, what it is merged into.
+        """Ends of added joints that are not links: joint, end, and the link that it is merged into.
 
-        The last is empty for a name that the converted model does not have in any way.
+        The last is empty for a name that is not in the converted model.
         """
         frames = {"world", *self.joint_names, *self.added, *(link.name for link in self.links)}
         frames |= {
@@ -152,7 +152,7 @@ class SdfConversion:
 
     @cached_property
     def survivor(self) -> dict[str, str]:
-        """The link of Gazebo that a link of the URDF is, or is merged into, by name."""
+        """Gazebo's link for each link of the URDF, which may be merged into it, by name."""
         return {
             link.name: simulated.name
             for simulated in self.links
@@ -161,16 +161,16 @@ class SdfConversion:
 
     @cached_property
     def joint_names(self) -> frozenset[str]:
-        """The names of the joints that Gazebo has."""
+        """Names of the joints in Gazebo."""
         return frozenset(simulated.joint.name for simulated in self.joints)
 
     @property
     def merged(self) -> dict[str, str]:
-        """The link that each merged link became part of."""
+        """The link that each merged link is merged into."""
         return {name: into for name, into in self.survivor.items() if name != into}
 
     def merges(self, joint: Joint) -> bool:
-        """True if the child of a joint becomes part of its parent, or is dropped with it."""
+        """True if the child of a joint is merged into its parent, or dropped with it."""
         return (
             joint.kind == "fixed"
             and joint.name not in self.preserved
@@ -196,7 +196,7 @@ class SdfConversion:
         return abs(mass) <= least if least else mass <= 0
 
     def _lost_with_parent(self, body: RigidBody) -> str | None:
-        """Why a body is dropped with its parent, or None."""
+        """Why a body is dropped with its parent; None if it is not."""
         if body.joint is None:
             return None
         parent = body.joint.parent_name
@@ -210,24 +210,24 @@ class SdfConversion:
         return None
 
     def _merged_above(self, name: str) -> Iterator[Link]:
-        """The link and those between it and the one that it is merged into."""
+        """A link and its ancestors below the link that it is merged into."""
         body = self._body_of[name]
-        seen: set[str] = set()  # links may stand in a circle: TRE003
-        while name != body.top.name and name not in seen:
-            seen.add(name)
+        visited: set[str] = set()  # links may form a loop: TRE003
+        while name != body.top.name and name not in visited:
+            visited.add(name)
             yield self.model.links_by_name[name]
             name = self.tree.parents[name][0].parent_name
 
     def _mass_below(self, link: Link) -> float:
-        """The mass of a link and of all that is merged into it."""
+        """Mass of a link and of all links that are merged into it."""
         total = 0.0
-        queue, seen = [link.name], {link.name}
-        for name in queue:  # grows while it is walked
+        queue, visited = [link.name], {link.name}
+        for name in queue:  # extended in the loop
             total += self.model.links_by_name[name].mass
             for joint in self.tree.children[name]:
                 is_merged = joint.kind == "fixed" and joint.name not in self.preserved
-                if is_merged and joint.child_name not in seen:  # there may be a circle: TRE003
-                    seen.add(joint.child_name)
+                if is_merged and joint.child_name not in visited:  # links may form a loop: TRE003
+                    visited.add(joint.child_name)
                     queue.append(joint.child_name)
         return total
 
@@ -242,7 +242,7 @@ class SdfConversion:
 
 
 def _preserved(model: RobotModel) -> Iterator[str]:
-    """Names of the fixed joints that the model preserves in Gazebo."""
+    """Names of the fixed joints that ``<gazebo>`` tags preserve."""
     for gazebo in model.gazebo:
         reference = gazebo.get("reference")
         if reference and any(
@@ -252,14 +252,14 @@ def _preserved(model: RobotModel) -> Iterator[str]:
 
 
 def _added(model: RobotModel, kind: str) -> Iterator[Element]:
-    """What is written as SDF in ``<gazebo>`` tags without a reference is copied unchanged."""
+    """SDF elements in ``<gazebo>`` tags without a reference, which are copied unchanged."""
     for gazebo in model.gazebo:
         if not gazebo.get("reference"):
             yield from (child for child in gazebo.all(kind) if child.get("name"))
 
 
 def _named(order: list[Link], kind: str) -> Iterator[tuple[str, Element]]:
-    """The names of a link's collisions or visuals, with those of the links merged into it."""
+    """Names of a link's collisions or visuals, with those of the links merged into it."""
     number = 0
     for link in order:
         for part in link.collisions if kind == "collision" else link.visuals:

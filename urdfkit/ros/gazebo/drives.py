@@ -1,4 +1,4 @@
-"""Drive plugins of Gazebo: which wheels they turn, and the dimensions that they are given."""
+"""Drive plugins of Gazebo: the wheels that they drive, and their dimensions."""
 
 from __future__ import annotations
 
@@ -15,54 +15,54 @@ from urdfkit.ros.catalog.plugins import Drive
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference
 from urdfkit.text.document import Attribute, Element
 
-#: Cosine of the angle between axles up to which they count as parallel.
+#: Least cosine of the angle between parallel axles.
 _PARALLEL = 0.999
 
-#: In m: wheels nearer to each other than this are not left and right.
+#: Least distance in m between left and right wheels.
 _APART = 0.01
 
 
 class Wheel(Record):
     """A wheel in the frame of the root, when all joints are at zero."""
 
-    joint: Joint  # that turns it
+    joint: Joint  # its joint
     axis: Vector  # of the joint, of length 1
-    hub: Vector | None  # the centre of its tyre if the shape is known, else None
-    radius: float | None  # in m, if the shape is known
+    hub: Vector | None  # centre of its tyre; None if the shape is unknown
+    radius: float | None  # in m; None if the shape is unknown
     origin: Vector  # of the joint
 
     @property
     def center(self) -> Vector:
-        """Of the tyre if its shape is known, else of the joint."""
+        """Centre of the tyre if its shape is known, else origin of the joint."""
         return self.hub or self.origin
 
     @property
     def is_at_joint(self) -> bool:
-        """False if its tyre is farther from the joint than its diameter: one of them is wrong."""
+        """False if the distance of tyre and joint exceeds the diameter: one of them is wrong."""
         if self.hub is None or self.radius is None:
             return True
         return length(minus(self.hub, self.origin)) <= 2 * self.radius
 
     @property
     def is_flat(self) -> bool:
-        """True if it turns about the vertical, tyre and all."""
+        """True if the joint and the tyre rotate about the vertical."""
         return self.hub is not None and abs(self.axis[2]) >= _PARALLEL
 
     def is_parallel(self, other: Wheel) -> bool:
-        """True if two wheels turn about the same direction, in either sense."""
+        """True if the axes of two wheels are parallel, in either direction."""
         return abs(dot(self.axis, other.axis)) >= _PARALLEL
 
 
 class DrivenWheel(Record):
-    """A wheel that a drive plugin turns."""
+    """A wheel that a drive plugin drives."""
 
     reference: Reference  # the parameter that names its joint
-    side: str  # ``left`` or ``right``; empty if the parameter does not say
-    wheel: Wheel  # where it is, and how it turns
+    side: str  # ``left`` or ``right``; empty if the parameter has no side
+    wheel: Wheel
 
 
 def drive_of(use: PluginUse) -> Drive | None:
-    """How a plugin drives; None if it is no drive."""
+    """The drive of a plugin; None if the plugin is not a drive."""
     return use.plugin.drive if use.plugin else None
 
 
@@ -71,12 +71,12 @@ def driven(use: PluginUse) -> list[Reference]:
     if use.plugin is None:
         return []
     names = "*" if use.plugin.drive else use.plugin.moves
-    references = (one for one in use.references() if one.kind == "joint")
-    return [one for one in references if names in ("*", one.parameter.name)]
+    joints = (reference for reference in use.references() if reference.kind == "joint")
+    return [joint for joint in joints if names in ("*", joint.parameter.name)]
 
 
 def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[DrivenWheel]:
-    """The wheels of a drive that turn in the model."""
+    """The wheels of a drive whose joints can rotate."""
     for reference in driven(use):
         joint = tree.model.joints_by_name.get(reference.name)
         name = reference.parameter.name.lower()
@@ -97,10 +97,10 @@ def wheel_of(joint: Joint, tree: KinematicTree) -> Wheel | None:
     return Wheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
 
 
-def pairs(found: list[DrivenWheel]) -> Iterator[tuple[DrivenWheel, DrivenWheel]]:
+def pairs(driven_wheels: list[DrivenWheel]) -> Iterator[tuple[DrivenWheel, DrivenWheel]]:
     """Left and right wheels in the order of their parameters."""
-    left = [wheel for wheel in found if wheel.side == "left"]
-    right = [wheel for wheel in found if wheel.side == "right"]
+    left = [wheel for wheel in driven_wheels if wheel.side == "left"]
+    right = [wheel for wheel in driven_wheels if wheel.side == "right"]
     yield from zip(left, right, strict=False)
 
 
@@ -109,12 +109,12 @@ def wrong_direction(
 ) -> tuple[str, str] | None:
     """Why a drive does not move a robot as commanded, and the help; None if it does.
 
-    A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
-    of a wheel points that rolls so.
+    A drive moves forwards by rotating all wheels in the positive direction; the axis of such a
+    wheel points to the left.
 
     Args:
-        left: what the drive takes for the left wheel.
-        effect: of sides that are swapped.
+        left: the left wheel according to the drive.
+        effect: the effect of swapped sides.
     """
     to_left = dot(minus(left.center, right.center), left.axis)
     if left.is_parallel(right) and left.is_flat:
@@ -137,8 +137,8 @@ def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str]
     """Why a drive steers a robot wrongly, and the help; None if it does not.
 
     Args:
-        left: the steering joint that the drive takes for the left one.
-        rolling: a wheel that is not steered, which says where forwards is.
+        left: the left steering joint according to the drive.
+        rolling: a wheel without steering, which defines the forward direction.
     """
     to_left = dot(minus(left.origin, right.origin), rolling.axis)
     first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
@@ -152,9 +152,9 @@ def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str]
 
 
 def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
-    """A parameter in m and where it is written: the plugin for a default. None if unreadable.
+    """A parameter in m and its location, which is the plugin for a default; None if unreadable.
 
-    Several values, one for each pair of wheels, count as unreadable unless they are equal.
+    Several values, one for each pair of wheels, are unreadable unless they are equal.
     """
     assert use.plugin is not None
     values = use.values(name)
@@ -168,7 +168,7 @@ def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None
 
 
 def _tyre(link: Link, frame: Transform, axis: Vector) -> tuple[Vector | None, float | None]:
-    """Centre and radius of a wheel whose one collision is a sphere, or a cylinder on the axle."""
+    """Centre and radius of a wheel whose only collision is a sphere, or a cylinder on the axle."""
     if len(link.collisions) != 1:
         return None, None
     body = link.collisions[0]

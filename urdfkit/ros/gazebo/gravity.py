@@ -1,4 +1,4 @@
-"""Links on which Gazebo exerts no gravity, the usual substitute for counterweights and springs."""
+"""Links without gravity in Gazebo, the usual substitute for counterweights and springs."""
 
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -6,7 +6,7 @@ from urdfkit.ros.gazebo.values import is_true, text_of
 
 
 def links_without_gravity(tree: KinematicTree) -> set[str]:
-    """Names of the links without gravity; the flag of one holds for all that are merged with it."""
+    """Names of links without gravity; the flag of a link applies to all links merged with it."""
     flagged = {
         block.get("reference")
         for block in tree.model.gazebo

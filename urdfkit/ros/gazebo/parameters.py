@@ -1,4 +1,4 @@
-"""The tags that a plugin is given and does not read, and why."""
+"""Tags that a plugin does not read, and why."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class UnreadParameter(Record):
 
 
 def unread(use: PluginUse) -> list[UnreadParameter]:
-    """What a plugin does not read; nothing for one that is not known.
+    """Tags that a plugin does not read; empty for an unknown plugin.
 
-    Tags that shipped examples give without need are left out.
+    Superfluous tags in shipped examples are ignored.
     """
     plugin = use.plugin
     if plugin is None or not plugin.parameters:
@@ -28,9 +28,9 @@ def unread(use: PluginUse) -> list[UnreadParameter]:
     if not missed:
         return []
     common = {name for names in often_unread().values() for name in names}
-    given = {item.path for item in use.items}
-    suggester = Suggester([name for name in plugin.parameters if name not in given])
-    found: list[UnreadParameter] = []
+    written = {item.path for item in use.items}
+    suggester = Suggester([name for name in plugin.parameters if name not in written])
+    tags: list[UnreadParameter] = []
     for item in missed:
         other = _other(use, plugin, item)
         suggested = None if "/" in item.path else suggester.suggested(item.path) or None
@@ -39,18 +39,24 @@ def unread(use: PluginUse) -> list[UnreadParameter]:
         )  # updateRate(HZ) of an IMU
         if other is None and item.path in common and not is_cut_short:
             continue
-        found.append(
+        tags.append(
             UnreadParameter(item, other, suggested if suggested and "/" not in suggested else None)
         )
-    return found
+    return tags
 
 
 def _other(use: PluginUse, plugin: Plugin, item: PluginParameter) -> Plugin | None:
     """The plugin of another generation that reads a tag."""
-    for one in use.known:
-        if one.generation != plugin.generation and not one.removed and one.reads(item.path):
-            return one
+    for candidate in use.known:
+        if (
+            candidate.generation != plugin.generation
+            and not candidate.removed
+            and candidate.reads(item.path)
+        ):
+            return candidate
     new = renames().get(item.path)
     if plugin.generation == "classic-ros2" and new and plugin.reads(new):
-        return next((one for one in use.known if one.generation == "classic-ros1"), None)
+        return next(
+            (candidate for candidate in use.known if candidate.generation == "classic-ros1"), None
+        )
     return None

@@ -1,9 +1,9 @@
-"""Where a workspace sets the resource path on which Gazebo finds its meshes.
+"""Settings of Gazebo's resource path, for meshes, in a workspace.
 
-Gazebo takes ``package://arm/...`` for ``model://arm/...`` and searches its resource path, which
-knows nothing of ROS packages. The path must be set: by a package.xml that exports
+Gazebo interprets ``package://arm/...`` as ``model://arm/...`` and searches its resource path, which
+does not contain ROS packages. The path must be set: by a package.xml that exports
 ``gazebo_model_path``, a launch file or an environment hook that sets the variable, or the shell.
-A launch file that replaces ``package://`` by a path does without.
+A launch file that replaces ``package://`` by a path does not need it.
 Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_gz_sim.
 """
 
@@ -27,9 +27,9 @@ _VARIABLES = (
     b"IGN_GAZEBO_RESOURCE_PATH",
     b"SDF_PATH",
 )
-#: Calls of Python, and of the shell, that give the meshes another scheme or an absolute path.
+#: Calls in Python or a shell that replace the scheme of meshes, or make their paths absolute.
 _REPLACES = re.compile(rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]{0,200}package:""")
-#: Ends of the names of files that can set it: shell and build files, hooks, instructions.
+#: Suffixes of files that can set the path: shell and build files, hooks, instructions.
 _TEXTS = (
     ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
     ".md", ".rst", ".txt", "Dockerfile", "Makefile",
@@ -37,16 +37,16 @@ _TEXTS = (
 
 
 class ResourcePaths(Record):
-    """What the files of a workspace say."""
+    """Findings in the files of a workspace."""
 
     starter: str | None  # a launch file that starts Gazebo; None if there is none
-    #: True if a file mentions Gazebo's resource path or replaces ``package://``, or if not all
-    #: could be read.
+    #: True if a file mentions Gazebo's resource path or replaces ``package://``, or if a file
+    #: could not be read.
     is_mentioned: bool
 
 
 def survey(root: str, directories: Directories) -> ResourcePaths:
-    """Look through the text files of a workspace, within bounds."""
+    """Search the text files of a workspace, within bounds."""
     files = [
         path for path in directories.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)
     ]

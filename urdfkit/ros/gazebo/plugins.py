@@ -1,4 +1,4 @@
-"""The plugins that a model gives to Gazebo, each with what is known about its library."""
+"""The Gazebo plugins of a model, with the catalogue entries of their libraries."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
     from urdfkit.text.document import Attribute, Element
 
-#: Blocks of ROS 2 in which not every tag is catalogued.
+#: Blocks of ROS 2 whose tags are not all catalogued.
 _FREE = ("ros/qos", "ros/parameter")
 
 _CLASSIC = ("classic-ros1", "classic-ros2")
-#: The packages of which every library is catalogued for both.
+#: Packages whose libraries are all catalogued, for ROS 1 and ROS 2.
 _GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros2_control")
 
 
@@ -28,7 +28,7 @@ class PluginParameter(Record):
 
     path: str  # from the plugin, such as ``leftJoint`` or ``wheel/@link_name``
     at: Element | Attribute  # the element or attribute
-    text: str  # its value, without the white space around it
+    text: str  # value, without surrounding white space
 
 
 class Reference(Record):
@@ -50,15 +50,15 @@ class PluginUse:
     def __init__(self, at: Element, block: Element, wanted: Collection[str]) -> None:
         self.at = at  # its element
         self.block = block  # the ``<gazebo>`` that it is in
-        #: What its file name means, one plugin of each generation; empty if unknown.
+        #: Plugins with its file name, one for each generation; empty if unknown.
         self.known = find((at.get("filename") or "").strip())
-        #: Those of them that the Gazebo which the robot is for loads; a robot may be for several.
+        #: The known plugins that a target Gazebo loads; a robot may have several targets.
         self.candidates = [
             plugin
             for plugin in self.known
             if not plugin.removed and (plugin.generation in wanted or not wanted)
         ]
-        #: The one of these that reads most of the tags, or None.
+        #: The candidate that reads most of the tags, or None.
         self.plugin = self._best()
 
     def _best(self) -> Plugin | None:
@@ -80,12 +80,12 @@ class PluginUse:
 
     @property
     def outcome(self) -> str:
-        """What comes of a link or joint that it does not find: the end of a message, or empty."""
+        """Effect of a missing link or joint, as the end of a message; empty if unknown."""
         return f": {self.plugin.missing}" if self.plugin and self.plugin.missing else ""
 
     @property
     def place(self) -> str:
-        """``model``, ``link`` (a block with a reference), or the tag that it is in."""
+        """``model``, ``link`` (a block with a reference), or the tag of its parent."""
         assert self.at.parent is not None
         if self.at.parent is not self.block:
             return self.at.parent.tag
@@ -93,7 +93,7 @@ class PluginUse:
 
     @cached_property
     def items(self) -> tuple[PluginParameter, ...]:
-        """Everything in it, outer tags before inner ones."""
+        """All its tags and attributes, outer tags before inner tags."""
         return tuple(self._items())
 
     def _items(self) -> Iterator[PluginParameter]:
@@ -112,7 +112,7 @@ class PluginUse:
         return [item for item in self.items if item.path == path]
 
     def value(self, path: str) -> str:
-        """The first of them, else the default of its plugin; empty without either."""
+        """The first value, else the default of its plugin; empty without a default."""
         written = self.values(path)
         if written:
             return written[0].text
@@ -120,9 +120,9 @@ class PluginUse:
         return (parameter.default or "") if parameter else ""
 
     def unread(self, plugin: Plugin) -> list[PluginParameter]:
-        """The tags that a plugin does not read; of a block that it does not know only the first."""
+        """Tags that a plugin does not read; only the outermost tag of an unknown block."""
         found: list[PluginParameter] = []
-        closed = ""  # what is in a tag follows right behind it
+        closed = ""  # the contents of a tag follow the tag
         for item in self.items:
             if "@" in item.path or (closed and item.path.startswith(closed)):
                 continue
@@ -133,7 +133,7 @@ class PluginUse:
         return found
 
     def references(self) -> Iterator[Reference]:
-        """The links and joints that its plugin looks up, where they are given."""
+        """The links and joints that its plugin looks up, and their locations."""
         parameters = self.plugin.parameters if self.plugin else {}
         for item in self.items:
             parameter = parameters.get(item.path)
@@ -159,15 +159,15 @@ def uses(model: RobotModel, targets: Targets) -> tuple[PluginUse, ...]:
 
 
 def _is_for_gazebo(plugin: Element) -> bool:
-    """False for the hardware plugin of a ``<ros2_control>`` that is in a ``<gazebo>``."""
+    """False for the hardware plugin of a ``<ros2_control>`` inside a ``<gazebo>``."""
     return plugin.parent is not None and plugin.parent.tag not in ("hardware", "transmission")
 
 
 def generations(use: PluginUse) -> set[str]:
-    """The generations that may have a plugin's library; empty if it is not known.
+    """The generations that may have a plugin's library; empty if the library is unknown.
 
-    A library without ROS runs with both of them, and of a vendor's library for one of them there
-    may be a port to the other.
+    A library without ROS runs with ROS 1 and ROS 2, and a vendor's library for one of them may
+    have a port to the other.
     """
     present = [plugin for plugin in use.known if not plugin.removed]
     found = {plugin.generation for plugin in present}
@@ -178,11 +178,11 @@ def generations(use: PluginUse) -> set[str]:
 
 
 def conversion_result(conversion: SdfConversion, kind: str, name: str) -> str:
-    """What becomes of a link or joint in Gazebo.
+    """Result of Gazebo's conversion for a link or joint.
 
     Returns:
-        ``kept``, ``merged``, ``dropped``, ``unknown``, or ``other``: it depends on more than the
-        catalogue knows.
+        ``kept``, ``merged``, ``dropped``, ``unknown``, or ``other`` if it depends on facts that
+        are not in the catalogue.
     """
     model = conversion.model
     if name in conversion.added:

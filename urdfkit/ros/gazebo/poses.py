@@ -12,14 +12,14 @@ from urdfkit.text.document import Element
 
 
 class UnreadablePose(ValueError):
-    """A ``<pose>`` that SDF gives no meaning; the text is the reason."""
+    """A ``<pose>`` is invalid in SDF; the text is the reason."""
 
 
 def written_pose(pose: Element) -> Transform:
     """The numbers of a ``<pose>``: x y z roll pitch yaw, or x y z and a quaternion x y z w.
 
     Raises:
-        UnreadablePose: the text has other numbers.
+        UnreadablePose: the text does not have this many finite numbers.
     """
     is_quaternion = pose.get("rotation_format") == "quat_xyzw"
     values = numbers(pose.text)
@@ -41,7 +41,7 @@ def pose_in(parent: Element, frame: str, tree: KinematicTree) -> Transform:
 
     Args:
         parent: the element with the pose.
-        frame: the link, in which the pose is where it is not ``relative_to`` another frame.
+        frame: the link, to which the pose is relative unless it has ``relative_to``.
 
     Raises:
         UnreadablePose: the text has other numbers; the pose is relative to an unknown frame.
@@ -60,7 +60,7 @@ def pose_in(parent: Element, frame: str, tree: KinematicTree) -> Transform:
 
 
 def _frames(tree: KinematicTree) -> Mapping[str, Transform]:
-    """Frames of links, of joints, which are those of their children, and of the model."""
+    """Frames of links, of joints (equal to those of their children), and of the model."""
     links = tree.frames
     joints = {
         joint.name: links[joint.child_name]

@@ -1,7 +1,7 @@
-"""Which findings mean that libsdformat rejects a robot as a whole, and Gazebo has none of it.
+"""Defects for which libsdformat rejects the whole robot, so that Gazebo does not load it.
 
-Source: libsdformat 12.3 on robots with one defect each. It reads URDF by urdfdom: a defect in a
-joint rejects the robot, one in a link loses but that part of the link.
+Source: libsdformat 12.3 on robots with one defect each. It reads URDF with urdfdom: a defect in a
+joint rejects the robot, a defect in a link loses only that part of the link.
 """
 
 from __future__ import annotations
@@ -17,36 +17,36 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span
 
 CONVERTER_FAILS = "converter ends with an exception"
-#: Of moments of inertia; what numbers written as text leave of an equality.
+#: Relative tolerance of moments of inertia for numbers that are rounded as text.
 _SLACK = 1e-6
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 URD015".split())
-#: Rules with findings that reject the robot, as their messages say.
+#: Rules with some findings that reject the robot, recognised by their messages.
 SOMETIMES = frozenset("GAZ004 GAZ010 GAZ040 GAZ047".split())
-#: Rules whose findings reject the robot where they are about a joint.
+#: Rules whose findings reject the robot if they concern a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005".split())
-#: Errors that reject the robot where they are about its root element.
+#: Rules whose errors reject the robot if they concern its root element.
 OF_ROOT = frozenset("URD003 URD011".split())
-#: Rules that also report what rejects nothing: only their errors count.
+#: Rules of which only errors reject the robot.
 _ONLY_ERRORS = frozenset(("JNT002", "JNT006", "NAM001"))
-#: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
+#: Rules whose findings the SDF parser of gz rejects after the conversion, not Gazebo Classic's.
 BY_GZ = frozenset(("JNT006",))
 
 CODES = ALWAYS | SOMETIMES | IN_JOINTS | OF_ROOT | BY_GZ
 
 
 class Rejection(Record):
-    """Why there will be no robot."""
+    """A reason why a robot is rejected."""
 
-    reader: str  # that rejects it: ``libsdformat``, which converts it for every Gazebo, or ``gz``
-    code: str  # of the rule that reports it; empty if none does
-    message: str  # what is wrong
-    span: Span  # where it stands
+    reader: str  # ``libsdformat``, which converts for every Gazebo, or ``gz``
+    code: str  # of the rule that reports it; empty without a rule
+    message: str
+    span: Span  # source location
 
 
 def rejections(diagnostics: Iterable[Diagnostic], conversion: SdfConversion) -> list[Rejection]:
-    """Why a robot is rejected; empty if it is not.
+    """Reasons why a robot is rejected; empty if it is not.
 
     Args:
         diagnostics: of the rules in `CODES`, at least.
@@ -82,7 +82,7 @@ def _reported(diagnostics: Iterable[Diagnostic]) -> Iterator[Rejection]:
 
 
 def _of_nothing(conversion: SdfConversion) -> Rejection:
-    """A model that no link is left of."""
+    """The rejection of a model without remaining links."""
     message, place = "the robot has no link", conversion.model.root
     for body in conversion.massless[:1]:
         place = body.top.at
@@ -94,7 +94,7 @@ def _of_nothing(conversion: SdfConversion) -> Rejection:
 
 
 def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Frames that are attached to nothing, or have the name of something else."""
+    """Frames that are attached to nothing, or have the name of another part."""
     model = conversion.model
     for joint in _merged_joints(conversion):
         child = joint.child_name
@@ -125,12 +125,12 @@ def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
 
 
 def shared_frames(conversion: SdfConversion) -> frozenset[str]:
-    """Names of merged links and joints that another link, joint or frame of the SDF has, too."""
+    """Names of merged links and joints that another link, joint or frame of the SDF has."""
     return frozenset(name for name, _ in _shared_frames(conversion))
 
 
 def _shared_frames(conversion: SdfConversion) -> Iterator[tuple[str, Joint]]:
-    """Names that merged links and joints share with something, with the merged joint."""
+    """Names that merged links and joints share with another part, with the merged joint."""
     taken = _parts(conversion)
     for joint in _merged_joints(conversion):
         for name in (joint.name, joint.child_name):
@@ -145,19 +145,19 @@ def _parts(conversion: SdfConversion) -> set[str]:
 
 
 def _frames(conversion: SdfConversion) -> set[str]:
-    """Names of the frames that merged links and joints leave."""
+    """Names of the frames of merged links and joints."""
     merged = _merged_joints(conversion)
     return {name for joint in merged for name in (joint.name, joint.child_name)}
 
 
 def _merged_joints(conversion: SdfConversion) -> list[Joint]:
-    """The joints that leave a frame."""
+    """The merged joints that remain as frames."""
     leaves_frames = conversion.converter.has_frames and conversion.tree.is_sound
     return list(filter(conversion.merges, conversion.model.joints)) if leaves_frames else []
 
 
 def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Names that are reserved, or that two links or joints have after the conversion."""
+    """Names that are reserved, or shared by two links or joints after the conversion."""
     model = conversion.model
     places = [
         *((link.name, "link", link.body.top.at) for link in conversion.links),
@@ -181,7 +181,7 @@ def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
 
 
 def _of_joints(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Joints of SDF between links that are not there, and floating joints, which leave no frame."""
+    """SDF joints between missing links, and floating joints, which do not remain as frames."""
     for joint, end, into in conversion.lost_joint_ends():
         if into and conversion.converter.has_frames:
             continue  # its frame bears the joint
@@ -198,7 +198,7 @@ def _of_joints(conversion: SdfConversion) -> Iterator[Rejection]:
 
 
 def _of_inertia(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Masses and inertias that no body has, of links with all that is merged into them."""
+    """Physically impossible masses and inertias of links with all links merged into them."""
     for part in conversion.model.links:
         if part.mass < 0:
             message = f"link '{part.name}' has a mass of {part.mass:g} kg"

@@ -45,7 +45,7 @@ SHOULDER = arm_xml(
 
 _BASE = solid_xml("base") + "\n"
 
-#: A lidar that looks forwards.
+#: A forward-looking lidar.
 LIDAR = (
     _BASE
     + """\
@@ -65,7 +65,7 @@ LIDAR = (
 </gazebo>"""
 )
 
-#: A lidar on the link ``scanner`` that looks all around.
+#: A lidar on the link ``scanner`` with a field of view of 360 degrees.
 SCANNER = gazebo_xml(
     sensor_xml(
         "front",
@@ -112,7 +112,7 @@ ARM = (
     + "\n"
 )
 
-#: The plugin that runs controllers in Gazebo, with their parameter file.
+#: The control plugin of Gazebo, with a parameter file.
 CONTROL = gazebo_xml(
     plugin_xml(
         "gz_ros2_control::GazeboSimROS2ControlPlugin",
@@ -121,7 +121,7 @@ CONTROL = gazebo_xml(
     )
 )
 
-#: The wheels under a controller.
+#: Wheels with a controller.
 DRIVEN = (
     WHEELED
     + control_xml(
@@ -141,7 +141,7 @@ def controller_yaml(kind: str, *parameters: str) -> bytes:
     return f"{manager}arm:\n  ros__parameters:\n{own}".encode()
 
 
-#: Their parameter file.
+#: The parameter file of the wheels.
 DRIVE = controller_yaml(
     "diff_drive_controller/DiffDriveController",
     "left_wheel_names: [left_joint]",
@@ -150,7 +150,7 @@ DRIVE = controller_yaml(
     "wheel_radius: 0.1",
 )
 
-#: A launch file of the package cart that starts its world ``bad.sdf`` with its robot.
+#: A launch file of the package ``cart`` that starts the world ``bad.sdf`` with the robot.
 CART_LAUNCH = """\
 from ament_index_python.packages import get_package_share_directory
 from launch.actions import ExecuteProcess

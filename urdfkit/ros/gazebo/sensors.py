@@ -14,11 +14,11 @@ from urdfkit.text.document import Attribute, Element
 class Sensor(Record):
     """A ``<sensor>``."""
 
-    at: Element  # its element
-    #: name and type: as written; empty where there is none.
+    at: Element
+    #: name and type: as written; empty if missing.
     name: str
     type: str
-    reference: str  # the link or joint of the ``<gazebo>`` around it; empty without one
+    reference: str  # the link or joint of the enclosing ``<gazebo>``; empty without a reference
 
     @property
     def who(self) -> str:
@@ -32,14 +32,14 @@ class Sensor(Record):
         return element
 
     def number(self, path: str) -> Placed[float] | None:
-        """The number in the element at a path, if there is one."""
+        """The number in the element at a path, if any."""
         element = self.find(path)
         value = number(element.text.strip()) if element else None
         return None if element is None or value is None else Placed(value, element)
 
     @property
     def lidar(self) -> str:
-        """``ray`` or ``lidar``, whichever holds the settings; empty for other sensors."""
+        """``ray`` or ``lidar``, the tag with the settings; empty for other sensors."""
         return next((tag for tag in ("lidar", "ray") if self.at.child(tag)), "")
 
     @property
@@ -48,32 +48,32 @@ class Sensor(Record):
 
 
 class SettingElement(Record):
-    """An element in the block that holds a sensor's settings."""
+    """An element in the block of a sensor's settings."""
 
     at: Element  # the element
-    parent: str  # the tag around it
-    path: str  # that leads to it from the block
-    known: Mapping[str, Setting]  # the settings that the block may have, by path
+    parent: str  # tag of its parent
+    path: str  # relative to the block
+    known: Mapping[str, Setting]  # valid settings of the block, by path
 
     @property
     def setting(self) -> Setting | None:
-        """What SDF knows of it; None if SDF does not know it."""
+        """Its definition in SDF; None if it is not in SDF."""
         return self.known.get(self.path)
 
     @property
     def siblings(self) -> tuple[str, ...]:
-        """The tags that are known in its place."""
+        """The valid tags in its parent."""
         above = self.path.rpartition("/")[0]
         rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
         return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
 
     @property
     def holds_type_as_attribute(self) -> bool:
-        """True for the noise of a single quantity; that of images and scans has a ``<type>``."""
+        """True for noise of a single quantity; noise of images and scans has a ``<type>``."""
         return self.at.tag == "noise" and "/" in self.path
 
     def attributes(self) -> Iterator[tuple[Attribute, Setting]]:
-        """Its attributes, with what SDF knows of them; the others are left out."""
+        """Its attributes with their definitions in SDF; unknown attributes are ignored."""
         known, path = self.known, f"{self.path}/"
         if self.holds_type_as_attribute:
             known, path = settings("noise"), ""
@@ -83,7 +83,7 @@ class SettingElement(Record):
 
 
 def written(sensor: Sensor) -> Iterator[SettingElement]:
-    """The elements below the blocks of a sensor; what is in an unknown one is left out."""
+    """The elements below the blocks of a sensor; contents of unknown elements are ignored."""
     for block in sensor.at.children:
         known = settings(block.tag)
         if not known:
@@ -104,7 +104,7 @@ def written(sensor: Sensor) -> Iterator[SettingElement]:
 
 
 def sensors(model: RobotModel) -> Iterator[Sensor]:
-    """The sensors of a model, in the order of the document."""
+    """The sensors of a model, in document order."""
     for gazebo in model.gazebo:
         for element in gazebo.all("sensor"):
             yield Sensor(

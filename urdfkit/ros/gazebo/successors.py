@@ -1,4 +1,4 @@
-"""What gz-sim has instead of a plugin of Gazebo Classic, as XML with the values of the plugin."""
+"""Replacements in gz-sim for plugins of Gazebo Classic, as XML with the values of the plugin."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -11,21 +11,21 @@ from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, remove_element, replace
 
-#: What SDF calls the frame of a sensor's messages in Fortress.
+#: SDF's tag for the frame of a sensor's messages in Fortress.
 _FORTRESS = {"gz_frame_id": "ignition_frame_id"}
-#: What Gazebo Classic takes for no topic.
+#: Values that Gazebo Classic interprets as no topic.
 _NO_TOPIC = ("", "__default_topic__")
 
 
 def successor(use: PluginUse, target: str) -> Fix | None:
-    """The fix that writes what gz-sim reads in the place of a plugin.
+    """The fix that replaces a plugin by its replacement in gz-sim.
 
     Args:
         use: the plugin.
         target: a target with gz-sim.
 
     Returns:
-        None where nothing is known of the plugin, or a value has no counterpart.
+        None if the plugin is unknown, or a value has no counterpart.
     """
     classic = [one for one in use.known if one.generation.startswith("classic")]
     if not classic:
@@ -44,7 +44,7 @@ def successor(use: PluginUse, target: str) -> Fix | None:
 def _systems(
     use: PluginUse, plugin: Plugin, systems: Mapping[str, Mapping[str, str]], target: str
 ) -> list[str]:
-    """The lines of the systems; none where a value has no counterpart."""
+    """XML lines of the systems; empty if a value has no counterpart."""
     lines: list[str] = []
     for file, tags in systems.items():
         lines.append("<plugin {} {}>".format(*_attributes(file, target)))
@@ -61,7 +61,7 @@ def _systems(
 
 
 def _attributes(file: str, target: str) -> tuple[str, str]:
-    """What a plugin of a system is called in a target."""
+    """File name and name attributes of a system's plugin in a target."""
     (system,) = find(file)
     if target == "gz-fortress":
         return f'filename="{system.fortress_files[0]}"', f'name="{system.fortress_class}"'
@@ -69,7 +69,7 @@ def _attributes(file: str, target: str) -> tuple[str, str]:
 
 
 def _sensor(use: PluginUse, plugin: Plugin, tags: Mapping[str, str], target: str) -> Fix | None:
-    """The tags of the sensor itself, which its plugin gave in Gazebo Classic."""
+    """Tags of the sensor itself, which its plugin has in Gazebo Classic."""
     sensor = use.at.parent
     assert sensor is not None
     topic = sensor.child("topic")
@@ -92,7 +92,7 @@ def _sensor(use: PluginUse, plugin: Plugin, tags: Mapping[str, str], target: str
 
 
 def _values(use: PluginUse, plugin: Plugin, tag: str, names: str) -> Iterator[str]:
-    """What a plugin of one generation has for a tag, as it is written, or its defaults."""
+    """Values of a plugin for a tag, as written, or its defaults."""
     for name in re.split(r"[ +]", names):
         if name.startswith("~"):
             values = _remapped(use, name[1:]) if plugin.generation == "classic-ros2" else []
@@ -106,7 +106,7 @@ def _values(use: PluginUse, plugin: Plugin, tag: str, names: str) -> Iterator[st
 
 
 def _parameter(use: PluginUse, plugin: Plugin, name: str) -> list[str]:
-    """The values of a parameter, expressions as they are; else its default."""
+    """Values of a parameter, with unevaluated expressions; else its default."""
     known = plugin.parameters.get(name)
     if written := list(filter(None, map(_written, use.values(name)))):
         is_list = known is not None and known.type == "joints"
@@ -119,7 +119,7 @@ def _written(item: PluginParameter) -> str:
 
 
 def _below(use: PluginUse, plugin: Plugin, above: str, name: str) -> list[str]:
-    """A topic below a name, if a plugin reads that, or the one that begins with a slash."""
+    """A topic below a name, if a plugin reads the name; an absolute topic is unchanged."""
     if above not in plugin.parameters:
         return []
     assert use.at.parent is not None
@@ -131,7 +131,7 @@ def _below(use: PluginUse, plugin: Plugin, above: str, name: str) -> list[str]:
 
 
 def _remapped(use: PluginUse, name: str) -> list[str]:
-    """The topic that a node of ROS 2 has for the one of its plugin."""
+    """The ROS 2 topic to which a topic of a plugin is remapped."""
     pairs = (_written(item).partition(":=") for item in use.values("ros/remapping"))
     wanted = name.lstrip("/")
     topics = [new.strip() for old, _, new in pairs if old.strip().lstrip("/") == wanted and new]

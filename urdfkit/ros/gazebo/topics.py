@@ -1,4 +1,4 @@
-"""The topics in Gazebo on which the sensors and systems of a robot publish, or which they read."""
+"""Gazebo topics that the sensors and systems of a robot publish or subscribe."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ class GazeboTopic(Record):
     """A topic of a robot."""
 
     who: str  # for messages
-    message: str  # of Gazebo, such as ``LaserScan``
-    name: str  # without slashes around it; ``*`` stands for the names of the world and the robot
-    is_read: bool = False  # True if the robot reads it, as it does with commands
-    tag: str = "topic"  # that names it
-    #: What a sensor adds to that: after a slash, or after two points instead of the last part.
+    message: str  # Gazebo's message type, such as ``LaserScan``
+    name: str  # without surrounding slashes; ``*`` for the names of world and robot
+    is_read: bool = False  # True if the robot subscribes, as for commands
+    tag: str = "topic"  # the tag that defines it
+    #: Suffix that a sensor adds: after a slash, or after two dots instead of the last part.
     suffix: str = ""
-    is_system: bool = False  # True for that of a plugin
+    is_system: bool = False  # True for the topic of a plugin
 
     @property
     def is_unnamed(self) -> bool:
-        """True if the description does not name it."""
+        """True if the description does not define its name."""
         return "*" in self.name
 
     def named(self, name: str) -> str:
-        """What to write into the tag for the topic to have a name."""
+        """Text for the tag that yields the name of the topic."""
         if self.suffix.startswith("./"):
             return name.removesuffix(self.suffix[1:]) + "/image"
         return name.removesuffix(self.suffix) or name
 
     def is_called(self, name: str) -> bool:
-        """True if it has this name, which may have slashes around it."""
+        """True if it has this name, ignoring surrounding slashes."""
         return fnmatchcase(name.strip("/"), self.name)
 
 
 def topics(model: RobotModel) -> Iterator[GazeboTopic]:
-    """The topics of the sensors and systems of a robot that are catalogued."""
+    """Topics of the catalogued sensors and systems of a robot."""
     for sensor in sensors(model):
         yield from _of_sensor(sensor)
     for gazebo in model.gazebo:
@@ -85,7 +85,7 @@ def _library(plugin: Element) -> str:
 
 
 def are_all_known(model: RobotModel) -> bool:
-    """True if no other sensor or system of the robot publishes or reads such messages."""
+    """True if the topics of all sensors and systems of the robot are catalogued."""
     plugins = (_library(plugin) for gazebo in model.gazebo for plugin in gazebo.all("plugin"))
     known = data("bridge")["silent"].split()
     return all(_entries("sensors", one.type) for one in sensors(model)) and all(

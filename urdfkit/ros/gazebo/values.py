@@ -5,11 +5,11 @@ import re
 from urdfkit.robot.values import number
 from urdfkit.text.document import Element
 
-#: Decimal or hexadecimal, as C's ``strtod`` has it.
+#: A decimal or hexadecimal number, as C's ``strtod`` accepts.
 _FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"
 _INTEGER = r"\s*([-+]?(?:0x[\da-f]+|\d+))"
 
-#: Units that SDF has anyway, so that ignoring them changes nothing.
+#: SDF's own units, which can be ignored.
 _UNITS = ("hz", "m", "s", "rad", "kg", "n", "nm", "n/m", "m/s", "rad/s", "px", "pixel", "pixels")
 
 
@@ -17,12 +17,12 @@ _TRUE = ("true", "yes", "1")
 
 
 def text_of(tag: Element) -> str:
-    """The value of a child of ``<gazebo>``; ``value=""`` is an old form."""
+    """The value of a child of ``<gazebo>``; ``value=""`` is a legacy syntax."""
     return tag.get("value") or tag.text.strip()
 
 
 def is_true(tag: Element) -> bool:
-    """True if Gazebo's converter takes the value of a tag for true."""
+    """True if Gazebo's converter interprets the value of a tag as true."""
     return text_of(tag).lower() in _TRUE
 
 
@@ -30,10 +30,10 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
     """The number at the beginning of a text, which Gazebo reads, and the rest, which it ignores.
 
     Args:
-        whole: True where Gazebo reads an integer, which a point or an exponent ends.
+        whole: True if Gazebo reads an integer, which ends before a point or an exponent.
 
     Returns:
-        both empty if the text begins with no number.
+        both are empty if the text does not begin with a number.
 
     >>> leading("0,5"), leading("50 cm"), leading("10 Hz"), leading("fast")
     (('0', ',5'), ('50', 'cm'), ('10', ''), ('', ''))
@@ -41,7 +41,7 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
     (('640', ''), ('1', 'e2'))
     """
     plain = text if whole else text.removeprefix("-").replace(".", "", 1)
-    if plain.isascii() and plain.isdecimal():  # as most are: no pattern need be compiled
+    if plain.isascii() and plain.isdecimal():  # the most frequent case, without a pattern
         return text, ""
     found = re.match(_INTEGER if whole else _FLOAT, text, re.IGNORECASE)
     if found is None:
@@ -52,7 +52,7 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
 
 
 def value(text: str) -> float:
-    """The value of a number that ``leading`` has found."""
+    """The value of a number that ``leading`` returned."""
     return float(int(text, 16)) if "x" in text.lower() else float(text)
 
 
@@ -61,6 +61,6 @@ def quoted(text: str) -> str:
 
 
 def corrected(text: str) -> str:
-    """What to write instead of a number with something behind it: the end of a help."""
+    """Replacement of a number with trailing text, as the end of a help."""
     right = text.replace(",", ".")
     return right if number(right) is not None else "the number alone"

@@ -1,4 +1,4 @@
-"""What the lidars and cameras of a model look at: their frames, beams and fields of view."""
+"""Frames, beams and fields of view of the lidars and cameras of a model."""
 
 from math import atan2, hypot, pi, tan
 
@@ -8,16 +8,16 @@ from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import numbers
 from urdfkit.ros.gazebo.sensors import Sensor
 
-#: Beams of a scan, and rays along an edge of an image, that are looked at.
+#: Most beams of a scan, and number of rays along an edge of an image, that are tested.
 MAX_BEAMS, EDGE = 360, 5
-#: Radians that a scan covers at least: narrower ones are of sonars and cliff sensors.
+#: Least angle of a scan in rad: narrower scans are of sonars and cliff sensors.
 NARROW = 1.5
 
 _FIELD, _WIDTH, _HEIGHT = 1.047, 320.0, 240.0
 
 
 def frame_of(sensor: Sensor, tree: KinematicTree) -> Transform | None:
-    """The frame of a sensor in that of the root; None if its link or its pose is not known."""
+    """The frame of a sensor in the root; None if its link or pose is unknown."""
     frame = tree.frames.get(sensor.reference)
     pose = sensor.find("pose")
     if frame is None or pose is None or not pose.text.strip():
@@ -30,7 +30,7 @@ def frame_of(sensor: Sensor, tree: KinematicTree) -> Transform | None:
 
 
 def planar_scan(sensor: Sensor) -> Scan | None:
-    """The beams of a lidar that scans one plane; None for any other sensor."""
+    """The beams of a lidar that scans one plane; None for other sensors."""
     block = sensor.lidar
     if not block:
         return None
@@ -72,6 +72,6 @@ def image_rays(sensor: Sensor) -> list[Vector]:
 
 
 def tilt(frame: Transform) -> float:
-    """How far z of a frame is from upright, in rad: 0, or pi for one that is upside down."""
+    """Angle between z of a frame and the vertical, in rad: 0 if upright, pi if upside down."""
     x, y, z = (row[2] for row in frame.rotation)
     return atan2(hypot(x, y), z)

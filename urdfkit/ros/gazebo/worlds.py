@@ -19,13 +19,13 @@ from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
 
-#: Seconds of a step of physics that a world does not choose.
+#: Default step of physics, in s.
 DEFAULT_STEP = 0.001
 #: Directories of a workspace that are searched for models.
 MAX_DIRECTORIES = 2000
 
 _FILENAME = rb"""<plugin\b[^>]*\bfilename\s*=\s*["']([^"']+)"""
-#: How the address of a model begins that is found on Gazebo's resource path.
+#: URI of a model on Gazebo's resource path.
 _MODEL = re.compile(r"model://([^/]+)/?$")
 _DEFINITIONS = ("model.config", "model.sdf")
 
@@ -33,7 +33,7 @@ _DEFINITIONS = ("model.config", "model.sdf")
 class World(Record):
     """A ``<world>``."""
 
-    at: Element  # its element
+    at: Element
     source: Source  # the file
 
     @property
@@ -54,7 +54,7 @@ class World(Record):
 
     @property
     def step(self) -> Placed[float]:
-        """A step of physics in seconds; at the world itself if that is the default."""
+        """Step of physics in s; located at the world if it is the default."""
         for physics in self.at.all("physics"):
             written = physics.child("max_step_size")
             value = number(written.text.strip()) if written is not None else None
@@ -64,7 +64,7 @@ class World(Record):
 
     @property
     def ground(self) -> float | None:
-        """The height of the floor in m, if that is one level plane; None if it is not known."""
+        """Height of the floor in m, if it is one level plane; None if unknown."""
         if self.at.child("heightmap") or any(one.tag == "heightmap" for one in self.at.walk()):
             return None
         heights = {
@@ -83,12 +83,12 @@ class World(Record):
         return None
 
 
-@lru_cache(maxsize=8)  # the launch files of a workspace start the same few
+@lru_cache(maxsize=8)  # launch files of a workspace start the same few worlds
 def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Problem]]:
-    """The world in a file, None if there is none, and what is wrong with the text.
+    """The world in a file (None if there is none), and problems of the text.
 
     Raises:
-        UnreadableFile: it is missing, or may not be read.
+        UnreadableFile: the file is missing, or cannot be read.
     """
     source = resolver.read(path)
     document, problems = read_xml(source)
@@ -98,7 +98,7 @@ def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Proble
 
 
 def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
-    """Of the worlds that come with gz sim the name and the systems, by file."""
+    """Name and systems of the worlds of gz sim, by file."""
     found = {}
     for file, text in data("worlds")["worlds"].items():
         name, _, systems = text.partition(":")
@@ -111,18 +111,18 @@ def default_systems() -> frozenset[str]:
 
 
 def systems_in(files: list[str]) -> frozenset[str]:
-    """The systems of gz sim that libraries hold, by the last word of their class."""
+    """The systems of gz sim in libraries, by the last word of their class."""
     loaded = (plugin for file in files for plugin in find(file) if plugin.generation == "gz")
     return frozenset(plugin.class_name.rpartition("::")[2] for plugin in loaded)
 
 
 def own_systems(world: World) -> frozenset[str]:
-    """The systems that the plugins of a world itself are."""
+    """The systems of the plugins directly in a world."""
     return systems_in([plugin.get("filename") or "" for plugin in world.plugins])
 
 
 def all_systems(world: World, models: Models) -> frozenset[str]:
-    """Those of the models in a world, too, as far as they are at hand."""
+    """The systems of a world and of its available models."""
     files = _filenames(world.source.data)
     for _, uri in world.includes:
         files += models.libraries(uri)
@@ -143,16 +143,16 @@ class Models:
 
     @property
     def directories(self) -> dict[str, list[str]]:
-        """The directories with a model, by name."""
+        """Model directories, by name."""
         return _models(self._resolver.packages.workspace(self._near), self._resolver)
 
     def has(self, uri: str) -> bool:
-        """True if a model is at hand."""
+        """True if a model is available."""
         name = model_name(uri)
         return name in self.directories or self._resolver.locate(uri, self._near).path is not None
 
     def libraries(self, uri: str) -> list[str]:
-        """The files of the plugins of a model; none if it is not at hand."""
+        """File names of the plugins of a model; empty if it is not available."""
         found: list[str] = []
         for directory in self.directories.get(model_name(uri), ()):
             source = self._resolver.readable(os.path.join(directory, "model.sdf"))
@@ -162,7 +162,7 @@ class Models:
 
 @lru_cache(maxsize=2)
 def _models(root: str, resolver: Resolver) -> dict[str, list[str]]:
-    """The directories with a model that a workspace has, by name."""
+    """Model directories of a workspace, by name."""
     found: dict[str, list[str]] = {}
     for path in resolver.directories.files_below(root, MAX_DIRECTORIES):
         directory, name = os.path.split(path)
@@ -172,13 +172,13 @@ def _models(root: str, resolver: Resolver) -> dict[str, list[str]]:
 
 
 def model_name(uri: str) -> str:
-    """The name in ``model://name``; empty for other addresses."""
+    """The name in ``model://name``; empty for other URIs."""
     found = _MODEL.match(uri)
     return found.group(1) if found else ""
 
 
 def _is_plane(element: Element) -> bool:
-    """True for a model that is the floor: by its geometry, or by the name of the file included."""
+    """True for a floor, by its geometry or the name of the included file."""
     if element.tag == "include":
         uri = element.child("uri")
         words = (uri.text if uri is not None else "").casefold()
@@ -187,7 +187,7 @@ def _is_plane(element: Element) -> bool:
 
 
 def _level(element: Element) -> float | None:
-    """The height of a floor in m; None where it is inclined, or not known."""
+    """Height of a floor in m; None if it is inclined or unknown."""
     height = 0.0
     for part in element.walk():
         if part.tag != "pose" or not part.text.strip():

@@ -1,4 +1,4 @@
-"""What simulators and dynamics libraries make of a URDF: bodies, masses, order of the joints.
+"""Robots as simulators and dynamics libraries import them: bodies, masses, order of the joints.
 
-``catalog/importers/`` has the facts about each program; nothing here needs the program.
+``catalog/importers/`` has the facts about each program; the programs are not required.
 """

@@ -1,4 +1,4 @@
-"""What a program changes of a robot when it imports it, each at its element, for people."""
+"""Changes of a robot when a program imports it, each with its element and a text."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from urdfkit.text.document import Element
 
 
 class Change(Record):
-    """Something that a program makes of an element."""
+    """A change of an element."""
 
     at: Element  # the element of the URDF
-    text: str  # what, in a few words
+    text: str  # description in a few words
 
 
 def changes(robot: Imported) -> Iterator[Change]:
-    """What is not as it is written: bodies, then masses, shapes, joints."""
+    """Changes of a robot: bodies, then masses, shapes, joints."""
     for body in robot.bodies:
         yield from _merged(body)
     for body in robot.bodies:
@@ -63,7 +63,7 @@ def _mass(robot: Imported, link: Link, mass: float) -> Iterator[Change]:
     yield Change(at, f"link '{link.name}' with {written} gets {mass:.4g} kg {how}")
 
 
-#: Masses that differ by no more are the same.
+#: Relative difference up to which masses are equal.
 _ROUNDING = 1e-9
 
 

@@ -1,4 +1,4 @@
-"""A robot as a program has it after it has read the URDF."""
+"""A robot after a program has imported the URDF."""
 
 from __future__ import annotations
 
@@ -15,45 +15,45 @@ from urdfkit.ros.importers.facts import ImporterFacts
 from urdfkit.ros.importers.orders import WORLD, free_trees, ordered
 from urdfkit.ros.mujoco import compiler_of
 
-#: The mass properties of the collision shapes of a link at 1 kg/m³, in the frame of the link; None
-#: if they are not known. The other argument is the fact ``mesh_volume``.
+#: Mass properties of the collision shapes of a link at 1 kg/m³, in the frame of the link; None
+#: if unknown. The second argument is the fact ``mesh_volume``.
 Solid = Callable[["Link", str], "MassProperties | None"]
 
 
 class ImportedJoint(Record):
-    """A joint as a program has it."""
+    """A joint in an importing program."""
 
     joint: Joint  # of the URDF
-    names: tuple[str, ...]  # of the joints that it becomes; one, but for those with several axes
-    #: q and nq: the first of its positions, and how many they are.
+    names: tuple[str, ...]  # of the resulting joints; several for a joint with several axes
+    #: q and nq: index of its first position, and number of positions.
     q: int
     nq: int
-    #: v and nv: the same of its velocities.
+    #: v and nv: the same for its velocities.
     v: int
     nv: int
 
 
 class ImportedBody(Record):
-    """A body as a program has it."""
+    """A body in an importing program."""
 
-    name: str  # of the body; ``world`` for what has become part of the world
-    links: tuple[Link, ...]  # of the URDF, that it is made of, the topmost first
-    #: In the frame of the first link; None if they are not known here.
+    name: str  # of the body; ``world`` for links that are part of the world
+    links: tuple[Link, ...]  # links of the URDF that it consists of, the topmost first
+    #: In the frame of the first link; None if unknown.
     properties: MassProperties | None
 
     @property
     def mass(self) -> float | None:
-        """In kg."""
+        """Mass in kg; None if unknown."""
         return None if self.properties is None else self.properties.mass
 
 
 def dense(unit: MassProperties, density: float) -> MassProperties:
-    """A solid that is given with 1 kg/m³, with a density in kg/m³."""
+    """Mass properties at a density in kg/m³, from those at 1 kg/m³."""
     return MassProperties(unit.mass * density, unit.center, scaled(unit.tensor, density))
 
 
 class Imported:
-    """A robot after the import by one program, with its default settings."""
+    """A robot after the import by a program with its default settings."""
 
     def __init__(self, tree: KinematicTree, facts: ImporterFacts, solid: Solid) -> None:
         #: tree and facts: the same.
@@ -82,9 +82,9 @@ class Imported:
 
     @cached_property
     def joints(self) -> tuple[ImportedJoint, ...]:
-        """The joints that have coordinates, in the program's order.
+        """The joints with coordinates, in the program's order.
 
-        Their coordinates are counted after those of the free root of their tree.
+        Their coordinates follow those of the free root of their tree.
         """
         facts = self.facts
         order = ordered(self.tree, facts.walk, facts.siblings, merged=self.merges_fixed)
@@ -93,7 +93,7 @@ class Imported:
             numbered = free_trees(self.tree, order)
         is_counted = self.root_is_free or facts.numbers_root
         q = v = 0
-        found: list[ImportedJoint] = []
+        imported: list[ImportedJoint] = []
         for joint in numbered:
             nq, nv = facts.root_coordinates if is_counted else (0, 0)
             if joint is None:
@@ -104,13 +104,13 @@ class Imported:
                 is_body = facts.frees_floating and joint.kind == "floating"
                 name = joint.child_name if is_body else joint.name
                 names = (name + end for end in facts.suffixes.get(joint.kind, ("",)))
-                found.append(ImportedJoint(joint, tuple(names), q, nq, v, nv))
+                imported.append(ImportedJoint(joint, tuple(names), q, nq, v, nv))
                 q, v = q + nq, v + nv
-        return tuple(found)
+        return tuple(imported)
 
     @cached_property
     def bodies(self) -> tuple[ImportedBody, ...]:
-        """The bodies, parents before their children; the world only if links are part of it."""
+        """The bodies, parents before children; the world only if links are part of it."""
         return tuple(map(self._body, self._groups))
 
     @cached_property
@@ -124,25 +124,25 @@ class Imported:
             return ImportedBody(WORLD, links, None)
         own = [(self.properties_of(link), frame) for link, frame in group.links]
         parts = [part.moved(frame) for part, frame in own if part is not None]
-        # What a program computes later it computes for bodies: one part with a mass is enough.
+        # A program computes missing masses for bodies: one link with a mass is sufficient.
         is_known = len(parts) == len(own) or bool(parts and self.facts.massless)
         return ImportedBody(group.top.name, links, combined(parts) if is_known else None)
 
     def properties_of(self, link: Link) -> MassProperties | None:
-        """Of one link in its own frame, before anything is merged; None if they are not known."""
+        """Mass properties of a link in its frame, before links are merged; None if unknown."""
         facts, compiler = self.facts, self._compiler
         from_shapes = compiler.inertia_from_geometry if compiler else False
-        found: MassProperties | None
+        properties: MassProperties | None
         if link.inertial is not None and not from_shapes:
-            found = properties_of(link, Transform())
+            properties = properties_of(link, Transform())
         elif facts.default_mass:
             mass = 0.0 if link.name == WORLD else facts.default_mass
-            found = MassProperties(mass, ORIGIN, ZERO)
+            properties = MassProperties(mass, ORIGIN, ZERO)
         elif facts.massless:
-            found = None
+            properties = None
         elif facts.density and link.collisions:
             unit = self._solid(link, facts.mesh_volume)
-            found = None if unit is None else dense(unit, facts.density)
+            properties = None if unit is None else dense(unit, facts.density)
         else:
-            found = properties_of(link, Transform())
-        return compiler.bounded(found) if compiler and found else found
+            properties = properties_of(link, Transform())
+        return compiler.bounded(properties) if compiler and properties else properties

@@ -1,4 +1,4 @@
-"""Which joint of one program is which of another one."""
+"""Maps between the joint indices of two programs."""
 
 from __future__ import annotations
 
@@ -8,38 +8,38 @@ from urdfkit.ros.importers.imported import Imported, ImportedJoint
 
 
 class NoIndexMap(UrdfkitError):
-    """Two programs do not have the same degrees of freedom."""
+    """Two programs have different degrees of freedom."""
 
 
 class IndexMap(Record):
-    """For each degree of freedom of one program, its index in another one.
+    """For each degree of freedom of the target, its index in the source.
 
-    Free roots are left out: degrees of freedom are counted from the first joint.
+    Free roots are ignored: degrees of freedom are counted from the first joint.
     """
 
     #: source and target: names of the programs.
     source: str
     target: str
-    joints: tuple[ImportedJoint, ...]  # of each degree of freedom of the target, in its order
-    #: Of the same in the source: ``values[indices]`` are those of the target.
+    joints: tuple[ImportedJoint, ...]  # for each degree of freedom of the target, in its order
+    #: Indices of the same degrees of freedom in the source: ``values[indices]`` are the target's.
     indices: tuple[int, ...]
 
 
 def index_map(source: Imported, target: Imported) -> IndexMap:
-    """The map from the degrees of freedom of one program to those of another one.
+    """The map from the degrees of freedom of a program to those of another program.
 
     Raises:
-        NoIndexMap: one has a joint that the other one lacks, or that moves in other ways there.
+        NoIndexMap: a joint is missing in a program, or has other degrees of freedom there.
     """
-    first = {one.joint.name: one for one in source.joints}
+    first = {imported.joint.name: imported for imported in source.joints}
     _compare(source, target, first)
-    start = min((one.v for one in source.joints), default=0)
+    start = min((imported.v for imported in source.joints), default=0)
     joints: list[ImportedJoint] = []
     indices: list[int] = []
-    for one in target.joints:
-        place = first[one.joint.name].v - start
-        joints += [one] * one.nv
-        indices += range(place, place + one.nv)
+    for imported in target.joints:
+        place = first[imported.joint.name].v - start
+        joints += [imported] * imported.nv
+        indices += range(place, place + imported.nv)
     return IndexMap(source.facts.name, target.facts.name, tuple(joints), tuple(indices))
 
 

@@ -6,43 +6,43 @@ from collections.abc import Callable, Iterable
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
-#: The name of the world, in every program.
+#: Name of the world in all programs.
 WORLD = "world"
 
-#: Takes a link, and returns the joints below it.
+#: Returns the child joints of a link.
 Below = Callable[[str], Iterable["Joint"]]
 
 
 def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> list[Joint]:
-    """The joints of a robot, fixed ones included, in the order of a program.
+    """The joints of a robot, including fixed joints, in the order of a program.
 
     Args:
-        tree: of the robot; what no root leads to is left out.
+        tree: of the robot; links that no root leads to are ignored.
         walk: ``depth``, ``breadth`` or ``file``.
         siblings: ``file``, ``joint`` or ``link``.
-        merged: True if fixed joints are merged before the walk. That changes an order by breadth:
-            what is below a fixed joint is one level higher then.
+        merged: True if fixed joints are merged before the walk. This changes a breadth-first
+            order: joints below a fixed joint are one level higher.
     """
     if walk == "file":
         return list(tree.model.joints)
     sort = _sorter(tree, siblings)
     if walk == "breadth":
         below = _without_fixed(tree, sort) if merged else lambda link: sort(tree.children[link])
-        found = _breadth_first(tree, below)
-        return found + [joint for joint in tree.spanning if joint.kind == "fixed" and merged]
+        order = _breadth_first(tree, below)
+        return order + [joint for joint in tree.spanning if joint.kind == "fixed" and merged]
     return _depth_first(tree, lambda link: sort(tree.children[link]))
 
 
 def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None]:
-    """The joints by the trees that floating joints cut a robot into; None is a free root.
+    """The joints by the trees into which floating joints split a robot; None is a free root.
 
-    What is connected to the world comes first; then come the trees whose root has most joints, of
-    equal ones in the order of the links in the document.
+    The tree of the world comes first, then the trees by number of joints of their roots,
+    descending; equal trees are in the order of the links in the document.
 
     Args:
         order: of the joints, depth first.
     """
-    base_of: dict[str, str] = {}  # the root of the tree of each link
+    base_of: dict[str, str] = {}  # root of the tree of each link
     trees: dict[str, list[Joint | None]] = {root.name: [None] for root in tree.roots}
     for joint in order:
         is_cut = joint.kind == "floating"
@@ -60,7 +60,7 @@ def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None
 
 
 def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], list[Joint]]:
-    """Orders the joints below one link; those of a model are in the order of the document."""
+    """A function that sorts the child joints of a link; joints of a model are in document order."""
     if siblings == "joint":
         return lambda joints: sorted(joints, key=lambda joint: joint.name)
     if siblings == "link":
@@ -71,44 +71,44 @@ def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], l
 
 
 def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
-    found: list[Joint] = []
-    seen = {root.name for root in tree.roots}
+    order: list[Joint] = []
+    visited = {root.name for root in tree.roots}
     stack = [joint for root in tree.roots for joint in below(root.name)][::-1]
     while stack:
         joint = stack.pop()
-        if joint.child_name not in seen:
-            seen.add(joint.child_name)
-            found.append(joint)
+        if joint.child_name not in visited:
+            visited.add(joint.child_name)
+            order.append(joint)
             stack += reversed(list(below(joint.child_name)))
-    return found
+    return order
 
 
 def _breadth_first(tree: KinematicTree, below: Below) -> list[Joint]:
-    found: list[Joint] = []
-    seen = {root.name for root in tree.roots}
+    order: list[Joint] = []
+    visited = {root.name for root in tree.roots}
     queue = deque(root.name for root in tree.roots)
     while queue:
         for joint in below(queue.popleft()):
-            if joint.child_name not in seen:
-                seen.add(joint.child_name)
-                found.append(joint)
+            if joint.child_name not in visited:
+                visited.add(joint.child_name)
+                order.append(joint)
                 queue.append(joint.child_name)
-    return found
+    return order
 
 
 def _without_fixed(tree: KinematicTree, sort: Callable[[Iterable[Joint]], list[Joint]]) -> Below:
-    """The moving joints below a link and all that is fixed to it."""
+    """The moving joints below a link and the links fixed to it."""
 
     def below(link: str) -> list[Joint]:
         moving: list[Joint] = []
-        seen = {link}
+        visited = {link}
         group = [link]
-        for name in group:  # grows while it is walked
+        for name in group:  # extended in the loop
             for joint in tree.children[name]:
                 if joint.kind != "fixed":
                     moving.append(joint)
-                elif joint.child_name not in seen:
-                    seen.add(joint.child_name)
+                elif joint.child_name not in visited:
+                    visited.add(joint.child_name)
                     group.append(joint.child_name)
         return sort(moving)
 

@@ -1,4 +1,4 @@
-"""Launch files: which robot they describe, and which files and packages they need.
+"""Launch files: the robots that they start, and the files and packages that they need.
 
 XML of ROS 1 and ROS 2, and YAML and Python of ROS 2 are read, as far as constants reach; nothing of
 a launch file is run.
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.collect import Collector
     from urdfkit.ros.launch.contents import Launch, LaunchedFile
 
-#: Launch files that are kept: a check plans with one, checks it, and asks it about each robot.
+#: Size of the cache: a check reads a launch file to plan, to check it, and for each robot.
 KEPT = 256
 
 
@@ -51,6 +51,6 @@ def _read(collector: Collector, file: LaunchedFile) -> None:
 
 
 def is_python(source: Source) -> bool:
-    """True for a program; ``ros2 launch`` tries that for files with any other suffix, too."""
+    """True for a Python program, which ``ros2 launch`` also assumes for unknown suffixes."""
     is_marked = b"def generate_launch_description" in source.data
     return source.path.endswith(".py") or (is_marked and not source.data.lstrip().startswith(b"<"))

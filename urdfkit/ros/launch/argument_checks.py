@@ -16,15 +16,15 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
-#: Files that are searched for one that includes another, and directories of them.
+#: Most files that are searched for includes, and most directories.
 MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
 
 class ArgumentUses:
-    """The arguments that one launch file uses, in the order of the file."""
+    """The arguments that a launch file uses, in the order of the file."""
 
     def __init__(self, declared: set[str]) -> None:
-        #: The names that are known so far, with those that the including file lends.
+        #: The names declared so far, with those of the including file.
         self.declared = declared
         self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
 
@@ -32,7 +32,7 @@ class ArgumentUses:
         self.declared.update(names)
 
     def use(self, element: Element, names: Iterable[str]) -> None:
-        """Note the arguments that attributes of these names use and nothing declares so far."""
+        """Record arguments that attributes of these names use before a declaration."""
         for name in names:
             attribute = element.attributes.get(name)
             for used in USE.findall(attribute.value) if attribute else ():
@@ -47,13 +47,13 @@ class ArgumentUses:
         is_sure: Callable[[], bool],
         is_lost: bool,
     ) -> Iterator[Problem]:
-        """What is used and not declared.
+        """Problems of arguments that are used but not declared.
 
         Args:
-            carries_over: what an include declares holds behind it, as in ROS 2.
-            is_sure: says whether no other file can declare what this one uses; else only typos
+            carries_over: declarations of an include apply to the following actions, as in ROS 2.
+            is_sure: returns True if no other file can declare the arguments; otherwise only typos
                 are reported.
-            is_lost: the command line cannot set what is missing.
+            is_lost: the command line cannot set missing arguments.
         """
         missing = {
             name: use
@@ -73,7 +73,7 @@ class ArgumentUses:
 
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
-    """True if a name is a misspelt known one."""
+    """True if a name is a typo of a known name."""
     return bool(Suggester(frozenset(known)).suggested(name))
 
 
@@ -86,10 +86,10 @@ def undeclared(
     is_lost: bool,
     ros: int,
 ) -> Problem:
-    """An argument is used and not declared.
+    """The problem of an argument that is used but not declared.
 
-    The command line may set it, unless the file is included and gets nothing from there
-    (``is_lost``), or the name is a typo. In ROS 1 that is a way to make callers set it.
+    The command line may set it, unless the file is included without these arguments
+    (``is_lost``), or the name is a typo. In ROS 1, this forces callers to set it.
     """
     hint = Suggester(frozenset(declared)).hint(name)
     message = f"no argument '{name}' is declared{hint}"
@@ -108,9 +108,9 @@ def unknown_to_included(
     *,
     ros: int,
 ) -> Iterator[Problem]:
-    """The arguments that are passed to an included file that does not have them.
+    """Problems of arguments that an included file does not declare.
 
-    In ROS 2 the file may use them without declaring them, and pass them on.
+    In ROS 2 the file may use them without a declaration, and pass them on.
     """
     for name, span in passed:
         if name in taken.names:
@@ -136,18 +136,18 @@ def missing_in_include(
 
 
 def declares_others(path: str) -> bool:
-    """True if a launch file that was not found may declare arguments that its user relies on.
+    """True if a missing launch file may declare arguments that the including file uses.
 
-    Those that come with ROS do not.
+    The launch files of ROS do not.
     """
     package = path[len(UNKNOWN) + 1 :].partition("/")[0] if path.startswith(UNKNOWN) else ""
     return not comes_with_ros(package)
 
 
 def is_included(path: str, resolver: Resolver) -> bool:
-    """True if another launch file names this one: arguments may come from there.
+    """True if another launch file references this file, and so may pass arguments.
 
-    One of another package of the workspace must name the package, too.
+    A launch file of another package of the workspace must also contain the package name.
     """
     home = resolver.packages.enclosing(path)
     if home is None:
@@ -159,7 +159,7 @@ def is_included(path: str, resolver: Resolver) -> bool:
 
 
 def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bool:
-    """True if a launch file of a directory names another one, and a package."""
+    """True if a launch file of a directory references another one, and a package."""
     name = os.path.basename(path)
     found = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     others = [file for file in found if os.path.basename(file) != name]
@@ -169,7 +169,7 @@ def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bo
 
 
 def _names(name: bytes, package: bytes, other: str, resolver: Resolver) -> bool:
-    """True if a launch file names another one, or the end of what it puts together is its name."""
+    """True if a launch file contains the name of another one, or computes a path with this end."""
     source = resolver.readable(other)
     text = source.data if source else b""
     is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))

@@ -1,4 +1,4 @@
-"""The calls of a Python program that an if statement decides."""
+"""The calls of a Python program that depend on an if statement."""
 
 import ast
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 @lru_cache(CACHE_SIZE)
 def decided_calls(tree: ast.Module) -> frozenset[ast.Call]:
-    """The calls that are run in one branch of the program only, or whose value is used in one."""
+    """The calls that run only in one branch of the program, or whose value is used only there."""
     within: set[ast.AST] = set(_decided(tree))
     names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     loads = [node for node in names if isinstance(node.ctx, ast.Load)]
@@ -33,7 +33,7 @@ def _decided(tree: ast.Module) -> Iterator[ast.AST]:
             for child in value if isinstance(value, list) else [value]:
                 if isinstance(child, ast.AST):
                     stack.append((child, may_not_run))
-                    # What follows a branch that returns is the other branch.
+                    # The statements after a branch that returns are the other branch.
                     may_not_run = may_not_run or _returns(child)
 
 

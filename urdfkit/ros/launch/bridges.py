@@ -25,46 +25,46 @@ DIRECTIONS = (FROM_GAZEBO, TO_GAZEBO, BOTH)
 
 CONFIG_FILE = "config_file:="
 _IMAGE_PACKAGES = ("ros_gz_image", "ros_ign_image")
-#: Characters of a command line that stand for a direction.
+#: Characters for directions in a command line.
 SIGNS = {FROM_GAZEBO: "[", TO_GAZEBO: "]", BOTH: "@"}
 
 
 class BridgedTopic(Record):
-    """A topic that the bridge is to pass on."""
+    """A topic of a bridge."""
 
-    span: Span  # where it is written: a word, or the first value of an entry
-    #: topic and ros_topic: its names in Gazebo and in ROS.
+    span: Span  # source location: a word, or the first value of an entry
+    #: topic and ros_topic: names in Gazebo and in ROS.
     topic: str
     ros_topic: str
     #: ros_type and gz_type: of its messages, such as ``sensor_msgs/msg/Imu`` and ``gz.msgs.IMU``;
-    #: empty where none is written.
+    #: empty if missing.
     ros_type: str
     gz_type: str
-    direction: str  # one of `DIRECTIONS` where it is right
-    #: Keys of the entry that the bridge does not read, each with its place.
+    direction: str  # one of `DIRECTIONS`, if valid
+    #: Keys of the entry that the bridge does not read, with their locations.
     unknown: tuple[tuple[str, Span], ...] = ()
     places: Mapping[str, Span] = {}  # of the values of an entry, by key
 
     def at(self, *keys: str) -> Span:
-        """The place of the first of some keys that is written."""
+        """Location of the first of several keys that exists."""
         return next((self.places[key] for key in keys if key in self.places), self.span)
 
 
 def gazebo_messages(ros_type: str) -> tuple[str, ...] | None:
-    """The messages of Gazebo that a message of ROS stands for; None for one that is not known."""
+    """The Gazebo messages of a ROS message; None for an unknown message."""
     package, _, name = ros_type.partition("/msg/")
     pairs = (pair.split() for pair in data("bridge")["messages"].get(package, "").split(", "))
     return tuple(pair[1] for pair in pairs if pair and pair[0] == name) or None
 
 
 def all_messages() -> tuple[str, ...]:
-    """The messages of Gazebo that are known to be passed on."""
+    """The Gazebo messages that the bridge supports."""
     packages = data("bridge")["messages"].values()
     return tuple({pair.split()[1]: None for pairs in packages for pair in pairs.split(", ")})
 
 
 def ros_messages(gz_message: str) -> tuple[str, ...]:
-    """The messages of ROS that the bridge converts a message of Gazebo to, ``Double`` for one."""
+    """The ROS messages to which the bridge converts a Gazebo message such as ``Double``."""
     return tuple(
         f"{package}/msg/{pair.split()[0]}"
         for package, pairs in data("bridge")["messages"].items()
@@ -79,7 +79,7 @@ def is_bridge(started: StartedProgram) -> bool:
 
 
 def config_file(words: Iterable[Word]) -> Word | None:
-    """The file that a command line names as ``-p config_file:=PATH``; None if there is none."""
+    """The file of ``-p config_file:=PATH`` in a command line; None if it is missing."""
     for word in words:
         if word.text and word.text.startswith(CONFIG_FILE):
             return Word(word.text.removeprefix(CONFIG_FILE), word.span)
@@ -87,7 +87,7 @@ def config_file(words: Iterable[Word]) -> Word | None:
 
 
 def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
-    """Topics that a bridge of ros_gz passes on; empty for any other program."""
+    """Topics of a bridge of ros_gz; empty for other programs."""
     if started.executable == "image_bridge" and started.package in _IMAGE_PACKAGES:
         yield from _images(started)
     if not is_bridge(started):
@@ -102,7 +102,7 @@ def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[Brid
 
 
 def _images(started: StartedProgram) -> Iterator[BridgedTopic]:
-    """Topics of images, each a word of the command line; the topic of ROS has the same name."""
+    """Topics of images, each a word of the command line; the ROS topic has the same name."""
     for word in started.words:
         text = word.text or ""
         if text.startswith("-"):
@@ -113,7 +113,7 @@ def _images(started: StartedProgram) -> Iterator[BridgedTopic]:
 
 
 def _of_word(word: Word) -> BridgedTopic | None:
-    """What a word of the command line says; None for a service, and where it is not known."""
+    """The topic of a word of the command line; None for a service or an unknown word."""
     text = word.text
     if text is None or "@" not in text or "/srv/" in text:
         return None

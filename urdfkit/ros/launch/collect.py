@@ -1,4 +1,4 @@
-"""What both kinds of launch file share: packages, files, and the xacro command line."""
+"""Collects packages, files and xacro command lines of launch files of all formats."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -36,17 +36,17 @@ UNKNOWN = "/package-not-found"
 _FORMER = "xacro.py"
 _XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
-#: Reads a launch file of any kind.
+#: Reads a launch file of any format.
 Reader: TypeAlias = "Callable[[Collector, LaunchedFile], None]"
 
 
 class Collector:
-    """Gathers what launch files need while they are read.
+    """Collects the contents of launch files while they are read.
 
     Args:
-        reader: reads launch files of any kind.
-        outer: the launch files that include the one that is read.
-        included: how many have been included so far.
+        reader: reads launch files of any format.
+        outer: the launch files that include the present one.
+        included: number of included files so far.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class Collector:
         return directory
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
-        """Record that a file is needed; True if it exists and may be read."""
+        """Record that a file is needed; True if it exists and is readable."""
         if path.startswith(f"{UNKNOWN}/"):
             return False  # its package is reported already
         there = path if disk.exists(path) else self.resolver.installed(path)
@@ -95,7 +95,7 @@ class Collector:
             self.file(named.text, named.span, BRIDGE)
 
     def include(self, file: IncludedFile) -> None:
-        """Record a launch file that is included, and the nodes of one of ROS that is not here."""
+        """Record an included launch file, and the nodes of a missing one that belongs to ROS."""
         self.includes.append(file)
         if disk.exists(file.path):
             return
@@ -106,9 +106,9 @@ class Collector:
             self.file(path, passed[path], PARAMETERS)
 
     def mention(self, path: str, span: Span) -> None:
-        """Record a path of a package whose use is not known, if something is there.
+        """Record a path in a package whose use is unknown, if it exists.
 
-        One that leaves its package on the way leads elsewhere once the package is installed.
+        A path that leaves its package leads elsewhere when the package is installed.
         """
         home = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
         path, written = os.path.normpath(path), path
@@ -116,7 +116,7 @@ class Collector:
             self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
-        """A shell command whose output is the robot description, or the YAML of one."""
+        """Read a shell command whose output is the robot description, or its YAML."""
         words = command_words(text)
         while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
             words = words[1:]
@@ -146,7 +146,7 @@ class Collector:
         is_yaml: bool = False,
         is_expanded: bool = True,
     ) -> None:
-        """A file that is the robot description, expanded with arguments; None is not known."""
+        """Record a robot description with its arguments, which are None if unknown."""
         if self.file(path, span, "robot description"):
             if not disk.exists(path):
                 path = self.resolver.installed(path) or path
@@ -156,7 +156,7 @@ class Collector:
             self.descriptions.append(found)
 
     def unexpanded(self, path: str, span: Span, frame: CallFrame | None) -> None:
-        """A file whose text is the robot description as it is: reported if xacro must expand it."""
+        """Record a file that is used unexpanded; reported if xacro must expand it."""
         if not disk.exists(path) or not self.resolver.admits(path):
             return
         source = self.resolver.readable(path)
@@ -173,13 +173,13 @@ class Collector:
         *,
         is_sure: bool = True,
     ) -> None:
-        """Take over the robots, parameters and programs of an included launch file.
+        """Add the robots, parameters and programs of an included launch file.
 
-        The rest of it is reported when it is read by itself.
+        Other contents are reported when the file itself is checked.
 
         Args:
-            arguments: that it is given; None for those that are known at run time only.
-            is_sure: False if a condition decides that is known at run time only.
+            arguments: passed arguments; None if known only at run time.
+            is_sure: False if the include has a condition that is known only at run time.
         """
         outer = (*self.outer, source.path)
         if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
@@ -218,18 +218,18 @@ class Collector:
 
 
 def frame_at(source: Source, tag: Tag, outer: CallFrame | None) -> CallFrame:
-    """The step from a launch file to what it starts."""
+    """The trace step from a launch file to its contents."""
     return CallFrame("launch", os.path.basename(source.path), tag, None, outer)
 
 
 def path_from(source: Source, text: str) -> str:
-    """A path as launch finds it: absolute, or relative to the launch file."""
+    """A path as launch resolves it: absolute, or relative to the launch file."""
     directory = os.path.dirname(os.path.abspath(source.path))
     return os.path.normpath(os.path.join(directory, text))
 
 
 def _leaves(path: str, directory: str) -> bool:
-    """True if a path goes out of a directory on the way, wherever it ends."""
+    """True if a path leaves a directory on the way, wherever it ends."""
     parts = path.split(os.sep)
     ends = (end for end, part in enumerate(parts, 1) if part == os.pardir)
     return any(not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends)

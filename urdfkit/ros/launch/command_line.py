@@ -4,14 +4,14 @@ import shlex
 
 from urdfkit.core import disk
 
-#: Words of a path that are looked at; a hostile command line may have any number.
+#: Most words that are joined to a path; a hostile command line may have any number.
 _MOST = 16
 
 
 def command_words(text: str) -> list[str]:
-    """The words, as a shell splits them, but for white space in the names of directories.
+    """The words, as a shell splits them, except for white space in names of directories.
 
-    A package is installed elsewhere: what the directory of its checkout is called does not matter.
+    The directory name of a checkout is irrelevant, as a package is installed elsewhere.
     """
     try:
         words = shlex.split(text)
@@ -28,7 +28,7 @@ def command_words(text: str) -> list[str]:
 
 
 def _words_of_directory(words: list[str]) -> int:
-    """How many words are one path, of which a directory has white space in its name."""
+    """Number of words that form one path, with white space in the name of a directory."""
     path = words[0][words[0].find("/") :]
     if path.startswith("/") and not disk.exists(path):
         for count in range(1, len(words)):

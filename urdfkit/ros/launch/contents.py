@@ -1,4 +1,4 @@
-"""What is found in a launch file."""
+"""The contents of a launch file."""
 
 from __future__ import annotations
 
@@ -9,52 +9,52 @@ from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source, Span
 
-#: What a file of parameters is called in messages.
+#: Name of a parameter file in messages.
 PARAMETERS = "parameter file"
-#: And the description of a map of Nav2.
+#: Name of a map description of Nav2 in messages.
 MAP = "map"
-#: And the file of the topics of ros_gz_bridge.
+#: Name of the topic file of ros_gz_bridge in messages.
 BRIDGE = "configuration of the bridge"
 
-#: Launch files that include one another.
+#: Greatest depth of nested includes.
 MAX_DEPTH = 8
-#: Includes that are followed from one launch file.
+#: Most included files that are read from a launch file.
 MAX_INCLUDED = 200
 
 
 class LaunchedFile(Record):
-    """A launch file with the arguments that it is given."""
+    """A launch file with its arguments."""
 
     source: Source
-    arguments: Mapping[str, str | None]  # None for those that are known at run time only
-    frame: CallFrame | None = None  # the launch files that led here
+    arguments: Mapping[str, str | None]  # None if known only at run time
+    frame: CallFrame | None = None  # the launch files that include it
 
 
 class LaunchedDescription(Record):
-    """A robot description that a launch file makes."""
+    """A robot description in a launch file."""
 
     path: str  # of the URDF or xacro
     arguments: dict[str, str]  # for xacro
-    frame: CallFrame  # the launch file's place, for the chain of calls
-    is_whole: bool = True  # False if it is given arguments that are known at run time only
-    #: True if launch reads it as YAML, as it does with parameters without a type.
+    frame: CallFrame  # the launch file, for the expansion trace
+    is_whole: bool = True  # False if there are arguments that are known only at run time
+    #: True if launch parses it as YAML, as it does for parameters without a type.
     is_yaml: bool = False
-    is_expanded: bool = True  # False if its text is taken as it is, without xacro
+    is_expanded: bool = True  # False if its text is used without xacro
 
 
 class FileUse(Record):
-    """A file that a launch file names."""
+    """A file that a launch file references."""
 
     text: str  # as written
     path: str  # with its expressions resolved; absolute
-    exists: bool  # False if nothing is there, or nothing that may be read
-    span: Span  # where it is named
+    exists: bool  # False if it is missing, or must not be read
+    span: Span  # location of the reference
     purpose: str  # such as ``RViz configuration``
-    is_outside: bool = False  # True if it is there and may not be read
+    is_outside: bool = False  # True if it exists, but must not be read
 
 
 class PackageUse(Record):
-    """A package that a launch file names, and the directories searched if it was not found."""
+    """A package that a launch file references, and the searched directories if it is missing."""
 
     name: str
     span: Span
@@ -62,49 +62,49 @@ class PackageUse(Record):
 
 
 class Word(Record):
-    """A word of a command line; its text is None where it is known at run time only."""
+    """A word of a command line; its text is None if known only at run time."""
 
     text: str | None
     span: Span
 
 
 class GivenParameters(Record):
-    """The parameters that a node is given."""
+    """The parameters of a node."""
 
-    values: Mapping[str, str | None]  # by name; None where a value is known at run time only
-    files: tuple[str, ...] = ()  # the parameter files that hold others
-    is_whole: bool = True  # False if there are more, whose names are known at run time only
-    lists: Mapping[str, tuple[str | None, ...]] = {}  # those that are lists; None as above
+    values: Mapping[str, str | None]  # by name; None if known only at run time
+    files: tuple[str, ...] = ()  # parameter files with others
+    is_whole: bool = True  # False if there are others whose names are known only at run time
+    lists: Mapping[str, tuple[str | None, ...]] = {}  # list parameters; None as above
 
     @property
     def every(self) -> Mapping[str, str | None] | None:
-        """All of them by name; None if files or others give some."""
+        """All parameters by name; None if there are parameters in files or unknown ones."""
         return self.values if self.is_whole and not self.files else None
 
 
 class StartedProgram(Record):
     """A program that a launch file starts."""
 
-    package: str  # empty for a program that is no node
-    executable: str  # in the package; empty if it is not known, or for a program
-    words: tuple[Word, ...]  # of its command line; those of a program begin with its name
-    span: Span  # where it is started
-    frame: CallFrame | None  # the launch files that led there
-    is_sure: bool = True  # False if a condition decides that is known at run time only
-    #: The names that it gives to topics, by their own names; None where those are not known.
+    package: str  # empty for a program that is not a node
+    executable: str  # in the package; empty if unknown, or for a program
+    words: tuple[Word, ...]  # of its command line; for a program, the first is its name
+    span: Span  # location of the action
+    frame: CallFrame | None  # the launch files that include it
+    is_sure: bool = True  # False if it has a condition that is known only at run time
+    #: Remapped names of topics, by original name; None if unknown.
     remappings: Mapping[str, str] | None = {}
-    parameters: GivenParameters = GivenParameters({})  # that it is given
-    namespace: str | None = ""  # without slashes around it; None where it is known at run time only
-    name: str = ""  # of the node; empty where none is given, or only at run time
+    parameters: GivenParameters = GivenParameters({})  # passed to it
+    namespace: str | None = ""  # without surrounding slashes; None if known only at run time
+    name: str = ""  # of the node; empty if missing, or known only at run time
 
     @property
     def is_remapped(self) -> bool:
-        """True if it gives topics other names."""
+        """True if it remaps topics."""
         return self.remappings is None or bool(self.remappings)
 
 
 class IncludedFile(Record):
-    """A launch file that another one includes, at hand or not."""
+    """An included launch file, whether it exists or not."""
 
     path: str  # with its expressions resolved; absolute
     arguments: Mapping[str, Word] | None  # that it sees; None if not even their names are known

@@ -1,4 +1,4 @@
-"""Actions that a Python launch file starts when something else happens."""
+"""Actions that a Python launch file starts after an event."""
 
 import ast
 from collections.abc import Iterator
@@ -7,9 +7,9 @@ from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 
 _ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
-#: What starts other actions later.
+#: Actions that start other actions later.
 _TRIGGERS = ("RegisterEventHandler", "TimerAction")
-#: Where a handler or a timer names what it starts.
+#: Arguments of a handler or timer with the actions to start.
 _LATER = ("on_exit", "on_start", "actions")
 #: Nodes that run until the launch ends, by package and executable.
 _LASTING = frozenset(
@@ -42,7 +42,7 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
 
 
 def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
-    """Actions that a launch description holds and an event handler or a timer in it, too."""
+    """Actions that are both in a launch description and in its event handler or timer."""
     for call in calls:
         held = argument(call, 0, "initial_entities")
         if called(call) != "LaunchDescription" or held is None:

@@ -1,4 +1,4 @@
-"""The frames that files of a launch file name: parameters of nodes, and RViz's configuration."""
+"""Frame references in files of a launch file: node parameters, and RViz's configuration."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-#: Parameters that name a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
-#: the controllers of wheels.
+#: Parameters with a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
+#: wheel controllers.
 _OF_ROBOT = (
     "base_link_frame", "base_link_output_frame", "robot_base_frame", "base_frame", "base_frame_id",
     "sensor_frame",
@@ -21,22 +21,22 @@ _OF_ROBOT = (
 GLOBAL = "global_frame"
 _NAMING = (*_OF_ROBOT, GLOBAL)
 _PARAMETERS = "ros__parameters"
-#: In a value that is known at run time only.
+#: Characters in values that are known only at run time.
 _OPEN = ("$", "<", "{")
 
 
 class NamedFrame(Record):
-    """A frame that a file names."""
+    """A frame reference in a file."""
 
-    name: str  # of the frame, without a slash before it
-    who: str  # what names it, for messages
+    name: str  # of the frame, without a leading slash
+    who: str  # owner of the reference, for messages
     key: str  # of the parameter; empty for RViz
     span: Span  # of the name
-    named_at: Span  # where the launch file names the file
+    named_at: Span  # location of the file's reference in the launch file
 
 
 def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
-    """The frames of the robot that the files of a launch file name."""
+    """References to frames of the robot in the files of a launch file."""
     seen: set[str] = set()
     for file in launch.files:
         if not file.exists or file.path in seen:
@@ -70,7 +70,7 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
 
 
 def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:
-    """The frames in a configuration of RViz: the fixed one, and those of displays that are on."""
+    """Frames in an RViz configuration: the fixed frame, and those of enabled displays."""
     fixed = mapping(manager_of(source), "Global Options").get("Fixed Frame")
     if isinstance(fixed, Value):
         yield "Fixed Frame of RViz", "", fixed

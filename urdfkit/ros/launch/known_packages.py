@@ -1,4 +1,4 @@
-"""The launch files and executables of packages that come with ROS: ``catalog/launch.json``."""
+"""The launch files and executables of ROS packages: ``catalog/launch.json``."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -10,9 +10,9 @@ from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedPr
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.workspace.resolve import Resolver
 
-#: Similarity from which a name is a misspelt known one.
+#: Least similarity of a typo to a known name.
 _TYPO = 0.8
-#: What other launch files call the world, which the one of gz sim does not read.
+#: Names of the world argument in other launch files, which gz sim's launch file does not read.
 _WORLDS = ("world", "world_name", "world_file")
 _SIM_TIME = "use_sim_time"
 
@@ -20,9 +20,9 @@ _SIM_TIME = "use_sim_time"
 def mistakes(
     started: Iterable[StartedProgram], included: Iterable[IncludedFile], resolver: Resolver
 ) -> Iterator[Problem]:
-    """What a launch file names that these packages do not have; included files are left out.
+    """Problems of references that do not exist in these packages; included files are ignored.
 
-    A workspace may have packages of these names, with more in them.
+    A workspace may have packages of these names with other contents.
     """
     for program in started:
         is_ros_2 = b"exec" in program.span.source.data
@@ -36,7 +36,7 @@ def mistakes(
 
 
 def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
-    """The nodes that a launch file of ROS 2 starts; empty for one that is not in the catalogue."""
+    """The nodes that a launch file of ROS 2 starts; empty if it is not in the catalogue."""
     package, name = _name(included)
     shipped = data("launch")["shipped"].get(f"{package}/launch/{name}")
     given = included.arguments
@@ -102,10 +102,10 @@ def unknown_file(included: IncludedFile) -> Problem | None:
 
 
 def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
-    """Arguments that a launch file of these packages does not have.
+    """Arguments that a launch file of these packages does not declare.
 
-    roslaunch stops at them. ``ros2 launch`` passes them on to nobody: then only misspelt ones are
-    reported, and the world that it does not open.
+    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos are reported, and a world
+    that is not opened.
     """
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {}).get(name, "").split()

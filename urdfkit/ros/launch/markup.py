@@ -1,7 +1,7 @@
-"""Launch files in XML and in YAML as one kind of document.
+"""Launch files in XML and in YAML as the same kind of document.
 
-ROS 2 reads both with the same parsers of actions: a mapping in YAML is an element, a single value
-in it an attribute, and each item of a list one of several elements.
+ROS 2 reads both with the same action parsers: a mapping in YAML is an element, a single value in
+it an attribute, and each item of a list an element.
 Source: ``launch_yaml/entity.py`` of ros2/launch.
 """
 
@@ -34,7 +34,7 @@ class _Placed(Attribute):
 
 
 class _Action(Element):
-    """An element that is a mapping in YAML; its place is that of its key."""
+    """An element that is a mapping in YAML; its location is that of its key."""
 
     __slots__ = ("_span",)
 
@@ -49,7 +49,7 @@ class _Action(Element):
 
 @lru_cache(CACHE_SIZE)
 def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
-    """The document of a launch file, None if there is none, and what is wrong with its text."""
+    """The document of a launch file (None if it is invalid), and the problems of its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
     if found := syntax_error(source):
@@ -65,7 +65,7 @@ def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
 
 
 def _fill(element: Element, node: Node) -> None:
-    """Put what a node holds into an element; YAML is read to a bounded depth."""
+    """Add the contents of a YAML node to an element, to a bounded depth."""
     for item in node if isinstance(node, list) else (node,):
         for key, value in item.items() if isinstance(item, dict) else ():
             if not isinstance(key, Key):
@@ -79,7 +79,7 @@ def _fill(element: Element, node: Node) -> None:
 
 
 def _add(parent: Element, key: Key, node: Node) -> None:
-    """Add an action, or each of several under one key."""
+    """Add an action, or each of several actions under a key."""
     is_several = isinstance(node, list) and key in _SEVERAL
     for item in node if isinstance(node, list) and is_several else (node,):
         child = _Action(key, key.span, parent)
@@ -87,5 +87,5 @@ def _add(parent: Element, key: Key, node: Node) -> None:
         _fill(child, item)
 
 
-#: Keys whose list holds one element for each item; any other holds the children of one.
+#: Keys whose list has an element per item; the lists of other keys are children of an element.
 _SEVERAL = frozenset(("arg", "env", "let", "param", "remap", "composable_node", "extra_arg"))

@@ -19,12 +19,12 @@ _FILES = (
     "joint_limits", "moveit_cpp", "pilz_cartesian_limits", "robot_description",
     "robot_description_kinematics", "robot_description_semantic", "trajectory_execution",
 )  # fmt: skip
-#: Pipelines that moveit_configs_utils has settings for.
+#: Pipelines for which moveit_configs_utils has settings.
 _PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
 
 
 def use(call: ast.Call, values: Values, collector: Collector) -> None:
-    """Note the files that a method of the builder names, and its package."""
+    """Record the files that a method of the builder reads, and its package."""
     builder = _builder(call)
     if builder is None:
         return
@@ -55,7 +55,7 @@ def use(call: ast.Call, values: Values, collector: Collector) -> None:
 
 
 def _default(call: ast.Call, values: Values, collector: Collector) -> None:
-    """Report a default that is none of the pipelines: the builder stops at it."""
+    """Report a default that is not one of the pipelines, which the builder rejects."""
     node = argument(call, 0, "default_planning_pipeline")
     names = [values.text(item) for item in values.items(argument(call, 1, "pipelines"))]
     known = [name for name in names if name]
@@ -67,7 +67,7 @@ def _default(call: ast.Call, values: Values, collector: Collector) -> None:
 
 
 def _without_plugin(directory: str, collector: Collector) -> None:
-    """Report the pipelines of a package whose settings name no planning plugin."""
+    """Report pipelines of a package whose settings have no planning plugin."""
     for name in _PIPELINES:
         path = os.path.join(directory, "config", f"{name}_planning.yaml")
         try:
@@ -88,7 +88,7 @@ def _without_plugin(directory: str, collector: Collector) -> None:
 
 
 def _builder(call: ast.Call) -> ast.Call | None:
-    """The call that begins a chain of methods, if it makes a builder."""
+    """The call that begins a chain of methods, if it creates a builder."""
     node: ast.expr = call
     while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         node = node.func.value

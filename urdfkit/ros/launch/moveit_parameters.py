@@ -1,4 +1,4 @@
-"""Parameters that a launch file hands to move_group in dictionaries, as the tutorials of MoveIt do.
+"""Parameters in dictionaries that a launch file passes to move_group, as in MoveIt's tutorials.
 
 Source: ``planning_pipeline.cpp`` and ``kinematics_plugin_loader.cpp`` of moveit/moveit2.
 """
@@ -19,17 +19,17 @@ from urdfkit.text.located_yaml import Node, load, mapping
 
 _KINEMATICS = "robot_description_kinematics"
 _SOLVER = ".kinematics_solver"
-#: What changes a dictionary after it was made.
+#: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
 _LOADS = ("safe_load", "load", "full_load")
-#: Stands for keys that are not known.
+#: Placeholder of unknown keys.
 _OPEN = "*"
 
 
 def problems(
     node: ast.Call, tree: ast.Module, values: Values, collector: Collector
 ) -> Iterator[Problem]:
-    """What a ``Node`` with move_group lacks; nothing where not all of its parameters are known."""
+    """Missing parameters of a ``Node`` with move_group; empty unless all parameters are known."""
     if _CHANGES.search(values.source.data):
         return
     reader = _Reader(tree, values, collector)
@@ -53,7 +53,7 @@ def problems(
 
 
 class _Reader:
-    """Reads the names in dictionaries, and in the YAML files that a function of the file loads."""
+    """Reads names in dictionaries, and in YAML files that a function of the launch file loads."""
 
     def __init__(self, tree: ast.Module, values: Values, collector: Collector) -> None:
         self._values = values
@@ -83,7 +83,7 @@ class _Reader:
         return {*map(str, root), *inside}
 
     def pipelines(self, node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
-        """The names in a list of planning pipelines, each with its place."""
+        """The names in a list of planning pipelines, with their locations."""
         given = self._values.suggested(node)
         pairs = zip(given.keys, given.values, strict=True) if isinstance(given, ast.Dict) else ()
         for key, value in pairs:
@@ -93,7 +93,7 @@ class _Reader:
                     yield name, item
 
     def _loaded(self, call: ast.Call) -> dict[str, Node] | None:
-        """What a function of the launch file reads from a path, or from one in a package."""
+        """The YAML that a function of the launch file reads from a path, or a path in a package."""
         texts = [self._values.text(one) for one in call.args]
         if called(call) not in self._functions or call.keywords or None in texts:
             return None

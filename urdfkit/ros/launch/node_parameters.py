@@ -1,4 +1,4 @@
-"""The parameters of nodes in a YAML file of ROS 2, by node."""
+"""Node parameters in a YAML file of ROS 2, by node."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ _PARAMETERS = "ros__parameters"
 
 
 class NodeParameters(Record):
-    """What a file says of one node."""
+    """The parameters of a node in a file."""
 
     name: str  # of the node, without its namespace
-    at: Span  # where the name is written
-    values: dict[str, Node]  # its parameters; those in sections are mappings
-    namespace: str = ""  # as the file writes it, with slashes between its parts
+    at: Span  # location of the name
+    values: dict[str, Node]  # parameters; sections are mappings
+    namespace: str = ""  # as in the file, with slashes between its parts
 
 
 def node_parameters(source: Source) -> Iterator[NodeParameters]:
-    """The nodes of a file, in its order; keys above ``ros__parameters`` are namespaces."""
+    """The nodes of a file, in order; keys above ``ros__parameters`` are namespaces."""
     stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
     while stack:
         node, above, outside = stack.pop()

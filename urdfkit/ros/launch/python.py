@@ -38,7 +38,7 @@ from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
-#: Actions that hold for the nodes after them.
+#: Actions that apply to the nodes after them.
 _SCOPES = (
     "PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetRemap",
     "SetUseSimTime",
@@ -46,7 +46,7 @@ _SCOPES = (
 
 
 def read(collector: Collector, file: LaunchedFile) -> None:
-    """What a launch file in Python needs, as far as constants reach."""
+    """Collect the contents of a launch file in Python, as far as they are constant."""
     source = file.source
     try:
         tree = python_source.parse(source.data, source.path)
@@ -59,7 +59,7 @@ def read(collector: Collector, file: LaunchedFile) -> None:
 
 
 class _PythonReader:
-    """Reads the calls of one launch file that make actions."""
+    """Reads the calls of a launch file that create actions."""
 
     def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
         self.collector = collector
@@ -70,16 +70,16 @@ class _PythonReader:
         self.calls = [one for one in python_source.nodes(tree) if isinstance(one, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
         self._untyped: set[ast.expr] = set()
-        #: Actions may be in a group whose condition decides.
+        #: True if actions may be in a group with a condition.
         self._has_groups = any(
             called(call) == "GroupAction" and argument(call, None, "condition")
             for call in self.calls
         )
         self._decided = decided_calls(tree)
-        #: Expressions whose value nothing reads.
+        #: Expressions whose value is unused.
         self._idle = unread(tree)
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
-        #: False for a piece of a launch file, which another one completes.
+        #: False for a part of a launch file, which another file completes.
         self._is_complete = any(called(call) == "LaunchDescription" for call in self.calls)
         self._expressions = [one for one in python_source.nodes(tree) if isinstance(one, ast.expr)]
 
@@ -111,7 +111,7 @@ class _PythonReader:
         self.collector.problems += self.configurations.undeclared()
 
     def _mistakes(self) -> None:
-        """What is wrong with the calls themselves; of an included file when it is read itself."""
+        """Problems of calls; an included file is reported when it is read itself."""
         problems = self.collector.problems
         for call in self.calls:
             if call not in self._idle:
@@ -137,7 +137,7 @@ class _PythonReader:
             self.values.arguments.setdefault(name, default)
 
     def _mentions(self) -> None:
-        """Paths that are put together for a use which is not known, such as that of a world."""
+        """Record joined paths whose use is unknown, such as the path of a world."""
         for node in self._expressions:
             is_path = isinstance(node, (ast.BinOp, ast.JoinedStr)) or (
                 isinstance(node, ast.Call) and bool(parts_of_path(node))
@@ -224,13 +224,13 @@ class _PythonReader:
         return GivenParameters(found, tuple(files), is_whole, lists)
 
     def _listed(self, name: str, value: ast.expr) -> dict[str, tuple[str | None, ...]]:
-        """The items of a parameter, by its name; empty if it is no list."""
+        """The items of parameters that are lists, by name."""
         if not name or not isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
             return {}
         return {name: tuple(self.values.text(item) for item in self.values.items(value))}
 
     def _note_files(self, name: str, value: ast.expr) -> None:
-        """Note the file that is the value of a parameter, or whose text is."""
+        """Record the file that is the value of a parameter, or whose text is the value."""
         if name == "robot_description" and self.frame is None:
             self._unexpanded(value)
         if name == "yaml_filename" and self.values.text(value):
@@ -276,7 +276,7 @@ class _PythonReader:
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
     def _condition(self, action: ast.Call) -> bool | None:
-        """Whether the condition of an action holds; None if that is known at run time only."""
+        """Value of the condition of an action; None if known only at run time."""
         written = argument(action, None, "condition")
         if written is None:
             return None if action in self._decided else True
@@ -325,13 +325,13 @@ class _PythonReader:
         return None
 
     def _open(self, call: ast.Call) -> None:
-        """A plain URDF, whose text becomes a parameter."""
+        """Record a plain URDF whose text becomes a parameter."""
         file = argument(call, 0, "file")
         if (self.values.text(file) or "").endswith(".urdf"):
             self._describe(call, file, is_expanded=False)
 
     def _unexpanded(self, value: ast.expr | None) -> None:
-        """A xacro file whose text becomes the robot description as it is."""
+        """Record a xacro file whose unexpanded text becomes the robot description."""
         text = self.values.suggested(value)
         if isinstance(text, ast.Call) and called(text) == "ParameterValue":
             text = self.values.suggested(argument(text, 0, "value"))

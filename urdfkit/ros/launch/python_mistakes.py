@@ -1,4 +1,4 @@
-"""Calls of a Python launch file that launch rejects, or that do nothing."""
+"""Calls of a Python launch file that launch rejects, or that have no effect."""
 
 import ast
 import re
@@ -13,41 +13,41 @@ from urdfkit.text.source import Source, Span
 #: The function that launch calls.
 _ENTRY = "generate_launch_description"
 
-#: Actions that do nothing unless a launch description holds them.
+#: Actions without effect unless they are in a launch description.
 _ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
-#: The arguments of a call that are lists, and what a string or a dictionary there means.
+#: Arguments of a call that must be lists, with their expected type.
 _LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
-#: Of each action that takes a list of actions, where.
+#: Arguments with a list of actions, by action.
 _HOLDERS = {
     "GroupAction": (0, "actions"),
     "LaunchDescription": (0, "initial_entities"),
     "TimerAction": (None, "actions"),
 }
 _CONDITIONS = ("IfCondition", "UnlessCondition")
-#: Of each source of a launch description, the suffixes of the files that it reads.
+#: Suffixes of the files that each source of a launch description reads.
 _SOURCES = {
     "PythonLaunchDescriptionSource": (".py",),
     "XMLLaunchDescriptionSource": (".xml", ".launch"),
     "YAMLLaunchDescriptionSource": (".yaml", ".yml"),
 }
-#: What Node called its arguments until Foxy.
+#: Names of Node's arguments until Foxy.
 _FORMER = {
     "node_executable": "executable",
     "node_name": "name",
     "node_namespace": "namespace",
 }
-#: What gives a text at run time.
+#: Substitutions, whose text is known only at run time.
 _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
-#: What xacro gives as a document, whose text is wanted, and the methods that give the text.
+#: Functions of xacro that return a document, whose text is required.
 _DOCUMENTS = ("process_file", "parse")
 _TEXTS = ("toxml", "toprettyxml")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
-#: Numbers and booleans, as launch has texts and substitutions only.
+#: Numbers and booleans, as launch accepts only texts and substitutions.
 _NO_TEXT = (bool, int, float)
 
 
 def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
-    """What launch stops at when it makes an action: values of another type than it takes."""
+    """Arguments with a type that launch rejects when it creates an action."""
     name = called(call)
     if name == "Node":
         yield from _lists(call, values)
@@ -69,7 +69,7 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
-    """Actions that are given to a name which nothing reads: left out, or left over."""
+    """Actions that are assigned to an unused name."""
     for call in calls:
         if not isinstance(call, ast.Call) or called(call) not in _ACTIONS:
             continue
@@ -92,7 +92,7 @@ def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
 
 
 def joined(call: ast.Call, values: Values) -> Problem | None:
-    """A substitution in ``os.path.join``, which Python rejects: it has no value yet."""
+    """A substitution in ``os.path.join``, which Python rejects, as its value is unknown."""
     function = call.func
     if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
         return None
@@ -106,7 +106,7 @@ def joined(call: ast.Call, values: Values) -> Problem | None:
 
 
 def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
-    """The function that launch calls, where it is missing or returns nothing."""
+    """The problem if the function that launch calls is missing or returns nothing."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     found = [one for one in functions if one.name == _ENTRY]
     if found and not _gives(found[-1]):
@@ -130,10 +130,10 @@ def _name_of(function: ast.FunctionDef, source: Source) -> Span:
 def _gives(function: ast.FunctionDef) -> bool:
     """True if a function returns a value, or does not return."""
     stack: list[ast.AST] = [*function.body]
-    while stack:  # an expression may be deeper than Python recurses
+    while stack:  # an expression may be too deep for recursion
         node = stack.pop()
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-            continue  # a function of its own
+            continue  # a nested function
         if isinstance(node, (ast.Raise, ast.Yield, ast.YieldFrom)):
             return True
         if isinstance(node, ast.Return) and node.value is not None:
@@ -145,7 +145,7 @@ def _gives(function: ast.FunctionDef) -> bool:
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
     for keyword in call.keywords:
         now = _FORMER.get(keyword.arg or "")
-        if now and b"ROS_DISTRO" not in values.source.data:  # else it chooses by the version
+        if now and b"ROS_DISTRO" not in values.source.data:  # otherwise it depends on the version
             at = values.span(keyword.value)
             message = f"Node has no argument '{keyword.arg}' (it had until Foxy)"
             yield Problem("LAU010", at, message, f"write {now}=", severity=Severity.INFO)
@@ -165,7 +165,7 @@ def _held(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
-    """A command line that is not one word for each item of a list."""
+    """A command line that is not a list with one word per item."""
     node = argument(call, 0, "cmd")
     given = values.suggested(node)
     yield from _words(node, values)
@@ -182,7 +182,7 @@ def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
-    """A launch file of another format than its source reads."""
+    """A launch file with a format that its source does not read."""
     node = argument(call, 0, "launch_file_path")
     path = values.text(node) or ""
     name = called(call)
@@ -194,7 +194,7 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterator[Problem]:
-    """A path behind the directory of a package without a slash: launch joins them as they are."""
+    """A path after the directory of a package without a slash, which launch does not add."""
     for before, piece in pairwise(pieces):
         directory = values.suggested(before)
         text = piece.value if isinstance(piece, ast.Constant) else None

@@ -1,4 +1,4 @@
-"""The arguments that the launch files of a package give to one of its robots."""
+"""The arguments that the launch files of a package pass to one of its robots."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse, Launch
 
-#: Words of which a launch file contains one if it, or another one that it includes, loads YAML.
+#: A launch file that loads YAML, or includes one that does, contains one of these words.
 _LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
 
 
@@ -28,19 +28,19 @@ class RobotArguments(Record):
     """Arguments of a robot."""
 
     arguments: dict[str, str]  # for xacro
-    launch: str  # path of the launch file that gives them
-    frame: CallFrame | None  # its place; None if it gives them to another robot
-    is_whole: bool = True  # False if it gives others that are known at run time only
-    parameters: tuple[FileUse, ...] = ()  # the parameter files that it loads for the robot
+    launch: str  # path of the launch file
+    frame: CallFrame | None  # its place; None if it passes them to another robot
+    is_whole: bool = True  # False if there are others that are known only at run time
+    parameters: tuple[FileUse, ...] = ()  # parameter files that it loads for the robot
 
 
 def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
-    """The robots that a launch file starts: the path of each, and its arguments.
+    """The robots that a launch file starts: paths and arguments.
 
     Args:
         path: of the launch file.
     """
-    # Of several robots nobody knows which one the parameters are for.
+    # With several robots, it is unknown which of them the parameters are for.
     is_one = len({one.path for one in launch.descriptions}) == 1
     parameters = launch.parameters if is_one else ()
     for one in launch.descriptions:
@@ -50,13 +50,13 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
 def given(
     robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
 ) -> list[RobotArguments]:
-    """What launch files start a robot with: those of its package, then others of the workspace.
+    """Arguments from launch files for a robot: of its package, then others of the workspace.
 
-    If none starts a robot that lacks arguments, it is those of the needed arguments that they give
-    to the other robots of the package: an argument of a launch file may choose which one it starts.
+    If no launch file starts a robot that lacks arguments, the needed arguments that they pass to
+    other robots of the package are used: an argument of a launch file may choose the robot.
 
     Args:
-        needed: names of the arguments that it lacks.
+        needed: names of the arguments that the robot lacks.
         only_parameters: True if the arguments do not matter, as the robot declares none: launch
             files that load no parameter file are then not read.
     """
@@ -105,22 +105,22 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
 
 
 def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
-    """What the launch files start that are in the workspace of a file."""
+    """The contents of all launch files in the workspace of a file."""
     return _launches(resolver.packages.workspace(path), resolver)
 
 
 def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
-    """True for a file that a launch file of its workspace expands by xacro."""
+    """True for a file that a launch file of its workspace expands with xacro."""
     real, launches = disk.real(source.path), launches_of_workspace(source.path, resolver)
     described = (one for launch in launches for one in launch.descriptions)
     return any(one.is_expanded and disk.real(one.path) == real for one in described)
 
 
 def is_not_started(source: Source, resolver: Resolver) -> bool:
-    """True for a URDF that nothing starts: no launch file of its workspace names the file.
+    """True for a URDF that no launch file of its workspace references.
 
-    It must be generated, or they start another robot of its package: else they may have its name
-    at run time only.
+    The file must be generated, or another robot of its package must be started: otherwise the
+    launch files may compute its name at run time.
     """
     directory, name = resolver.packages.workspace(source.path), os.path.basename(source.path)
     if not name.endswith(".urdf"):
@@ -143,7 +143,7 @@ def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
 def _started(
     directory: str, mentioned: str, resolver: Resolver, *, only_parameters: bool = False
 ) -> tuple[tuple[str, RobotArguments], ...]:
-    """The robots that launch files of a directory start."""
+    """The robots that the launch files of a directory start."""
     return tuple(
         one
         for source in launch_files(directory, mentioned, resolver)
@@ -166,7 +166,7 @@ def _declarations(
 def _choices(source: Source) -> Iterator[dict[str, str]]:
     """Ways to start a launch file.
 
-    An argument without a default takes each of its choices; the others then their first one.
+    Each choice of an argument without a default is used; other arguments have their first choice.
     """
     choices = _declared(source, with_defaults=False)
     first = {name: values[0] for name, values in choices.items()}
@@ -179,8 +179,8 @@ def _choices(source: Source) -> Iterator[dict[str, str]]:
 class _Argument(Record):
     """An argument that a launch file declares."""
 
-    name: str  # empty if it is known at run time only
-    choices: tuple[str, ...]  # each is empty if it is known at run time only
+    name: str  # empty if known only at run time
+    choices: tuple[str, ...]  # empty texts are known only at run time
     default: str | None  # None if there is none, or if it is known at run time only
     is_open: bool  # True if there is none
 

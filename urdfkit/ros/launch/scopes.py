@@ -1,4 +1,4 @@
-"""The expression that a name in a Python program refers to, where it is unique."""
+"""The expression that a name in a Python program refers to, if it is unique."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 
 class _Scope(Record):
-    """The values that names get in one function or module; None is known at run time only."""
+    """The values of names in a function or module; None is known only at run time."""
 
     values: dict[str, list[ast.expr | None]]
     outer: _Scope | None
@@ -39,7 +39,7 @@ class Scopes:
             stack += [(child, inner) for child in ast.iter_child_nodes(node)]
 
     def value(self, name: ast.Name) -> ast.expr | None:
-        """The value of a name where it is used; None if that is not certain."""
+        """The value of a name where it is used; None if it is ambiguous."""
         scope = self._scope_of.get(id(name))
         while scope is not None and name.id not in scope.values:
             scope = scope.outer
@@ -49,7 +49,7 @@ class Scopes:
 
     @staticmethod
     def _bound(node: ast.AST, scope: _Scope) -> _Scope:
-        """Note the names that a node binds; the scope of what is in it."""
+        """Record the names that a node binds; returns the scope of its contents."""
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             target = node.targets[0]
             if isinstance(target, ast.Name):
@@ -71,12 +71,12 @@ class Scopes:
 
 @lru_cache(CACHE_SIZE)
 def scopes(tree: ast.Module) -> Scopes:
-    """The names of a file, worked out once."""
+    """The names of a file; cached."""
     return Scopes(tree)
 
 
 def unread(tree: ast.Module) -> set[ast.expr]:
-    """The expressions that are given to names which nothing reads."""
+    """The expressions that are assigned to unused names."""
     names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     read = {name.id for name in names if isinstance(name.ctx, ast.Load)}
     return {
@@ -97,7 +97,7 @@ def _are_alike(one: ast.expr | None, other: ast.expr | None) -> bool:
 
 
 def _stored(node: ast.AST) -> list[str]:
-    """The names that a statement other than a plain assignment writes to."""
+    """The names that a statement other than a plain assignment binds."""
     targets: list[ast.AST | None] = []
     if isinstance(node, ast.Assign):
         targets += node.targets

@@ -12,26 +12,26 @@ from urdfkit.text.document import Attribute
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-#: What ROS 1 and ROS 2 would substitute in a file of parameters.
+#: Substitutions of ROS 1 and ROS 2 in a parameter file.
 _IN_FILES = {
     1: r"\$\((arg|find|env|optenv|eval) [^)\n]*\)",
     2: r"\$\((var|find-pkg-share|find-pkg-prefix|env) [^)\n]*\)",
 }
-#: In a word, for a part that is known at run time only.
+#: Placeholder in a word for a part that is known only at run time.
 _UNKNOWN_WORD = "\0"
-#: In a default that no file has as its name: the environment variable is to be set.
+#: Characters in a default that is a placeholder: the environment variable must be set.
 _PLACEHOLDER = r"[!<>?]"
-#: Substitutions inside one another that are followed.
+#: Greatest depth of nested substitutions that are resolved.
 MAX_LEVELS = 50
-#: Characters of a text after substitution: arguments that double each other would fill the memory.
+#: Most characters of a text after substitution, as arguments could double repeatedly.
 MAX_LENGTH = 100_000
 
 
 class Substitutions:
-    """What texts of one launch file become.
+    """Resolves substitutions in the texts of a launch file.
 
     Args:
-        values: of its arguments, as far as they are known; they grow while it is read.
+        values: known values of its arguments; extended while the file is read.
     """
 
     def __init__(self, collector: Collector, source: Source, values: dict[str, str]) -> None:
@@ -40,7 +40,7 @@ class Substitutions:
         self._values = values
 
     def text(self, text: str, span: Span, level: int = 0) -> str | None:
-        """A text after substitution; None where it cannot be known without running it."""
+        """A text after substitution; None if known only at run time."""
         if level > MAX_LEVELS:
             return None
         parts: list[str] = []
@@ -54,8 +54,8 @@ class Substitutions:
         return "".join(parts)
 
     def command(self, content: str, span: Span, level: int = 0) -> str | None:
-        """The value of the content of ``$(...)``; None where it is not known."""
-        if content.startswith("eval "):  # the quotes in it are those of the expression
+        """The value of the content of ``$(...)``; None if unknown."""
+        if content.startswith("eval "):  # quotes belong to the expression
             functions = {"find": lambda name: self._found(name, span)}
             return evaluate(content[len("eval ") :], self._values, functions)
         inner = self.text(content, span, level + 1)
@@ -76,13 +76,13 @@ class Substitutions:
         return None  # anon, exec-in-pkg, command
 
     def words(self, attribute: Attribute | None) -> tuple[Word, ...]:
-        """The words of a command line; the places of plain ones."""
+        """The words of a command line, with the locations of constant words."""
         if attribute is None:
             return ()
         written: list[str] = []
         for is_command, part in pieces(attribute.value):
             value = self.command(part, attribute.span) if is_command else part
-            # An argument that is empty unless it is given is a word, too.
+            # An argument with an empty default is also a word.
             written.append(value or _UNKNOWN_WORD)
         return tuple(
             Word(None if _UNKNOWN_WORD in word else word, attribute.span)
@@ -92,14 +92,14 @@ class Substitutions:
     def _found(self, package: str, span: Span) -> str:
         """The directory of a package.
 
-        Only the file in it matters; that xacro itself is installed does not.
+        Only the file in it is relevant, not whether xacro is installed.
         """
         found = self._collector.package(package, self._source, span)
         return found if found is not None else f"{UNKNOWN}/{package}"
 
 
 def pieces(text: str) -> Iterator[tuple[bool, str]]:
-    """The text outside of ``$(...)``, and the contents of those, nested ones kept whole."""
+    """The texts outside of ``$(...)``, and its contents with nested substitutions."""
     start = position = 0
     while (opening := text.find("$(", position)) >= 0:
         depth, end = 0, opening
@@ -118,7 +118,7 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
 
 
 def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
-    """The first substitution in a YAML file; None if there is none."""
+    """The first substitution in a YAML file, or None."""
     source = resolver.readable(path)
     text = source.data.decode("utf-8", "replace") if source else ""
     found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))

@@ -12,25 +12,25 @@ from urdfkit.ros.catalog import data, record
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 
-#: What the substitutions of one ROS are called in the other.
+#: Substitutions of the other ROS version.
 _SUBSTITUTIONS = {
     1: {"find-pkg-share": "find", "var": "arg"},
     2: {"find": "find-pkg-share", "arg": "var"},
 }
 _CONDITIONS = frozenset(("if", "unless"))
 
-#: Attributes of namespaces, of rosmon, and those that part the items of a list in ROS 2.
+#: Attributes of namespaces, of rosmon, and for separators of lists in ROS 2.
 _OF_OTHERS = re.compile(r":|^rosmon-|-sep$")
 
 
 class _Dialect(Record):
-    """The tags and attributes of one ROS."""
+    """The tags and attributes of a ROS version."""
 
-    attributes: dict[str, str]  # of each tag, ``!`` behind those that it must have
-    words: dict[str, str]  # that an attribute may be, by ``tag/@name``
-    #: What an attribute of the other ROS is called here, by ``tag/@name``.
+    attributes: dict[str, str]  # of each tag; ``!`` follows required attributes
+    words: dict[str, str]  # valid values of attributes, by ``tag/@name``
+    #: Names of attributes of the other ROS version, by ``tag/@name``.
     translated: dict[str, str]
-    marks: tuple[str, ...]  # texts by which a file is known
+    marks: tuple[str, ...]  # texts by which a file is recognised
 
     def names(self, tag: str) -> set[str]:
         return {word.rstrip("!") for word in self.attributes.get(tag, "").split()}
@@ -42,7 +42,7 @@ def _dialect(ros: int) -> _Dialect:
 
 
 def dialect(root: Element) -> int | None:
-    """1 or 2, as most of a launch file is written; None if it is undecided."""
+    """The ROS version of most of a launch file, 1 or 2; None if undecided."""
     votes = {1: 0, 2: 0}
     for element in root.walk():
         values = [attribute.value for attribute in element.attributes.values()]
@@ -56,7 +56,7 @@ def dialect(root: Element) -> int | None:
 
 
 def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
-    """Unknown, missing and invalid tags and attributes of an element, apart from the tags in it."""
+    """Unknown, missing and invalid attributes of an element, and an unknown tag."""
     own = _dialect(ros)
     row = own.attributes.get(element.tag)
     if row is None:
@@ -71,7 +71,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             help = f'write {name}="..."'
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
-        return  # its attributes are not read
+        return  # whose attributes are not read
     if ros == 1:
         yield from _given_twice(element, frame)
     known = own.names(element.tag)
@@ -117,7 +117,7 @@ def _given_twice(element: Element, frame: CallFrame | None) -> Iterator[Problem]
 
 
 def _substitutions(attribute: Attribute, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
-    """Substitutions that only the other ROS knows."""
+    """Substitutions that exist only in the other ROS version."""
     for other, own in _SUBSTITUTIONS[ros].items() if "$(" in attribute.value else ():
         if f"$({other} " in attribute.value:
             message, help = f"ROS {ros} has no $({other} ...)", f"write $({own} ...)"
@@ -126,7 +126,7 @@ def _substitutions(attribute: Attribute, ros: int, frame: CallFrame | None) -> I
 
 
 def _is_written(element: Element, name: str, own: _Dialect) -> bool:
-    """True if an attribute is there, or a typo of it, which is reported instead."""
+    """True if an attribute, or a typo of it, which is reported instead, exists."""
     return any(
         other == name
         or own.translated.get(f"{element.tag}/@{other}") == name

@@ -1,6 +1,6 @@
-"""The transforms that a launch file has published by ``static_transform_publisher``.
+"""The transforms that ``static_transform_publisher`` publishes in a launch file.
 
-Its frames are the values of ``--frame-id`` and ``--child-frame-id``, or the two words behind the
+Its frames are the values of ``--frame-id`` and ``--child-frame-id``, or the two words after the
 numbers: https://github.com/ros2/geometry2/blob/rolling/tf2_ros/src/static_transform_broadcaster_program.cpp
 """
 
@@ -25,7 +25,7 @@ _PROGRAM = "tf2_ros/static_transform_publisher"
 
 
 class StaticTransform(Record):
-    """A transform that a program publishes."""
+    """A static transform that a program publishes."""
 
     #: parent and child: the frames.
     parent: Word
@@ -34,7 +34,7 @@ class StaticTransform(Record):
 
 
 def static_transform(started: StartedProgram) -> StaticTransform | None:
-    """The transform that a program publishes; None for another program, or if not all is known."""
+    """The transform that a program publishes; None for other programs, or unknown arguments."""
     is_publisher = started.executable == "static_transform_publisher"
     if started.package not in ("tf", "tf2_ros") or not is_publisher:
         return None
@@ -54,7 +54,7 @@ def static_transform(started: StartedProgram) -> StaticTransform | None:
 
 
 def mistakes(started: StartedProgram) -> Iterator[tuple[Word, str, str]]:
-    """The words at which ``static_transform_publisher`` of ROS 2 stops, what is wrong, the help."""
+    """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
     is_ros_2 = b"exec" in started.span.source.data
     if not is_ros_2 or f"{started.package}/{started.executable}" != _PROGRAM:
         return

@@ -1,4 +1,4 @@
-"""The texts that expressions of a Python launch file give, as far as constants reach."""
+"""Values of constant expressions in a Python launch file."""
 
 import ast
 import os
@@ -10,7 +10,7 @@ from urdfkit.ros.launch.scopes import scopes
 from urdfkit.text import python_source
 from urdfkit.text.source import Span
 
-#: Expressions inside one another that are followed.
+#: Greatest depth of nested expressions that are evaluated.
 MAX_DEPTH = 40
 
 PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
@@ -22,7 +22,7 @@ _PASSED_ON = (
 
 
 class Values:
-    """Follows constants through one launch file.
+    """Evaluates constants in a launch file.
 
     Attributes:
         arguments: texts, or expressions of their defaults; None for those that are not known.
@@ -40,7 +40,7 @@ class Values:
                     self._opened.setdefault(item.optional_vars.id, []).append(item.context_expr)
 
     def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
-        """The text that an expression gives; None where it is known at run time only."""
+        """The text of an expression; None if it is known only at run time."""
         if node is None or depth > MAX_DEPTH:
             return None
         if isinstance(node, ast.Constant):
@@ -59,7 +59,7 @@ class Values:
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
     def suggested(self, node: ast.expr | None) -> ast.expr | None:
-        """An expression, or the value of a name; None where that is not certain."""
+        """An expression, or the value of a name; None if it is ambiguous."""
         for _ in range(MAX_DEPTH):
             if not isinstance(node, ast.Name):
                 return node
@@ -67,12 +67,12 @@ class Values:
         return None
 
     def opened(self, node: ast.expr | None) -> ast.expr | None:
-        """The call that opens a file, for the name that ``with open(...) as name`` gives it."""
+        """The call that opens the file of a name in ``with open(...) as name``."""
         calls = self._opened.get(node.id, []) if isinstance(node, ast.Name) else []
         return calls[0] if len(calls) == 1 else None
 
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
-        """The items of a list; None for any number of unknown ones."""
+        """The items of a list; None stands for any number of unknown items."""
         node = self.suggested(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return [None if isinstance(item, ast.Starred) else item for item in node.elts]
@@ -82,7 +82,7 @@ class Values:
         return [None]
 
     def words(self, node: ast.expr | None) -> tuple[Word, ...]:
-        """The words of a command line that a list gives; none if there is no list."""
+        """The words of a command line in a list; empty without a list."""
         if node is None:
             return ()
         place = self.span(node)
@@ -92,7 +92,7 @@ class Values:
         )
 
     def span(self, node: ast.expr) -> Span:
-        """The place of a node; ast counts columns in bytes of UTF-8."""
+        """Source location of a node; ast counts columns in bytes of UTF-8."""
         starts = self.source.offset(node.lineno, 1) + node.col_offset
         end_line, end_column = node.end_lineno or node.lineno, node.end_col_offset or 0
         return Span(self.source, starts, self.source.offset(end_line, 1) + end_column)
@@ -127,7 +127,7 @@ class Values:
         return f"{UNKNOWN}/{package}" if directory is None else directory
 
     def configuration(self, name: str, depth: int = 0) -> str | None:
-        """The value of an argument of the launch file; None where it is not known."""
+        """The value of an argument of the launch file; None if unknown."""
         value = self.arguments.get(name)
         return value if isinstance(value, str) else self.text(value, depth + 1)
 
@@ -156,7 +156,7 @@ def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None
 
 
 def parts_of_path(call: ast.Call) -> list[ast.expr]:
-    """The parts that a call joins to a path; empty if it joins none.
+    """The parts that a call joins to a path; empty for other calls.
 
     ``join`` of a text, as in ``os.pathsep.join([...])``, takes one argument.
     """
@@ -172,13 +172,13 @@ def parts_of_path(call: ast.Call) -> list[ast.expr]:
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:
-    """Texts one after the other; None if one of them is not known."""
+    """Concatenated texts; None if one of them is unknown."""
     texts = _all_known(parts)
     return None if texts is None else "".join(texts)
 
 
 def _path(parts: Iterable[str | None]) -> str | None:
-    """Parts of a path, of which an absolute one drops those before it."""
+    """Joined parts of a path; an absolute part drops the parts before it."""
     texts = _all_known(parts)
     return None if texts is None else os.path.join("", *texts)
 

@@ -1,4 +1,4 @@
-"""The worlds that a launch file starts Gazebo with: ``catalog/worlds.json``."""
+"""The Gazebo worlds that a launch file starts: ``catalog/worlds.json``."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ GZ, CLASSIC = "gz", "classic"
 #: The library of Gazebo Classic that spawns robots in ROS 2.
 FACTORY = "libgazebo_ros_factory.so"
 
-#: What the launch files and nodes of gazebo_ros load.
+#: Libraries that the launch files and nodes of gazebo_ros load.
 _OF_ROS = ("libgazebo_ros_init.so", FACTORY)
-#: Programs of the command line that are Gazebo's server, alone or with a first word.
+#: Commands that start Gazebo's server: a program, or a program and its first word.
 _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
 
 #: The option that starts the simulation at once, alone or with others of one letter.
@@ -27,7 +27,7 @@ _RUN = re.compile(r"-[a-z]*r[a-z]*\d*$")
 
 
 class StartedWorld(Record):
-    """A world that Gazebo is started with."""
+    """A world that a launch file starts."""
 
     generation: str  # ``gz`` or ``classic``
     name: str  # a path, or the name of a world that comes with Gazebo; empty for the default one
@@ -37,8 +37,8 @@ class StartedWorld(Record):
     span: Span  # where the world is named
     frame: CallFrame | None  # the launch files that led there
     is_sure: bool  # False if a condition decides that is known at run time only
-    is_paused: bool = False  # True if gz sim waits until somebody presses its button
-    is_glued: bool = False  # True if no space parts ``-r`` from the path of the world
+    is_paused: bool = False  # True if gz sim waits until the user starts the simulation
+    is_glued: bool = False  # True if there is no space between ``-r`` and the path of the world
 
     @property
     def is_shipped(self) -> bool:
@@ -47,7 +47,7 @@ class StartedWorld(Record):
 
 
 def worlds(launch: Launch) -> Iterator[StartedWorld]:
-    """The worlds of a launch file and of those that it includes; what is not known is left out."""
+    """The known worlds of a launch file and of the files that it includes."""
     for included in launch.includes:
         if found := _of_file(included):
             yield found
@@ -57,7 +57,7 @@ def worlds(launch: Launch) -> Iterator[StartedWorld]:
 
 
 def _of_file(included: IncludedFile) -> StartedWorld | None:
-    """The world with which a launch file of Gazebo's own packages starts it."""
+    """The world of a launch file of Gazebo's packages."""
     name = "/".join(included.path.split("/")[-3:])
     generation, *names = data("worlds")["files"].get(name, "").split() or ("",)
     if not generation or included.arguments is None:
@@ -100,7 +100,7 @@ def _parted(word: str) -> list[str]:
 def _started(
     generation: str, words: list[str], span: Span, by: IncludedFile | StartedProgram
 ) -> StartedWorld | None:
-    """What a command line starts; None if it starts the window alone."""
+    """The world of a command line; None if it starts only the window."""
     valued = data("worlds")["valued"][generation].split()
     given: dict[str, str] = {}
     libraries: list[str] = []

@@ -24,15 +24,15 @@ from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
 
-#: Groups inside one another that are followed.
+#: Greatest depth of nested groups.
 MAX_LEVELS = 50
-#: The most problems that are reported of one launch file.
+#: Most problems that are reported for a launch file.
 MAX_PROBLEMS = 1000
-#: What to do about a file of another program.
+#: Help for a file of another program.
 _FOREIGN = "leave it, or rename it: launch files are known by their names"
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
-#: Tags that hold for the nodes after them.
+#: Tags that apply to the nodes after them.
 _SCOPES = (
     "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
     "set_remap", "set_use_sim_time",
@@ -40,12 +40,12 @@ _SCOPES = (
 
 
 def read(collector: Collector, file: LaunchedFile) -> None:
-    """What a launch file in XML or YAML needs; files that it includes are followed."""
+    """Collect the contents of a launch file in XML or YAML, and of included files."""
     _XmlReader(collector, file, (), collector.outer).read()
 
 
 class _XmlReader(XmlLaunchFile):
-    """Reads one launch file and those that it includes.
+    """Reads a launch file and its included files.
 
     Args:
         inherited: arguments that the file may use without a declaration.
@@ -97,7 +97,7 @@ class _XmlReader(XmlLaunchFile):
         self.collector.problems.append(problem)
 
     def _foreign(self, reason: str) -> None:
-        """The file is of another program, and only has the suffix of a launch file."""
+        """Report a file of another program with the suffix of a launch file."""
         at, message = Span(self.source, 0, 0), f"not a launch file of ROS: {reason}"
         problem = Problem("LAU001", at, message, _FOREIGN, self.frame, severity=Severity.INFO)
         self.collector.problems.append(problem)
@@ -120,7 +120,7 @@ class _XmlReader(XmlLaunchFile):
         for element in parent.children:
             self._arguments.use(element, ("if", "unless"))
             if self.is_off(element):
-                # Other values of the arguments may turn it on.
+                # Other values of the arguments may enable it.
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
@@ -135,7 +135,7 @@ class _XmlReader(XmlLaunchFile):
         self._level -= 1
 
     def _mentions(self, element: Element) -> None:
-        """Paths in packages whose use is not known, such as that of a world."""
+        """Record paths in packages whose use is unknown, such as the path of a world."""
         for attribute in element.attributes.values():
             if "$(find" in attribute.value:
                 for word in (self.text(attribute) or "").split():
@@ -152,7 +152,7 @@ class _XmlReader(XmlLaunchFile):
         self._arguments.use(element, element.attributes)
 
     def _is_sure(self) -> bool:
-        """True if no other file can declare what this one uses."""
+        """True if no other file can declare the arguments that this file uses."""
         return (self.ros == 1 or self._is_whole) and not self._may_inherit()
 
     def _may_inherit(self) -> bool:
@@ -174,7 +174,7 @@ class _XmlReader(XmlLaunchFile):
 
     def _include(self, element: Element) -> None:
         for child in element.children:
-            if child.tag in ("arg", "env", "let"):  # roslaunch does not read any other
+            if child.tag in ("arg", "env", "let"):  # roslaunch ignores other tags
                 self._check(child)
         attribute = element.attributes.get("file")
         path = self.path(attribute) if attribute else None
@@ -227,11 +227,11 @@ class _XmlReader(XmlLaunchFile):
         self.collector.unread.append(path)
 
     def _passes_all(self, element: Element) -> bool:
-        """True if an included file sees all arguments of this one."""
+        """True if an included file sees all arguments of this file."""
         return self.ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
     def _compare(self, element: Element, taken: Signature, source: Source) -> None:
-        """Report how the arguments of an include differ from those of the file."""
+        """Report differences between the arguments of an include and those of the included file."""
         passed = [
             (name.value, name.span)
             for child in element.children
@@ -250,7 +250,7 @@ class _XmlReader(XmlLaunchFile):
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
-        """The arguments of an include; None for those that are known at run time only."""
+        """The arguments of an include; None if known only at run time."""
         passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
@@ -259,7 +259,7 @@ class _XmlReader(XmlLaunchFile):
         return passed
 
     def _seen(self, element: Element) -> dict[str, Word]:
-        """The arguments that an included file sees, with their places."""
+        """The arguments that an included file sees, with their locations."""
         places = {
             child.get("name") or "": child.attributes["value"].span
             for child in element.children

@@ -1,4 +1,4 @@
-"""One launch file in XML, and what the texts in it become."""
+"""A launch file in XML, and the values of its attributes."""
 
 from urdfkit.ros.launch.collect import Collector, path_from
 from urdfkit.ros.launch.contents import LaunchedFile
@@ -8,13 +8,13 @@ from urdfkit.text.document import Attribute, Element
 
 
 class XmlLaunchFile:
-    """One launch file, with the values of its arguments as far as they are known.
+    """A launch file with the known values of its arguments.
 
     Attributes:
-        values: of the arguments; they grow while the file is read.
-        frame: the launch files that led here.
-        ros: 1 or 2; None if it is not known.
-        unknown_conditions: how many conditions around an element are known at run time only.
+        values: of the arguments; extended while the file is read.
+        frame: the launch files that include it.
+        ros: 1 or 2; None if unknown.
+        unknown_conditions: number of enclosing conditions that are known only at run time.
     """
 
     def __init__(self, collector: Collector, file: LaunchedFile) -> None:
@@ -27,24 +27,24 @@ class XmlLaunchFile:
         self.unknown_conditions = 0
 
     def text(self, attribute: Attribute | None) -> str | None:
-        """The value of an attribute; None where it cannot be known without running the file."""
+        """The value of an attribute; None if known only at run time."""
         return self.substitutions.text(attribute.value, attribute.span) if attribute else None
 
     def path(self, attribute: Attribute) -> str | None:
-        """The path that an attribute names; None if it needs an argument that is empty so far."""
+        """The path in an attribute; None if it needs an argument that is still empty."""
         if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
             return None
         text = self.text(attribute)
         return None if text is None else path_from(self.source, text)
 
     def is_off(self, element: Element) -> bool:
-        """True if a condition says so; what cannot be known counts as on."""
+        """True if a condition disables an element; an unknown condition does not."""
         for name, off in (("if", ("false", "0")), ("unless", ("true", "1"))):
             if (self.text(element.attributes.get(name)) or "").strip().lower() in off:
                 return True
         return False
 
     def has_unknown_condition(self, element: Element) -> bool:
-        """True if the condition of an element is known at run time only."""
+        """True if the condition of an element is known only at run time."""
         conditions = (element.attributes.get(name) for name in ("if", "unless"))
         return any(one is not None and self.text(one) is None for one in conditions)

@@ -16,7 +16,7 @@ _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
 def start_node(file: XmlLaunchFile, element: Element) -> None:
-    """``<node>`` or ``<test>``, without its children."""
+    """Read a ``<node>`` or ``<test>``, without its children."""
     package, arguments = element.attributes.get("pkg"), element.attributes.get("args")
     name = file.text(package)
     if package and name:
@@ -59,14 +59,14 @@ def _namespace(file: XmlLaunchFile, node: Element) -> str | None:
 
 
 def start_executable(file: XmlLaunchFile, element: Element) -> None:
-    """``<executable>``: a program that is no node."""
+    """Read an ``<executable>``: a program that is not a node."""
     words = file.substitutions.words(element.attributes.get("cmd"))
     is_sure = not file.unknown_conditions
     file.collector.started.append(StartedProgram("", "", words, element.span, file.frame, is_sure))
 
 
 def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
-    """The parameters that a node is given in ROS 2; in ROS 1 they belong to no node."""
+    """The parameters of a node in ROS 2; in ROS 1 they do not belong to a node."""
     found: dict[str, str | None] = {}
     files: list[str] = []
     is_whole = file.ros == 2 and "ros_args" not in node.attributes
@@ -82,7 +82,7 @@ def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
 
 
 def read_param(file: XmlLaunchFile, element: Element) -> None:
-    """``<param>``: a robot description, a parameter file, or the type of a controller."""
+    """Read a ``<param>``: a robot description, a parameter file, or the type of a controller."""
     name = (element.get("name") or "").strip()
     frame = frame_at(file.source, element.tag_at, file.frame)
     if name.endswith("/type"):  # of a controller, in ROS 1
@@ -118,7 +118,7 @@ def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> N
 
 
 def read_rosparam(file: XmlLaunchFile, element: Element) -> None:
-    """``<rosparam>``: a parameter file, or parameters in the text of the element."""
+    """Read a ``<rosparam>``: a parameter file, or parameters in the text of the element."""
     attribute = element.attributes.get("file")
     if element.get("command") not in (None, "load"):
         return
@@ -129,7 +129,7 @@ def read_rosparam(file: XmlLaunchFile, element: Element) -> None:
 
 
 def _parameter_file(file: XmlLaunchFile, attribute: Attribute, switch: str) -> None:
-    """A parameter file; the attribute ``switch`` lets launch make the substitutions in it."""
+    """Read a parameter file; the attribute ``switch`` enables substitutions in it."""
     path = file.path(attribute)
     if path is None or not file.collector.file(path, attribute.span, PARAMETERS):
         return

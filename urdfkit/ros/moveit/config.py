@@ -17,7 +17,7 @@ from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
 from urdfkit.workspace.resolve import Resolver
 
 _OMPL = "ompl_planning.yaml"
-#: Files with a section for each group, and the keys by which one is known.
+#: Files with a section for each group, and the keys that identify such a section.
 _OF_GROUPS = {
     "kinematics.yaml": ("kinematics_solver",),
     _OMPL: ("planner_configs", "default_planner_config", "projection_evaluator"),
@@ -35,32 +35,32 @@ _PIPELINES = (
 )
 _INITIAL = "initial_positions.yaml"
 MANAGER = "moveit_simple_controller_manager"
-#: What only launch or a template fills in.
+#: First characters of values that only launch or a template resolves.
 _OPEN = ("$", "<", "{")
 
 
 class GroupEntry(Record):
-    """What a file says of a planning group."""
+    """The section of a planning group in a file."""
 
     name: Key  # of the group
     values: dict[str, Node]  # of its section, by name
-    is_alone: bool  # True if its file speaks of no other group
+    is_alone: bool  # True if its file has no other group
 
 
 def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
-    """The sections of planning groups, in the files that have some."""
+    """The sections of planning groups in all files."""
     for file, marks in _OF_GROUPS.items():
-        found = [
+        sections = [
             (key, node)
             for key, node in _mappings(load_next_to(srdf, file, resolver))
             if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
         ]
-        for key, node in found:
-            yield GroupEntry(key, node, len(found) == 1)
+        for key, node in sections:
+            yield GroupEntry(key, node, len(sections) == 1)
 
 
 def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
-    """The planners that groups name in the file of OMPL, with those that it defines."""
+    """The planners that groups reference in the OMPL file, with the planners that it defines."""
     root = load_next_to(srdf, _OMPL, resolver)
     defined = [str(key) for key in mapping(root, "planner_configs")]
     for key, group in _mappings(root):
@@ -71,7 +71,7 @@ def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, lis
 
 
 def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
-    """The plugins of the planning pipelines in the files of OMPL and the like."""
+    """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
     for file in _PIPELINES:
         root = load_next_to(srdf, file, resolver)
         for one in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
@@ -80,7 +80,7 @@ def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
 
 
 def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]:
-    """The adapters of the planning pipelines, by the keys that list them: key, name and place."""
+    """The adapters of the planning pipelines: key of the list, name and location."""
     for file in _PIPELINES:
         root = load_next_to(srdf, file, resolver)
         for key in ("request_adapters", "response_adapters"):
@@ -91,7 +91,7 @@ def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]
 
 
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
-    """The joints that the files name, each with who names it."""
+    """Joint references in the files, each with a description of its owner."""
     for name, section in controllers(srdf, resolver):
         for joint in scalars(section.get("joints")):
             if not joint.text.startswith(_OPEN):
@@ -103,7 +103,7 @@ def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]
 
 
 def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str, Node]]]:
-    """The controllers that MoveIt sends trajectories to, with their settings."""
+    """The controllers to which MoveIt sends trajectories, with their settings."""
     for file in _OF_CONTROLLERS:
         root = load_next_to(srdf, file, resolver)
         for _, manager in _mappings(root):
@@ -115,20 +115,20 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
 
 
 def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
-    """The settings of the controllers of MoveIt 2, by the places of their names."""
+    """The settings of the controllers of MoveIt 2, by name with location."""
     for key, entry in _mappings(mapping(load_next_to(srdf, _OF_CONTROLLERS[0], resolver), MANAGER)):
         if not key.startswith(_OPEN):
             yield key, entry
 
 
 def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
-    """The plugin by which MoveIt 2 talks to controllers."""
-    found = load_next_to(srdf, _OF_CONTROLLERS[0], resolver).get("moveit_controller_manager")
-    return found if isinstance(found, Value) else None
+    """MoveIt 2's controller manager plugin."""
+    plugin = load_next_to(srdf, _OF_CONTROLLERS[0], resolver).get("moveit_controller_manager")
+    return plugin if isinstance(plugin, Value) else None
 
 
 def misplaced_controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, str]]:
-    """Sections with the names of controllers in a file without the one that is read, its name."""
+    """Sections with controller names in a file without the section that is read, and its name."""
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
     if MANAGER not in root:
         for key, section in _mappings(root):
@@ -139,16 +139,16 @@ def misplaced_controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key,
 def names_without_settings(
     srdf: Srdf, resolver: Resolver
 ) -> Iterator[tuple[Value, list[str], bool]]:
-    """The names of controllers for which there are no settings, with those that have some.
+    """Names of controllers without settings, with the names of those with settings.
 
-    True if the settings stand in the file, but not below the manager.
+    The third item is True if the settings are in the file, but not below the manager.
     """
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
     manager = mapping(root, MANAGER)
-    known = [str(key) for key, _ in _mappings(manager)]
+    configured = [str(key) for key, _ in _mappings(manager)]
     for name in scalars(manager.get("controller_names")):
-        if name.text not in known and not name.text.startswith(_OPEN):
-            yield name, known, name.text in root
+        if name.text not in configured and not name.text.startswith(_OPEN):
+            yield name, configured, name.text in root
 
 
 def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:
@@ -158,7 +158,7 @@ def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:
 
 
 def load_next_to(srdf: Srdf, name: str, resolver: Resolver) -> dict[str, Node]:
-    """A YAML file next to an SRDF, or in the configuration that it is part of; else empty."""
+    """A YAML file next to an SRDF or in its MoveIt configuration; empty if it is missing."""
     directory = os.path.dirname(os.path.abspath(srdf.path))
     above = os.path.dirname(directory)
     for place in (directory, above, os.path.join(above, "config")):

@@ -19,10 +19,10 @@ _ON = ("true", "yes", "on", "1")
 
 
 class PlannedLimit(Record):
-    """What the file says of one joint."""
+    """The limits of a joint in the file."""
 
-    joint: str  # its name
-    at: Value  # the place of its name
+    joint: str  # name
+    at: Value  # the name with its location
     values: dict[str, Value]  # by name, such as ``max_velocity``
 
     def is_on(self, switch: str) -> bool:
@@ -31,17 +31,17 @@ class PlannedLimit(Record):
         return on is not None and on.text.strip().lower() in _ON
 
     def bound(self, name: str, switch: str) -> float | None:
-        """A bound in rad, m and seconds, where its switch is on; None without one."""
+        """A bound in units of rad, m and s, if its switch is on; None without a bound."""
         value = self.values.get(name)
         if value is None or not self.is_on(switch):
             return None
         found = number(value.text)
-        # Launch files of ROS 1 and xacro read these tags; radians are what there is without one.
+        # Launch files of ROS 1 and xacro read these tags; the default unit is radians.
         return radians(found) if found is not None and value.tag == "!degrees" else found
 
 
 def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
-    """The limits that MoveIt plans with, in the order of the file; nothing where there is none."""
+    """The limits that MoveIt plans with, in the order of the file; empty without a file."""
     if description.srdf is None:
         return
     root = load_next_to(description.srdf, _FILE, description.resolver)

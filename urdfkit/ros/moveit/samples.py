@@ -4,12 +4,12 @@ from urdfkit.robot.samples import element_xml
 
 
 def named_xml(name: str, *inside: str) -> str:
-    """A ``<robot>`` with some elements in it, in a URDF or an SRDF."""
+    """A ``<robot>`` with elements, of a URDF or an SRDF."""
     return element_xml(f'robot name="{name}"', *inside) + "\n"
 
 
 def srdf_files(bad: str, good: str) -> dict[str, bytes]:
-    """The SRDF of a robot called ``bad`` and that of a robot called ``good``, by file name."""
+    """The SRDFs of the robots ``bad`` and ``good``, by file name."""
     return {
         f"{name}.srdf": named_xml(name, inside).encode()
         for name, inside in (("bad", bad), ("good", good))

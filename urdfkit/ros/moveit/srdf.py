@@ -1,7 +1,7 @@
 """SRDF: MoveIt's groups, states and allowed collisions, read together with the robot.
 
-Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which rejects what does not fit
-the robot.
+Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which rejects elements that do not
+match the robot.
 """
 
 import os
@@ -21,13 +21,13 @@ from urdfkit.workspace.srdf_files import is_of_namesake, other_srdf_files, srdf_
 
 
 class Srdf:
-    """One SRDF and the robot it belongs to."""
+    """An SRDF and its robot."""
 
     def __init__(self, path: str, root: Element, tree: KinematicTree) -> None:
         self.path = path  # of the file
         self.root = root  # its ``<robot>`` element
         self.tree = tree
-        #: groups, states, end_effectors, virtual_joints: their elements.
+        #: groups, states, end_effectors, virtual_joints: elements.
         self.groups = tuple(root.all("group"))
         self.states = tuple(root.all("group_state"))
         self.end_effectors = tuple(root.all("end_effector"))
@@ -35,25 +35,25 @@ class Srdf:
 
     @cached_property
     def groups_by_name(self) -> dict[str, list[Element]]:
-        """The elements of each group; a name may have several, which MoveIt joins."""
-        found: dict[str, list[Element]] = {}
+        """The elements of each group; MoveIt merges groups with the same name."""
+        groups: dict[str, list[Element]] = {}
         for group in self.groups:
-            found.setdefault(group.get("name") or "", []).append(group)
-        return found
+            groups.setdefault(group.get("name") or "", []).append(group)
+        return groups
 
     @cached_property
     def disabled(self) -> dict[frozenset[str], Element]:
-        """The pairs of links that are disabled one by one, each with its first element."""
-        found: dict[frozenset[str], Element] = {}
+        """The pairs of links that are disabled individually, each with its first element."""
+        pairs: dict[frozenset[str], Element] = {}
         for element in self.root.all("disable_collisions"):
-            found.setdefault(pair_of(element), element)
-        return found
+            pairs.setdefault(pair_of(element), element)
+        return pairs
 
     def disables(self, pair: frozenset[str]) -> bool:
         """True if the collisions of two links are not checked.
 
-        ``disable_default_collisions`` is for all pairs of a link, unless enabled again (MoveIt
-        2.5).
+        ``disable_default_collisions`` applies to all pairs of a link that are not enabled again
+        (MoveIt 2.5).
         """
         if pair in self.disabled:
             return True
@@ -62,7 +62,7 @@ class Srdf:
         return not links.isdisjoint(pair) and pair not in enabled
 
     def references(self) -> Iterator[tuple[str, Attribute]]:
-        """What names a ``link``, ``joint`` or ``group``, apart from the collision matrix."""
+        """References to a ``link``, ``joint`` or ``group``, except in the collision matrix."""
         for group in self.groups:
             for child in group.children:
                 if child.tag in ("link", "joint", "group"):
@@ -83,26 +83,26 @@ class Srdf:
 
     @cached_property
     def named(self) -> set[str]:
-        """The links and joints that are named anywhere, the collision matrix included."""
+        """Names of all referenced links and joints, including the collision matrix."""
         pairs = (*self.root.all("disable_collisions"), *self.root.all("enable_collisions"))
         names = {name.value for kind, name in self.references() if kind != "group"}
         return names.union(*map(pair_of, pairs)) - {""}
 
     @cached_property
     def unknown(self) -> set[str]:
-        """Those of them that the robot does not have."""
+        """Referenced names that the robot does not have."""
         return self.named - self.known("link") - self.known("joint")
 
     @cached_property
     def speaks_of_robot(self) -> bool:
-        """True if the robot has at least half of the links and joints that are named."""
+        """True if the robot has at least half of the referenced links and joints."""
         named = [(kind, name.value) for kind, name in self.references() if kind != "group"]
         known = {kind: self.known(kind) for kind in ("link", "joint")}
         return 2 * sum(name in known[kind] for kind, name in named) >= len(named)
 
     @cached_property
     def fits_robot(self) -> bool:
-        """True if it is of this robot and this variant: except typos, one name may be unknown."""
+        """True if it is for this variant of the robot: except typos, one name may be unknown."""
         strange = {
             name.value
             for kind, name in self.references()
@@ -111,7 +111,7 @@ class Srdf:
         return self.speaks_of_robot and len(strange) <= 1
 
     def known(self, kind: str) -> set[str]:
-        """The names of a kind that the robot or this file has."""
+        """The names of a kind that the robot or this file defines."""
         if kind == "group":
             return set(self.groups_by_name)
         if kind == "link":
@@ -120,7 +120,7 @@ class Srdf:
         return virtual | set(self.tree.model.joints_by_name)
 
     def joints_between(self, base: str, tip: str) -> list[Joint] | None:
-        """The joints from a link down to another one; None if the second is not below."""
+        """The joints from a link down to another; None if the second is not below the first."""
         joints = self.tree.path(tip)
         if base == tip:
             return []
@@ -128,7 +128,7 @@ class Srdf:
         return joints[parents.index(base) :] if base in parents else None
 
     def links_of(self, name: str, seen: frozenset[str] = frozenset()) -> set[str]:
-        """The links of a group, with those of its subgroups; bounded where they are circular."""
+        """The links of a group and its subgroups; circular subgroups are ignored."""
         links: set[str] = set()
         if name in seen:
             return links
@@ -153,7 +153,7 @@ class Srdf:
 
 
 def pair_of(element: Element) -> frozenset[str]:
-    """The links that an element of the collision matrix is about."""
+    """The pair of links of an element of the collision matrix."""
     return frozenset((element.get("link1") or "", element.get("link2") or ""))
 
 
@@ -165,18 +165,18 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
 
 
 def find(robot: RosDescription) -> Srdf | None:
-    """The SRDF of a robot, if exactly one is next to it; an unreadable one does not count.
+    """The SRDF of a robot, if there is exactly one readable SRDF for it.
 
-    One with another name is the robot's if it speaks of its links and joints; one of a package of
-    MoveIt that may be for other robots, too, if it fits this one. One that is called like the file
-    of another robot next to this one is of that other one.
+    An SRDF with another robot name is accepted if it references the links and joints of the robot;
+    an SRDF in a MoveIt package for several robots, if it fits this robot. An SRDF with the same
+    file name as another robot in the same directory belongs to that robot.
     """
     path, name, resolver = robot.source.path, robot.model.name, robot.resolver
     files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
     found = [srdf for one in files if (srdf := read(one, robot))]
     same = [srdf for srdf in found if srdf.root.get("name") == name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
-    if len(chosen) > 1:  # MoveIt's builder takes the one that is called like the robot's file
+    if len(chosen) > 1:  # MoveIt's builder reads the SRDF with the file name of the robot
         chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not found:
         others = other_srdf_files(path, name, resolver)
@@ -185,7 +185,7 @@ def find(robot: RosDescription) -> Srdf | None:
 
 
 def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
-    """The other SRDFs in the directory of one."""
+    """The other SRDFs in the directory of an SRDF."""
     for path in srdf_in([os.path.dirname(srdf.path)], robot.resolver):
         if path != srdf.path and (other := read(path, robot)):
             yield other
@@ -194,8 +194,8 @@ def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
 def read(path: str, robot: RosDescription) -> Srdf | None:
     """An SRDF file of a robot; None if it cannot be read.
 
-    A xacro has the arguments of the robot, as far as they have the same names, and those that
-    launch files give it, unless it then fits the robot worse than without.
+    A xacro is expanded with the arguments of the robot that have the same names, and with the
+    arguments from launch files, unless it then fits the robot worse.
     """
     srdf, names = _expanded(path, robot, {})
     for arguments in _launched(path, robot, names) if names else ():
@@ -208,21 +208,21 @@ def read(path: str, robot: RosDescription) -> Srdf | None:
 def _expanded(
     path: str, robot: RosDescription, arguments: Mapping[str, str]
 ) -> tuple[Srdf | None, set[str]]:
-    """An SRDF file with some arguments, and the names of those that it has besides the robot's."""
+    """An SRDF file with arguments, and the names of its arguments that the robot does not have."""
     given = {**arguments, **robot.arguments}
     document, names = _parsed(path, robot.resolver, robot.trust, given)
     names -= robot.arguments.keys()
     if document is None or document.root.tag != "robot":
         return None, names
     if path.endswith(".xacro") and not document.root.children:
-        return None, set()  # macros, for other files
+        return None, set()  # only macros for other files
     return Srdf(path, document.root, robot.tree), names
 
 
 def _launched(path: str, robot: RosDescription, names: set[str]) -> Iterator[dict[str, str]]:
-    """The arguments that launch files give to an SRDF: all of them, and all but one.
+    """The arguments that launch files pass to an SRDF: all of them, and all but one.
 
-    The robot may be checked with the default of one, such as that of its prefix.
+    The robot may be checked with the default of an argument such as a prefix.
     """
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -234,14 +234,14 @@ def _launched(path: str, robot: RosDescription, names: set[str]) -> Iterator[dic
 
 
 def is_srdf(root: Element) -> bool:
-    """True for the root of an SRDF; a URDF, too, is a ``<robot>``, but has links."""
+    """True for the root of an SRDF; the root of a URDF is also a ``<robot>``, but has links."""
     return root.tag == "robot" and root.child("link") is None
 
 
 def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
-    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
+    """Why the SRDF of a robot cannot be read: the only SRDF, or an SRDF with the robot's name.
 
-    A xacro is not reported: a launch file may pass the arguments that it requires.
+    A xacro is ignored: a launch file may pass its required arguments.
     """
     paths = srdf_files(path, resolver)
     for candidate in paths:
@@ -261,7 +261,7 @@ def _stem(path: str) -> str:
 def _parsed(
     path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
 ) -> tuple[Document | None, set[str]]:
-    """A file, if it can be read, and the names of its xacro arguments."""
+    """The document of a file, if it can be read, and the names of its xacro arguments."""
     source = resolver.readable(path)
     if source is None:
         return None, set()

@@ -1,7 +1,7 @@
-"""What of an SRDF file deviates from its grammar, ``catalog/srdf.json``.
+"""Deviations of an SRDF file from its grammar, ``catalog/srdf.json``.
 
-Other programs keep tags of their own in the same file, so an unknown name is reported only where it
-is a typo of a known one.
+Other programs store tags of their own in the same file, so an unknown name is reported only if it
+is a typo of a known name.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from urdfkit.text.document import Attribute, Element
 
 
 class SrdfDeviation(Record):
-    """A tag or attribute that SRDF does not have, and the suggested one."""
+    """An invalid tag or attribute, and the suggested name."""
 
     at: Element | Attribute
     parent: Element
@@ -24,7 +24,7 @@ class SrdfDeviation(Record):
 
 
 class _Grammar(Record):
-    """What an element has; ``!`` stands behind the attributes that it must have."""
+    """Attributes and children of an element; ``!`` follows required attributes."""
 
     attributes: tuple[str, ...]
     children: tuple[str, ...]
@@ -35,7 +35,7 @@ class _Grammar(Record):
 
 
 def _elements(root: Element) -> Iterator[tuple[Element, _Grammar]]:
-    """The elements that SRDF knows, outer ones first."""
+    """The known elements, outer elements first."""
     tags = data("srdf")["tags"]
     stack = [root]
     while stack:
@@ -64,15 +64,15 @@ def mistakes(root: Element) -> Iterator[SrdfDeviation]:
 
 
 def lacking(root: Element) -> Iterator[tuple[Element, str]]:
-    """The elements without an attribute that they need, each with the attribute.
+    """Elements without a required attribute, and the attribute.
 
-    Typos are left out, and empty values of expressions: they may be arguments that users pass.
+    Typos are ignored, and so are empty values of expressions, which may be arguments of the user.
     """
     misspelt = {(id(mistake.parent), mistake.suggested) for mistake in mistakes(root)}
     for element, grammar in _elements(root):
         for word in grammar.attributes:
             name = word.rstrip("!")
-            given = element.attributes.get(name)
-            is_empty = given is None or (not given.value and given.literal)
+            written = element.attributes.get(name)
+            is_empty = written is None or (not written.value and written.literal)
             if name != word and is_empty and (id(element), name) not in misspelt:
                 yield element, name

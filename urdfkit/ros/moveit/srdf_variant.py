@@ -1,4 +1,4 @@
-"""Robots of a package that share its SRDFs and the YAML files of MoveIt next to them."""
+"""Robots of a package that share its SRDFs and MoveIt's YAML files."""
 
 import re
 from collections import Counter
@@ -12,8 +12,8 @@ from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.file_head import read_head
 
-#: The part of the names in an SRDF that must be unknown to a robot for it to be of another one,
-#: and the part of these that the other one must know.
+#: Least part of the names in an SRDF that a robot lacks if the SRDF is for another robot, and
+#: least part of these names that the other robot has.
 _UNKNOWN, _KNOWN = 0.25, 0.9
 _FEWEST = 3
 #: Bounds of the search for the other robot.
@@ -22,10 +22,10 @@ _MAX_BYTES = 4 * 1024 * 1024
 
 
 def other_variant(description: RosDescription, srdf: Srdf) -> str:
-    """What is wrong if the SRDF is for another variant of the robot; empty if it is not.
+    """The problem if the SRDF is for another variant of the robot; empty if it is not.
 
-    That takes more than unknown names, which an outdated SRDF has, too: with a prefix
-    they are those of this robot, or another robot of the package has them.
+    Unknown names alone could be those of an outdated SRDF: with a prefix they must be names of
+    this robot, or another robot of the package must have them.
     """
     unknown = srdf.unknown
     if len(unknown) < max(_FEWEST, _UNKNOWN * len(srdf.named)):
@@ -44,9 +44,9 @@ def other_variant(description: RosDescription, srdf: Srdf) -> str:
 
 
 def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[str]) -> set[str]:
-    """Those of some links, joints and groups that another robot with an SRDF next to this one has.
+    """The names of links, joints and groups that another robot with an SRDF in the directory has.
 
-    The robots share the YAML files of MoveIt there.
+    These robots share MoveIt's YAML files.
     """
     others = list(neighbours(srdf, description)) if names else []
     found = {name for other in others for name in names & {*other.named, *other.groups_by_name}}
@@ -59,17 +59,17 @@ def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[st
 
 
 def _prefix(bare: set[str], prefixed: set[str]) -> str:
-    """What nearly all of some names lack to be those of others."""
+    """The prefix that turns nearly all ``bare`` names into ``prefixed`` names."""
     begins = Counter(
         longer[:at] for longer in prefixed for at in range(1, len(longer)) if longer[at:] in bare
     )
-    # Of two that fit, the shorter: each name is then a whole one.
+    # The shorter of two fitting prefixes, so that each name is complete.
     fitting = [begin for begin, count in begins.items() if count >= _KNOWN * len(bare)]
     return min(fitting, key=len, default="")
 
 
 def _other_robots(description: RosDescription) -> Iterator[tuple[str, AbstractSet[str]]]:
-    """The links and joints of the other descriptions of the package: as written, and expanded."""
+    """Links and joints of the other robots of the package: unexpanded, and expanded."""
     package = description.resolver.packages.enclosing(description.source.path)
     if package is None:
         return
