@@ -101,7 +101,7 @@ def _expression(data: bytes) -> None:
 def _yaml(data: bytes) -> None:
     source = Source("a.yaml", data)
     located_yaml.load(source)
-    located_yaml.mistake(source)
+    located_yaml.syntax_error(source)
     _write("a.yaml", data)
     robot = f"{HEAD}<link name=\"${{xacro.load_yaml('a.yaml')}}\"/></robot>"
     expand(Source(os.path.abspath("y.xacro"), robot.encode()), Resolver(environment={}))

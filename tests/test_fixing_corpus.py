@@ -77,7 +77,8 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: CorpusRobot) -> N
 
 def _parts(file: Path, arguments: Any, texts: dict[str, bytes]) -> dict[str, tuple[Any, ...]]:
     """What mechanics knows of each link and joint, by its name."""
-    (context,) = contexts(Options(arguments=arguments, texts=texts), [file])
+    # The first is the robot as it was named; launch files may start others from the same file.
+    context, *_ = contexts(Options(arguments=arguments, texts=texts), [file])
     assert context is not None
     if context.reading.document is None:
         return {}

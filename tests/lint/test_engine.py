@@ -265,10 +265,10 @@ def test_what_launch_files_have_in_common_is_read_once(
         monkeypatch.setattr(module, name, call)
 
     counted(launch, "_read")
-    counted(recovery, "_once")
+    counted(recovery, "_expand_once")
     check(tmp_path)
     assert calls.count("_read") == 3
-    assert calls.count("_once") == 2  # by itself, and as the launch files start it
+    assert calls.count("_expand_once") == 2  # by itself, and as the launch files start it
 
 
 def test_an_argument_that_one_of_several_robots_has_is_known(tmp_path: Path) -> None:

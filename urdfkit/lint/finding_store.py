@@ -15,8 +15,8 @@ IN_MEMORY = 100
 #: Number of files whose findings a report contains in memory.
 MAX_REPORTED = 500
 
-#: A name in quotes; a path or file name in quotes has a dot.
-_NAME = re.compile(r"'[^'.]*'")
+#: A suggestion, and a name in quotes; a path or file name in quotes has a dot.
+_NAME = re.compile(r"; did you mean '[^']*'\?|'[^'.]*'")
 
 #: Findings of one rule at one place that differ in names only, by message; each with its robots
 #: as path and variant.
@@ -56,7 +56,7 @@ class FindingStore:
         by_file: dict[str, dict[tuple[str, int, int, str], list[Diagnostic]]] = {}
         for finding in diagnostics:
             groups = by_file.setdefault(finding.span.source.path, {})
-            key = (finding.code, *finding.span[1:], _NAME.sub("''", finding.message))
+            key = (finding.code, *finding.span[1:], _NAME.sub("", finding.message))
             groups.setdefault(key, []).append(finding)
         for file, groups in by_file.items():
             file_findings = self._opened(file)

@@ -53,7 +53,7 @@ def test_convert(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", "convert", str(ball), "-o", str(out), "--scale", "2"]) == 0
     assert trimesh.load_mesh(out).bounds[1] == pytest.approx([0.2] * 3)
     assert main(["mesh", "convert", str(ball), "-o", str(out)]) == 2
-    assert "--force replaces it" in capsys.readouterr().err
+    assert "use --force to replace it" in capsys.readouterr().err
     assert main(["mesh", "convert", str(ball), "-o", str(out), "--force"]) == 0
     assert main(["mesh", "convert", str(out), "-o", str(ball), "--force"]) == 0
     assert "this format cannot hold: materials" in capsys.readouterr().out

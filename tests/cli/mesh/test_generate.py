@@ -57,7 +57,7 @@ def test_what_cannot_be_made_is_exit_code_1(capsys: pytest.CaptureFixture[str]) 
         (["--model", "MODEL", "--force"], "apply to one mesh"),
         (["no.stl", "--model", "MODEL"], "no shape of the robot references 'no.stl'"),
         (["--model", "no.urdf"], "no.urdf"),
-        (["a.step", "--part", "wheel"], "this suffix cannot be written"),
+        (["a.step", "--part", "wheel"], "unsupported suffix"),
     ],
 )
 def test_what_makes_no_sense_is_said(
