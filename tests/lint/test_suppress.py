@@ -1,15 +1,12 @@
 """Ignore comments: at an element, in a macro, at a call, for a file; and those that hit nothing."""
 
-from random import Random
-
 import pytest
 
 from urdfkit import Report, check
 from urdfkit.lint import rule_index
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.ignore_comments import ignores
-from urdfkit.lint.suppress import CommentIndex
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import Source
 
 PLAIN = """<robot name="r">
   <link name="a"/>
@@ -54,25 +51,6 @@ def test_a_comment_ends_where_its_element_does():
     source = Source("r.urdf", b"<robot><!-- urdfkit: ignore[JNT] --><a/><b/></robot>")
     (comment,) = ignores(source)
     assert source.data[comment.start : comment.end] == b"<a/>"
-
-
-def test_comments_are_found_by_place_as_by_looking_at_each() -> None:
-    random = Random(3)
-
-    def some(depth: int) -> str:
-        comment = "<!-- urdfkit: ignore[JNT] -->" * random.randint(0, 2)
-        inside = "".join(some(depth - 1) for _ in range(random.randint(1, 3))) if depth else ""
-        return f"{comment}<e>{inside}</e>"
-
-    source = Source("r.urdf", f"<robot>{some(6)}{some(6)}{some(6)}</robot>".encode())
-    found = ignores(source)
-    assert len(found) > 20
-    index = CommentIndex(found)
-    for place in range(len(source.data)):
-        expected = {comment.span for comment in found if comment.start <= place < comment.end}
-        covering = index.covering(Span(source, place, place + 1))
-        assert {comment.span for comment in covering} == expected
-    assert index.covering(Span(Source("r.urdf", source.data), 0, 1)) == []
 
 
 def test_a_former_code_suppresses_and_is_noted(monkeypatch):

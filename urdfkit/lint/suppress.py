@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 
+from urdfkit.core.nested_intervals import NestedIntervals
 from urdfkit.core.record import Record
 from urdfkit.lint.ignore_comments import Ignore
 from urdfkit.lint.rule_index import redirect
@@ -77,33 +77,12 @@ class CommentIndex:
         by_source: dict[int, list[Ignore]] = {}
         for comment in comments:
             by_source.setdefault(id(comment.span.source), []).append(comment)
-        self._by_source = {key: _Nested(nested) for key, nested in by_source.items()}
+        self._by_source = {
+            key: NestedIntervals((comment.start, comment.end, comment) for comment in group)
+            for key, group in by_source.items()
+        }
 
     def covering(self, span: Span) -> list[Ignore]:
         """The comments that apply to the elements around a place."""
         nested = self._by_source.get(id(span.source))
         return nested.around(span.start) if nested else []
-
-
-class _Nested:
-    """Comments of one file; the elements that they apply to are nested or disjoint."""
-
-    def __init__(self, comments: list[Ignore]) -> None:
-        self._comments = sorted(comments, key=lambda comment: (comment.start, -comment.end))
-        self._starts = [comment.start for comment in self._comments]
-        self._outer: list[int] = []  # index of the enclosing comment of each comment, or -1
-        outer = -1
-        for number, comment in enumerate(self._comments):
-            while outer >= 0 and self._comments[outer].end <= comment.start:
-                outer = self._outer[outer]
-            self._outer.append(outer)
-            outer = number
-
-    def around(self, place: int) -> list[Ignore]:
-        number = bisect_right(self._starts, place) - 1
-        comments = []
-        while number >= 0:
-            if place < self._comments[number].end:
-                comments.append(self._comments[number])
-            number = self._outer[number]
-        return comments

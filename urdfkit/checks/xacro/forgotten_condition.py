@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from urdfkit.core.record import Record
+from urdfkit.core.nested_intervals import NestedIntervals
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -21,14 +21,6 @@ _TAG = re.compile(
 _VALUE = re.compile(rb"""\bvalue\s*=\s*(["'])(.*?)\1""", re.DOTALL)
 #: Conditions that depend on the environment of a robot, not on its parts.
 _OF_SIMULATION = re.compile(r"gazebo|gz|ign|sim|^if true$", re.IGNORECASE)
-
-
-class _Condition(Record):
-    """``<xacro:if>`` or ``<xacro:unless>`` in a file."""
-
-    start: int
-    end: int
-    text: str  # such as ``if ${with_camera}``
 
 
 def forgotten_conditions(context: Context) -> Findings:
@@ -96,28 +88,26 @@ def _conditions(element: Element) -> frozenset[str]:
         places.append(frame.call.span)
         frame = frame.outer
     return frozenset(
-        condition.text
-        for place in places
-        for condition in _in_source(place.source)
-        if condition.start <= place.start < condition.end
-        if not _OF_SIMULATION.search(condition.text)
+        condition for place in places for condition in _in_source(place.source).around(place.start)
     )
 
 
 @lru_cache(maxsize=64)
-def _in_source(source: Source) -> tuple[_Condition, ...]:
-    found: list[_Condition] = []
+def _in_source(source: Source) -> NestedIntervals[str]:
+    """The conditions of a file, such as ``if ${with_camera}``."""
+    conditions: list[tuple[int, int, str]] = []
     opened: list[tuple[int, str]] = []
     for tag in _TAG.finditer(bytes(blank_comments(source.data))):
         if tag.group(1):
             if opened:
                 start, text = opened.pop()
-                found.append(_Condition(start, tag.end(), text))
+                if not _OF_SIMULATION.search(text):
+                    conditions.append((start, tag.end(), text))
         elif not tag.group(4):
             value = _VALUE.search(tag.group(3))
             text = value.group(2).decode("utf-8", "replace").strip() if value else ""
             opened.append((tag.start(), f"{tag.group(2).decode()} {text}"))
-    return tuple(found)
+    return NestedIntervals(conditions)
 
 
 def _block(attribute: Attribute) -> object:
