@@ -64,27 +64,24 @@ class Simulated(NamedTuple):
 
 
 def build(directory: Path) -> Path:
-    """A program that prints what libsdformat makes of URDF files, compiled once into a directory.
+    """A program that prints what libsdformat makes of URDF files."""
+    return compiled(DUMP, "sdformat12", directory)
 
-    The test is skipped where libsdformat or a compiler is missing.
+
+def compiled(code: str, package: str, directory: Path) -> Path:
+    """A C++ program with libsdformat, compiled once into a directory.
+
+    The test is skipped where this package of pkg-config or a compiler is missing.
     """
-    flags = None
-    if shutil.which("g++") and shutil.which("pkg-config"):
-        found = subprocess.run(
-            ["pkg-config", "--cflags", "--libs", "sdformat12"],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        flags = found.stdout.split() if found.returncode == 0 else None
-    if flags is None:
-        pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
-    program = directory / sha256(DUMP.encode()).hexdigest()
+    flags = pkg_config("--cflags", "--libs", package).split()
+    if not flags or not shutil.which("g++"):
+        pytest.skip("g++ and libsdformat (Debian: libsdformat-dev) are not installed")
+    program = directory / sha256(code.encode()).hexdigest()
     if not program.exists():
         directory.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=directory) as scratch:  # another process may, too
-            built = Path(scratch) / "dump"
-            built.with_suffix(".cc").write_text(DUMP)
+            built = Path(scratch) / "program"
+            built.with_suffix(".cc").write_text(code)
             subprocess.run(
                 ["g++", "-std=c++17", "-O0", str(built.with_suffix(".cc")), "-o", built, *flags],
                 check=True,
@@ -92,6 +89,14 @@ def build(directory: Path) -> Path:
             )
             built.replace(program)
     return program
+
+
+def pkg_config(*words: str) -> str:
+    """The output of pkg-config; empty if it fails or is not installed."""
+    if shutil.which("pkg-config") is None:
+        return ""
+    done = subprocess.run(["pkg-config", *words], capture_output=True, text=True, check=False)
+    return done.stdout if done.returncode == 0 else ""
 
 
 def convert(program: Path, directory: Path, text: str) -> Simulated:
