@@ -132,7 +132,7 @@ def broken(directory: Path, content: str, default: str = "true") -> list[tuple[s
 def test_a_parent_behind_a_condition(
     tmp_path: Path, default: str, content: str, other: str
 ) -> None:
-    message = f"there is no 'camera' if with is {other}, but <parent> names it"
+    message = f"link 'camera' does not exist if with is {other}, but <parent> refers to it"
     assert broken(tmp_path, content, default) == [("warning", message)] * bool(other)
 
 
@@ -140,13 +140,16 @@ def test_a_block_of_gazebo_outside_of_a_condition(tmp_path: Path) -> None:
     block = '<gazebo reference="camera"><sensor name="s" type="camera"/></gazebo>'
     (found,) = broken(tmp_path, IF.format("${has}", CAMERA) + IF.format("$(arg sim)", block))
     assert found[0] == "info"
-    assert found[1].endswith("<gazebo> names it: Gazebo ignores it")
+    assert found[1].endswith("<gazebo> refers to it: Gazebo ignores the block")
 
 
 def test_a_joint_of_ros2_control_outside_of_a_condition(tmp_path: Path) -> None:
     block = '<ros2_control name="s" type="system"><joint name="c"/></ros2_control>'
     (found,) = broken(tmp_path, IF.format("${has}", CAMERA) + block)
-    assert found == ("warning", "there is no 'c' if with is false, but <joint> names it")
+    assert found == (
+        "warning",
+        "joint 'c' does not exist if with is false, but <joint> refers to it",
+    )
 
 
 def test_a_condition_around_the_call_of_a_macro(tmp_path: Path) -> None:
@@ -161,4 +164,4 @@ def test_several_joints_of_one_block(tmp_path: Path) -> None:
     arm = CAMERA + CAMERA.replace("camera", "arm").replace('"c"', '"d"')
     block = f'<ros2_control name="s" type="system">{joints}</ros2_control>'
     (found,) = broken(tmp_path, IF.format("${has}", arm) + block)
-    assert found[1].endswith("but <joint> names it; 1 more in the same block")
+    assert found[1].endswith("but <joint> refers to it; 1 more in the same block")

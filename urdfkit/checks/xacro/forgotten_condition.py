@@ -127,11 +127,13 @@ def _finding(root: Element, attribute: Attribute, more: int, condition: str) -> 
     is_gazebo = element.tag == "gazebo"
     block = "joint" if element.tag in ("parent", "child", "mimic") else element.tag
     others = f"; {more} more in the same block" if more and not is_gazebo else ""
-    outcome = ": Gazebo ignores it" if is_gazebo else ""
+    outcome = ": Gazebo ignores the block" if is_gazebo else ""
+    kind = defined.element.tag
     return Finding(
         Location(attribute.span, element.frame),
-        f"there is no '{name}' if {condition}, but <{element.tag}> names it{others}{outcome}",
-        f"put the <{block}> behind the condition of '{name}'",
+        f"{kind} '{name}' does not exist if {condition}, but <{element.tag}> refers to it{others}"
+        f"{outcome}",
+        f"put the <{block}> under the same condition as {kind} '{name}'",
         related=(Related(defined.span, "it is defined here"),),
         severity=Severity.INFO if is_gazebo else None,
     )
