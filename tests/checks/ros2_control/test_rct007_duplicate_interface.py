@@ -23,7 +23,7 @@ def test_two_blocks_for_all_joints_are_one_mistake() -> None:
     assert messages("RCT007", text) == [
         (
             "<ros2_control> 'sim' declares interfaces of 'swing', 'slide', 'weld' and 1 more that "
-            "another block has already"
+            "are already declared"
         )
     ]
     assert places("RCT007", text) == [(NEXT + 7, '<ros2_control name="sim" type="system">')]
