@@ -201,9 +201,12 @@ def _engines(context: Context, opened: OpenedWorld) -> Findings:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
             yield Finding(place, message, "write ogre2", related=opened.note)
         elif sensor := next(_sensors_of(context, known[engine].split()), None):
-            message = f"render engine {engine} does not support {sensor.type}, the type of {sensor.who}"
             yield Finding(
-                place, message, "write ogre2", related=opened.note, severity=Severity.WARNING
+                place,
+                f"render engine {engine} does not support {sensor.type}, the type of {sensor.who}",
+                "write ogre2",
+                related=opened.note,
+                severity=Severity.WARNING,
             )
 
 
