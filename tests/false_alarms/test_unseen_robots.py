@@ -169,7 +169,7 @@ def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
     classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
     (found,) = of_world(tmp_path, "WLD002", world=systems("physics", "sensors"), launch=classic)
     assert found.message == (
-        "world 'hall' is for gz-sim, and is started in Gazebo Classic, which loads none of its "
+        "world 'hall' is for gz-sim, but is started in Gazebo Classic, which loads none of its "
         "2 plugins"
     )
     assert found.span.source.path.endswith(".launch.py")

@@ -99,4 +99,4 @@ def test_the_manager_that_an_included_file_starts(tmp_path: Path) -> None:
     assert Path(found.span.source.path).name == "mock.launch.py"
     ((step,),) = (call.via for call in found.calls)
     assert Path(step.span.source.path).name == "simulated.launch.py"
-    assert found.related[1].message == "the robot is put into Gazebo here"
+    assert found.related[1].message == "the robot is spawned in Gazebo here"
