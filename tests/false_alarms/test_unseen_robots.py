@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.worlds.started import INCLUDE, systems
-from tests.checks.worlds.started import found as of_world
+from tests.checks.worlds.started import findings as of_world
 from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.launched import reported as of_launch
 from tests.physics.collision.robots import box, joint, link, revolute, sphere

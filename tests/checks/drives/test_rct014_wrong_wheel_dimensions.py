@@ -183,7 +183,7 @@ def test_the_bound_is_five_percent(separation: str, diameter: str, count: int) -
     assert len(of_plugin(plugged(separation, diameter))) == count
 
 
-def test_the_defaults_count() -> None:
+def test_defaults_are_compared() -> None:
     heard = messages("RCT014", WHEELS + gazebo_plugin(DRIVE, TAGS))
     assert [message.partition(": ")[2].partition(", but")[0] for message in heard] == [
         "<wheelDiameter> is 0.15 m, the default",
@@ -206,7 +206,7 @@ def test_a_radius_of_a_plugin() -> None:
     assert message.endswith(": <wheel_radius> is 0.2 m, but the wheels have a radius of 0.1 m")
 
 
-def test_wheels_that_typo_may_have_a_larger_separation() -> None:
+def test_wheels_that_slip_may_have_a_larger_separation() -> None:
     names = [f"{side}{end}" for side in ("left", "right") for end in ("Front", "Rear")]
     joints = "".join(f"<{n}Joint>{n[: -4 if n[-1] == 'r' else -5]}_joint</{n}Joint>" for n in names)
     tags = "<wheelSeparation>{}</wheelSeparation><wheelDiameter>0.2</wheelDiameter>"
@@ -215,7 +215,7 @@ def test_wheels_that_typo_may_have_a_larger_separation() -> None:
     assert len(of_plugin(WHEELS + gazebo_plugin(file, joints + tags.format("0.2")))) == 1
 
 
-def test_a_mesh_tells_nothing() -> None:
+def test_mesh_has_no_known_radius() -> None:
     robot = WHEELS.replace('<cylinder radius="0.1" length="0.04"/>', '<mesh filename="w.stl"/>')
     assert of_plugin(plugged("5", "5", robot)) == []
 
@@ -224,7 +224,7 @@ def test_wheel_on_its_side_is_ignored() -> None:
     assert of_plugin(plugged("5", "5", WHEELS.replace("1.57079632679", "0"))) == []
 
 
-def test_wheels_of_different_size_tell_nothing_of_the_diameter() -> None:
+def test_wheels_of_different_sizes_have_no_common_diameter() -> None:
     robot = BASE + tyre("left", 0.15) + tyre("right", -0.15, radius=0.2)
     assert of_plugin(plugged(diameter="1", robot=robot)) == []
 

@@ -11,7 +11,7 @@ from tests.reported import messages, places
 from tests.reported import reported as reported_of
 
 
-def test_the_lists_are_interchanged(tmp_path: Path) -> None:
+def test_swapped_lists(tmp_path: Path) -> None:
     swapped = DRIVE.replace("left_joint", "?").replace("right_joint", "left_joint")
     (found,) = reported(tmp_path, "RCT025", swapped.replace("?", "right_joint"))
     assert found.message == (
@@ -21,7 +21,7 @@ def test_the_lists_are_interchanged(tmp_path: Path) -> None:
     assert place(found) == ("c.yaml", 7, "right_joint")
 
 
-def test_axes_that_point_at_each_other(tmp_path: Path) -> None:
+def test_opposite_axes_of_a_controller(tmp_path: Path) -> None:
     crossed = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
     (found,) = reported(tmp_path, "RCT025", DRIVE, crossed)
     assert "are opposite" in found.message
@@ -63,7 +63,7 @@ def test_both_axes_turned_reverse_the_robot() -> None:
     assert reported_of("RCT025", backwards) == [], "it drives along -x, and left is left of that"
 
 
-def test_axes_against_each_other() -> None:
+def test_opposite_axes_of_a_plugin() -> None:
     (message,) = messages("RCT025", drive(wheels("0 1 0", "0 -1 0")))
     assert message == (
         f"plugin 'p' ({LIBRARY}): the axes of 'left_joint' and 'right_joint' are opposite, "
@@ -98,7 +98,7 @@ def rover(*axes: str, names: tuple[str, ...] = NAMES, kind: str = "continuous") 
 
 @pytest.mark.parametrize("odd", range(4))
 @pytest.mark.parametrize("way", [1, -1])
-def test_one_against_three(odd: int, way: int) -> None:
+def test_one_of_four_wheels(odd: int, way: int) -> None:
     axes = [f"0 {way} 0"] * 4
     axes[odd] = f"0 {-way} 0"
     text = rover(*axes)
@@ -107,7 +107,7 @@ def test_one_against_three(odd: int, way: int) -> None:
     assert places("RCT025", text) == [(4 + 2 * odd, f'<axis xyz="0 {-way} 0"/>')]
 
 
-def test_the_frames_count() -> None:
+def test_axes_in_rotated_frames() -> None:
     turned = '<origin rpy="3.14159265 0 0"/><axis xyz="0 -1 0"/>'
     wheels = [joint(name, "continuous", '<axis xyz="0 1 0"/>') for name in NAMES[:3]]
     assert messages("RCT025", robot(*wheels, joint("rr_wheel", "continuous", turned))) == []
@@ -151,7 +151,7 @@ def test_opposite_axes() -> None:
     assert places("RCT025", text) == [(6, '<axis xyz="0 -1 0"/>')]
 
 
-def test_the_frames_of_a_pair_count() -> None:
+def test_axes_of_a_pair_in_rotated_frames() -> None:
     turned = TO_RIGHT.format(1).replace("/><axis", ' rpy="3.14159265 0 0"/><axis')
     assert len(messages("RCT025", cart(turned))) == 1
     assert messages("RCT025", cart(turned.replace("0 1 0", "0 -1 0"))) == []

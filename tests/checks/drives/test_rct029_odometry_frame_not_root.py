@@ -54,7 +54,7 @@ def test_two_parents() -> None:
     assert [text for _, text in places("RCT029", text)] == ["<robotBaseFrame>"]
 
 
-def test_the_default_frame_counts() -> None:
+def test_default_frame_is_compared() -> None:
     robot = BASE + child("base_footprint", "fixed")
     text = robot + plugin(MOVE, "<odometryRate>9</odometryRate>")
     assert [one.span.text for one in reported_of("RCT029", text)] == [
@@ -63,7 +63,7 @@ def test_the_default_frame_counts() -> None:
 
 
 @pytest.mark.parametrize("frame", ["base", "/base", "nothing", "base_link"])
-def test_the_root_and_frames_of_others(frame: str) -> None:
+def test_root_and_other_frames(frame: str) -> None:
     text = ROBOT + plugin(MOVE, f"<robotBaseFrame>{frame}</robotBaseFrame>")
     assert reported_of("RCT029", text) == []
 
@@ -78,12 +78,12 @@ def test_the_root_and_frames_of_others(frame: str) -> None:
         ("<publishOdomTF>true</publishOdomTF>", 1),
     ],
 )
-def test_a_transform_that_is_not_sent(switch: str, count: int) -> None:
+def test_transform_that_is_not_published(switch: str, count: int) -> None:
     frame = "<robotBaseFrame>left</robotBaseFrame><leftJoint>left_joint</leftJoint>"
     assert len(reported_of("RCT029", WHEELS + plugin(DIFF, frame + switch))) == count
 
 
-def test_in_ros2_the_drive_must_be_set_to_send_it() -> None:
+def test_transform_must_be_enabled_in_ros2() -> None:
     tags = "<robot_base_frame>left</robot_base_frame><left_joint>left_joint</left_joint>"
     assert reported_of("RCT029", WHEELS + plugin(DIFF, tags)) == []
     on = tags + "<publish_odom_tf>true</publish_odom_tf>"

@@ -9,7 +9,7 @@ from urdfkit import check
 from urdfkit.text.source import Source
 
 
-def test_the_nearest_file_is_named(tmp_path):
+def test_suggested_file(tmp_path):
     (tmp_path / "robot.yaml").write_text("a: 1")
     text = b'<launch><rosparam file="$(dirname)/robt.yaml"/></launch>'
     (finding,) = check(Source(str(tmp_path / "a.launch"), text)).diagnostics
@@ -18,7 +18,7 @@ def test_the_nearest_file_is_named(tmp_path):
     assert "'robot.yaml'" in finding.help
 
 
-def test_neither_directories_nor_other_kinds_of_files_are_offered(tmp_path):
+def test_directories_and_other_suffixes_are_not_suggested(tmp_path):
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot.launch").write_text("<launch/>")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'
@@ -26,7 +26,7 @@ def test_neither_directories_nor_other_kinds_of_files_are_offered(tmp_path):
     assert finding.help == "create the file, or fix its name"
 
 
-def test_a_file_that_is_there_is_calm(tmp_path):
+def test_existing_file_is_accepted(tmp_path):
     (tmp_path / "robot.yaml").write_text("a: 1")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'
     assert check(Source(str(tmp_path / "a.launch"), text)).diagnostics == ()
@@ -43,7 +43,7 @@ def test_generated_file_is_accepted(tmp_path: Path, cmake: str) -> None:
     assert len(reported(tmp_path, "LAU003", "a.launch", text, {"CMakeLists.txt": ""})) == 1
 
 
-def test_a_path_that_waits_for_an_argument_is_calm(tmp_path: Path) -> None:
+def test_path_that_depends_on_an_argument_is_accepted(tmp_path: Path) -> None:
     text = '<arg name="arm" default=""/><rosparam file="$(find arm)/$(arg arm).yaml"/>'
     assert reported(tmp_path, "LAU003", "a.launch", text) == []
 
@@ -120,9 +120,7 @@ def test_the_image_of_a_map(tmp_path: Path, image: str, help: str | None) -> Non
 
 
 @pytest.mark.parametrize(("name", "count"), [("bridge", 0), ("bridges", 1)])
-def test_the_file_that_the_command_line_of_a_bridge_names(
-    tmp_path: Path, name: str, count: int
-) -> None:
+def test_missing_file_of_a_bridge(tmp_path: Path, name: str, count: int) -> None:
     path = tmp_path / "config" / f"{name}.yaml"
     program = (
         "from launch_ros.actions import Node\n"

@@ -33,7 +33,7 @@ def test_a_robot_that_expands_is_checked_with_the_launch_file_in_the_chain(tmp_p
 
 
 def test_missing_package_is_reported_once(tmp_path):
-    """In one repository, a camera's package that was not there made five errors of one."""
+    """The missing package of a camera caused five errors in one repository."""
     text = ROBOT.format("a").replace("<link", '<xacro:include filename="$(find camera)/a"/>\n<link')
     (tmp_path / "r.xacro").write_text(text)
     report = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU", "XAC"])

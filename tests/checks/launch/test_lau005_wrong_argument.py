@@ -39,7 +39,7 @@ def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, 
 
 
 @pytest.mark.parametrize("argument", ["camera", "arm"])
-def test_its_own_and_those_of_included_files_are_calm(tmp_path: Path, argument: str) -> None:
+def test_arguments_of_included_files_are_accepted(tmp_path: Path, argument: str) -> None:
     assert xacro_reported(tmp_path, "a.launch", XML.format(argument)) == []
 
 
@@ -88,7 +88,7 @@ def test_used_argument_is_accepted(tmp_path: Path, more: str) -> None:
     assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files) == []
 
 
-def test_all_arguments_may_be_passed_on(tmp_path: Path) -> None:
+def test_all_arguments_may_be_forwarded(tmp_path: Path) -> None:
     files = {"launch/b.launch": TAKES}
     text = ROS_1.format("gui").replace("b.launch", 'b.launch" pass_all_args="true', 1)
     assert reported(tmp_path, "LAU005", "a.launch", text, files) == []

@@ -50,7 +50,7 @@ def test_included_file_gets_passed_arguments(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU006", "a.launch", given, inner) == []
 
 
-def test_a_file_that_others_include_may_get_it_there(tmp_path: Path) -> None:
+def test_included_file_may_get_the_argument(tmp_path: Path) -> None:
     outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch"/>')}
     assert reported(tmp_path, "LAU006", "a.launch", NODE.format("x"), outer) == []
 
@@ -119,18 +119,18 @@ def test_configuration_that_may_be_declared_is_accepted(tmp_path: Path, head: st
     assert reported(tmp_path, "LAU006", "a.launch.py", head + USE) == []
 
 
-def test_launch_files_that_come_with_ros_declare_nothing(tmp_path: Path) -> None:
+def test_launch_files_of_ros_without_declarations(tmp_path: Path) -> None:
     head = "IncludeLaunchDescription([FindPackageShare('{}'), '/launch/x.launch.py'])\n"
     assert len(reported(tmp_path, "LAU006", "a.launch.py", head.format("ros_gz_sim") + USE)) == 1
     assert reported(tmp_path, "LAU006", "a.launch.py", head.format("some_arm") + USE) == []
 
 
-def test_a_file_that_others_include_may_get_it_there_configuration(tmp_path: Path) -> None:
+def test_included_file_may_get_the_argument_configuration(tmp_path: Path) -> None:
     outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
     assert reported(tmp_path, "LAU006", "a.launch.py", USE, outer) == []
 
 
-def test_a_file_whose_name_is_put_together_elsewhere_may_get_it_there(tmp_path: Path) -> None:
+def test_file_with_a_computed_name_may_get_the_argument(tmp_path: Path) -> None:
     includes = "IncludeLaunchDescription([directory, '/launch/gz_', name, '{}'])\n"
     for end, count in ((".launch.py", 0), ("_arm.launch.py", 0), ("_base.launch.py", 1)):
         outer = {"launch/b.launch.py": includes.format(end)}

@@ -50,7 +50,7 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
         (ROS_1 + '<arg name="a" default="b" value="c"/>', "argument 'a' has a value and a default"),
     ],
 )
-def test_words_that_an_attribute_cannot_be(tmp_path: Path, text: str, message: str) -> None:
+def test_invalid_values_of_an_attribute(tmp_path: Path, text: str, message: str) -> None:
     (found,) = reported(tmp_path, "LAU010", "a.launch", text)
     assert found.message == message
 
@@ -81,7 +81,7 @@ def test_missing_requirement(tmp_path: Path, text: str, message: str) -> None:
         '<node pkg="a"/>',  # of either ROS
     ],
 )
-def test_whole_or_unclear_is_calm(tmp_path: Path, text: str) -> None:
+def test_complete_or_unclear_element_is_accepted(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch", text) == []
 
 
@@ -94,7 +94,7 @@ def test_whole_or_unclear_is_calm(tmp_path: Path, text: str) -> None:
         ("'xacro ', path, ' a:=', path, 'b:=1'", "'b:=1'", "write ' b:=' with a space before it"),
     ],
 )
-def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, help: str) -> None:
+def test_missing_space_in_a_command(tmp_path: Path, pieces: str, word: str, help: str) -> None:
     text = f"path = LaunchConfiguration('model')\nCommand([{pieces}])"
     (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert (found.span.text, found.help) == (word, help)
@@ -111,7 +111,7 @@ def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, hel
         "",
     ],
 )
-def test_separated_or_unknown_pieces(tmp_path: Path, command: str) -> None:
+def test_separate_or_unknown_parts_of_a_command(tmp_path: Path, command: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch.py", f"Command({command})") == []
 
 
@@ -185,7 +185,7 @@ def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -
         "PythonLaunchDescriptionSource([FindPackageShare('a'), '/launch/b.launch.py'])",
     ],
 )
-def test_programs_that_launch_takes(tmp_path: Path, text: str) -> None:
+def test_programs_that_launch_accepts(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
 
 

@@ -39,7 +39,7 @@ def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
     assert found.span.line == 3
 
 
-def test_several_of_one_spawner(tmp_path: Path) -> None:
+def test_several_controllers_of_one_spawner(tmp_path: Path) -> None:
     text = LOAD_1 + SPAWN_1.format("controller_manager", "spawn arm_controller a b")
     assert len(reported(tmp_path, "LAU013", "a.launch", text, ROS_1)) == 2
 
@@ -99,7 +99,7 @@ def test_ros_2(tmp_path: Path, spawn: str) -> None:
         "Node(package='grip_bringup')\n" + SPAWN_2.format("'x'"),
     ],
 )
-def test_ros_2_is_calm(tmp_path: Path, spawn: str) -> None:
+def test_valid_in_ros_2(tmp_path: Path, spawn: str) -> None:
     assert reported(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2) == []
 
 

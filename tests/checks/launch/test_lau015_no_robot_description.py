@@ -53,7 +53,7 @@ def test_passed_or_unknown_description_is_accepted(tmp_path: Path, text: str) ->
         XML.replace("exec", "type").format(""),  # of ROS 1
     ],
 )
-def test_calm_in_xml(tmp_path: Path, text: str) -> None:
+def test_valid_in_xml(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU015", "a.launch", text) == []
 
 
@@ -76,14 +76,12 @@ READS = [
 
 @pytest.mark.parametrize("read", READS)
 @pytest.mark.parametrize(("files", "count"), [(XACRO, 1), (PLAIN, 0)])
-def test_a_xacro_that_nothing_expands(
-    tmp_path: Path, read: str, files: dict[str, str], count: int
-) -> None:
+def test_unexpanded_xacro(tmp_path: Path, read: str, files: dict[str, str], count: int) -> None:
     text = read + NODE.format(", parameters=[{'robot_description': text}]")
     assert len(reported(tmp_path, "LAU015", "a.launch.py", text, files)) == count
 
 
-def test_a_xacro_that_is_expanded_is_calm(tmp_path: Path) -> None:
+def test_expanded_xacro_is_accepted(tmp_path: Path) -> None:
     text = "import xacro\ntext = xacro.parse(open('../arm.xacro')).toxml()\n"
     text += NODE.format(", parameters=[{'robot_description': text}]")
     assert reported(tmp_path, "LAU015", "a.launch.py", text, XACRO) == []

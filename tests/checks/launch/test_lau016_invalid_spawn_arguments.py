@@ -60,7 +60,7 @@ def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
         "Node(package='a', executable='create', arguments=['-q'])",
     ],
 )
-def test_whole_or_unknown_is_calm(tmp_path: Path, node: str) -> None:
+def test_complete_or_unknown_arguments_are_accepted(tmp_path: Path, node: str) -> None:
     assert reported(tmp_path, "LAU016", "a.launch.py", node) == []
 
 
@@ -73,7 +73,7 @@ def test_whole_or_unknown_is_calm(tmp_path: Path, node: str) -> None:
         "",
     ],
 )
-def test_ros_1_is_calm(tmp_path: Path, args: str) -> None:
+def test_valid_in_ros_1(tmp_path: Path, args: str) -> None:
     text = '<arg name="m" default=""/>' + MODEL.format(args)
     assert reported(tmp_path, "LAU016", "a.launch", text) == []
 
@@ -96,7 +96,7 @@ CREATE_IGNORED = "Node(package='ros_gz_sim', executable='create', arguments=['-t
         ),
     ],
 )
-def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help: str) -> None:
+def test_unknown_option(tmp_path: Path, words: str, message: str, help: str) -> None:
     (found,) = reported(tmp_path, "LAU016", "a.launch.py", CREATE_IGNORED.format(words))
     assert (found.message, found.help) == (message, help)
 
@@ -109,5 +109,5 @@ def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help:
         CREATE_IGNORED.format("'-entity', 'r'").replace("ros_gz_sim", "acme"),
     ],
 )
-def test_known_or_of_others_is_calm(tmp_path: Path, node: str) -> None:
+def test_known_option_is_accepted(tmp_path: Path, node: str) -> None:
     assert reported(tmp_path, "LAU016", "a.launch.py", node) == []

@@ -29,6 +29,6 @@ def test_unresolved_text(tmp_path: Path, launch: str, yaml: str, switch: str) ->
 
 
 @pytest.mark.parametrize("yaml", ["a: 1\n", "a: 1 # $(arg x)\n", "a: $(other x)\n", "# $(arg x)"])
-def test_files_without_substitutions_are_calm(tmp_path: Path, yaml: str) -> None:
+def test_files_without_substitutions_are_accepted(tmp_path: Path, yaml: str) -> None:
     (tmp_path / "c.yaml").write_text(yaml)
     assert reported(tmp_path, "LAU019", "a.launch", ROS_1) == []

@@ -143,9 +143,7 @@ STARTED = (
         ),
     ],
 )
-def test_a_topic_that_nothing_has(
-    tmp_path: Path, word: str, robot: str, world: str, count: int
-) -> None:
+def test_unknown_topic(tmp_path: Path, word: str, robot: str, world: str, count: int) -> None:
     (tmp_path / "r.urdf").write_text(robot)
     (tmp_path / "w.sdf").write_text(WORLD.format(world))
     text = STARTED.format(tmp_path) + NODE.format(f"arguments=[{word!r}]")

@@ -26,7 +26,7 @@ c: {ros__parameters: {joints: [j2]}}
 
 
 def messages(directory: Path, text: str) -> list[str]:
-    """What is said of a launch file with a robot and controllers."""
+    """Messages for a launch file with a robot and controllers."""
     robot = f"open('{directory}/r.urdf')\n"
     manager = "Node(package='controller_manager', executable='ros2_control_node', "
     manager += f"parameters=['{directory}/c.yaml'])\n"

@@ -30,7 +30,7 @@ def messages(directory: Path, text: str) -> list[str]:
         (STATE.format("") + SPAWNER.format(["arm"]), 1),
         (STATE.format("") + SPAWNER.format(["states", "arm"]), 0),
         (STATE.format("") + SPAWNER.format(["arm"]) + SPAWNER.format(["states"]), 0),
-        (STATE.format("") + SPAWNER.format(["other"]), 0),  # of a type that is not known
+        (STATE.format("") + SPAWNER.format(["other"]), 0),  # unknown type
         (SPAWNER.format(["arm"]), 0),
         (STATE.format(""), 0),
         (
@@ -95,7 +95,7 @@ EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\
     [
         (BRIDGE.format("/imu", "") + FILTER.format(""), 0),
         (BRIDGE.format("/imu/data", "") + FILTER.format(""), 1),
-        (FILTER.format(""), 0),  # what publishes it is not known
+        (FILTER.format(""), 0),  # its publisher is unknown
         (BRIDGE.format("/imu/data", "") + FILTER.format("") + NODE.format("a", "driver", ""), 0),
         (BRIDGE.format("/imu/data", "") + FILTER.format(", remappings=[('imu', 'imu/data')]"), 0),
         (BRIDGE.format("/imu/data", "") + FILTER.format(", namespace='robot'"), 0),

@@ -55,7 +55,7 @@ def test_parameters(tmp_path: Path, frame: str, count: int) -> None:
     ("text", "other", "count"),
     [
         (FILTER.format(""), PUBLISHER.format(""), 1),  # that another launch file publishes
-        (FILTER.format(""), "", 0),  # of a robot that is not known
+        (FILTER.format(""), "", 0),  # unknown robot
         (FILTER.format("") + PUBLISHER.format(", 'frame_prefix': 'a/'"), "", 0),
         (FILTER.format(', {"base_link_frame": "base_link"}') + PUBLISHER.format(""), "", 0),
         (FILTER.format("") + PUBLISHER.format("") + STATIC.format("base_link", "base"), "", 0),

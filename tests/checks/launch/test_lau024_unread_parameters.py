@@ -32,7 +32,7 @@ def messages(directory: Path, node: str, names: str, yaml: str) -> list[str]:
         ('name="controller"', "/**", 0),
         ('name="controller"', "/robot/controller", 0),
         ('name="controller"', "controller_server", 1),
-        ("", "controller", 1),  # servers of Nav2 are called as their programs
+        ("", "controller", 1),  # servers of Nav2 have the names of their executables
         ("", "other", 0),
         ('name="controller", namespace="robot"', "other", 0),
         ('name="controller", namespace="robot"', "controller", 1),
@@ -53,7 +53,7 @@ def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -
     ("key", "count"), [("controller_manager", 1), ("arm/controller_manager", 0)]
 )
 def test_a_controller_manager_in_a_namespace(tmp_path: Path, key: str, count: int) -> None:
-    """An arm of six joints: its spawners ask /arm/controller_manager, which knows no controller."""
+    """The manager of the spawners, /arm/controller_manager, has no controllers."""
     node = (
         'package="controller_manager", executable="ros2_control_node", namespace="arm", '
         'parameters=["../a.yaml"]'
@@ -145,7 +145,7 @@ def test_a_costmap_is_its_own_namespace(tmp_path: Path, key: str, count: int) ->
         ("frequency: 20", ""),  # of a filter alone
         ("frequency: 20\n    odom0_config: []", "20 is an integer"),
         ("a: [[1, 2], [3, 4]]", "a is a list of lists"),
-        ("a: [[1, 2]]", ""),  # is read as if it were flat
+        ("a: [[1, 2]]", ""),  # read as a flat list
     ],
 )
 def test_types(tmp_path: Path, value: str, message: str) -> None:

@@ -41,7 +41,7 @@ def test_every_parameter_that_names_joints(tmp_path: Path) -> None:
         assert reported(tmp_path, controller("c", kind, **{parameter: "swing"})) == []
 
 
-def test_names_of_something_else(tmp_path: Path) -> None:
+def test_names_that_are_not_joints(tmp_path: Path) -> None:
     forward = "forward_command_controller/ForwardCommandController"
     gpio = control(driven("swing"), '<gpio name="lamp"/>', plugin=GZ)
     assert reported(tmp_path, controller("c", forward, joints="[swing, lamp]"), gpio) == []

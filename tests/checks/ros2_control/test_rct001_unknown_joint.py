@@ -48,7 +48,7 @@ def test_part_of_a_robot_is_accepted(tmp_path: Path) -> None:
 
 
 def test_description_of_hardware_only() -> None:
-    """Such as those of webots_ros2, whose joints are in the world; or of one controller manager."""
+    """As in webots_ros2, where the joints are in the world."""
     block = control(driven("left motor"), driven("right motor"))
     assert reported("RCT001", block) == reported("RCT001", '<link name="base"/>' + block) == []
     assert len(reported("RCT001", ROBOT + block)) == 2

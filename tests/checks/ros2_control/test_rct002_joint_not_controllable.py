@@ -25,7 +25,7 @@ def test_joints_that_move_or_are_unknown(name: str) -> None:
     assert reported("RCT002", ROBOT + transmission(name)) == []
 
 
-def test_a_vendor_s_interface_may_drive_nothing() -> None:
+def test_interface_of_a_vendor_is_ignored() -> None:
     joint = (
         '<transmission name="model"><type>franka_hw/FrankaModelInterface</type>'
         '<joint name="weld"><hardwareInterface>franka_hw/FrankaModelInterface'

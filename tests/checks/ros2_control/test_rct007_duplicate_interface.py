@@ -16,8 +16,8 @@ def test_two_blocks_for_one_joint() -> None:
     ]
 
 
-def test_two_blocks_for_all_joints_are_one_mistake() -> None:
-    """MOGI's arm: the block for Gazebo, and the one of MoveIt's Setup Assistant."""
+def test_two_blocks_for_all_joints_are_one_finding() -> None:
+    """As in MOGI's arm: a block for Gazebo, and one of the Setup Assistant."""
     joints = [driven(name) for name in ("swing", "slide", "weld", "follow")]
     text = ROBOT + control(*joints) + control(*joints, name="sim")
     assert messages("RCT007", text) == [
@@ -48,7 +48,7 @@ def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
 
 
 def test_sensor_and_gpio_may_have_the_same_name() -> None:
-    """As in the hands of Robotis: the GPIO holds the settings of the sensor's bus."""
+    """As in the hands of Robotis: the GPIO has the settings of the bus of the sensor."""
     state = '<state_interface name="pressure"/>'
     sensor = f'<sensor name="s">{state}</sensor>'
     assert reported("RCT007", ROBOT + control(sensor, f'<gpio name="s">{state}</gpio>')) == []

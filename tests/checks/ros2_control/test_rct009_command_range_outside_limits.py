@@ -82,7 +82,7 @@ def test_swapped() -> None:
     assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]
 
 
-def test_a_minus_too_many() -> None:
+def test_sign_error() -> None:
     text = ROBOT + control(commanded("slide", "effort", "-500", "-500"))
     assert messages("RCT009", text) == ["joint 'slide', effort: min and max are both -500"]
     assert messages("RCT009", ROBOT + control(commanded("slide", "effort", "0", "0"))) == []

@@ -24,12 +24,12 @@ def test_hardware_that_nothing_loads(hardware: str, simulator: str, file: str) -
     assert reported("RCT010", text + plugin(file)) == []
 
 
-def test_one_plugin_serves_all_blocks() -> None:
+def test_one_plugin_loads_all_blocks() -> None:
     blocks = [control(driven(name), plugin=GZ, name=name) for name in ("swing", "slide")]
     assert len(reported("RCT010", ROBOT + "".join(blocks))) == 1
 
 
-def test_hardware_of_no_simulator() -> None:
+def test_hardware_without_a_simulator() -> None:
     assert reported("RCT010", ROBOT + control(driven("swing"), plugin=MOCK)) == []
     assert reported("RCT010", ROBOT + control(driven("swing"), plugin="acme/Arm")) == []
 

@@ -27,7 +27,7 @@ def test_a_tag_that_stops_the_parser() -> None:
         ('<ros2_control name="c"', "<ros2_control", "ros2_control"),
     ],
 )
-def test_a_name_that_is_missing(old: str, new: str, tag: str) -> None:
+def test_missing_name(old: str, new: str, tag: str) -> None:
     assert old in GOOD
     found = messages("RCT017", GOOD.replace(old, new))
     assert set(found) == {f"<{tag}> has no name"}
@@ -139,7 +139,7 @@ def test_interfaces_of_gazebo_in_ros1() -> None:
         ("robot", ""),
     ],
 )
-def test_a_type_that_loads_nothing(kind: str, hint: str) -> None:
+def test_unknown_type(kind: str, hint: str) -> None:
     text = ROBOT + control(driven("swing"), kind=kind)
     assert messages("RCT017", text) == [
         f"<ros2_control> 'c': type '{kind}' is not one of system, actuator, sensor{hint}"

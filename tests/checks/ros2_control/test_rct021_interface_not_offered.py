@@ -27,7 +27,7 @@ def reported(
     directory: Path, text: str, blocks: str = OFFERED, direction: str = "command"
 ) -> list[Diagnostic]:
     diagnostics = reported_with_file("RCT021", directory, text, blocks)
-    return [found for found in diagnostics if f"needs {direction} interface" in found.message]
+    return [found for found in diagnostics if f"requires {direction} interface" in found.message]
 
 
 def state_reported(directory: Path, text: str) -> list[Diagnostic]:
@@ -38,7 +38,7 @@ def test_command_interfaces_of_a_trajectory_controller(tmp_path: Path) -> None:
     text = controller("arm", joints="[swing, slide]", command_interfaces="[position, acceleration]")
     first, second = reported(tmp_path, text)
     assert first.message == (
-        "controller 'arm' needs command interface position, acceleration of joint 'swing', "
+        "controller 'arm' requires command interface position, acceleration of joint 'swing', "
         "which offers: velocity"
     )
     assert (first.span.line, first.span.text) == (4, "swing")
@@ -78,7 +78,7 @@ def test_unknown_controller_is_accepted(tmp_path: Path) -> None:
 def test_a_launch_file_that_starts_the_real_robot(
     tmp_path: Path, hardware: str, count: int
 ) -> None:
-    """What its Gazebo plugin would load is that of another variant, as in open_manipulator."""
+    """The Gazebo plugin loads the file of another variant, as in open_manipulator."""
     text = controller("arm", joints="[swing]", command_interfaces="[position]")
     (tmp_path / "gazebo.yaml").write_text(text)
     (tmp_path / "real.yaml").write_text(text.replace("[position]", "[effort]"))

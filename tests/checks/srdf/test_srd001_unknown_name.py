@@ -104,7 +104,7 @@ def test_limits_of_another_robot_are_reported_once(tmp_path: Path) -> None:
     assert "'a'" in found.message
 
 
-def test_known_joints_and_files_that_say_nothing(tmp_path: Path) -> None:
+def test_known_joints_and_files_without_limits(tmp_path: Path) -> None:
     assert reported(tmp_path, "shoulder", "wrist") == []
     for text in ("", "joint_limits: 3", "joint_limits:\n  elbow: 3", "- a", "joint_limits: ["):
         (tmp_path / "joint_limits.yaml").write_text(text)
@@ -234,7 +234,7 @@ def test_other_or_unresolved_names_are_accepted(tmp_path: Path, old: str, new: s
     assert findings(tmp_path, "", "SRD001") == []
 
 
-def test_an_srdf_has_the_arguments_of_its_robot(tmp_path: Path) -> None:
+def test_srdf_of_a_robot_with_other_arguments(tmp_path: Path) -> None:
     """xarm_ros: one SRDF for arms of five to seven joints, by the argument dof."""
     head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="{}"/>'
     (tmp_path / "r.urdf.xacro").write_text(
@@ -250,7 +250,7 @@ def test_an_srdf_has_the_arguments_of_its_robot(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("block", "corrected"), [("", "r.srdf"), (driven("shoulder"), "r.urdf")])
-def test_of_srdf_and_ros2_control_against_one_joint_the_joint_is_misspelt(
+def test_joint_is_misspelt_if_srdf_and_ros2_control_agree(
     block: str, corrected: str, tmp_path: Path
 ) -> None:
     robot = ROBOT.replace('"shoulder"', '"sholder"').replace(

@@ -51,7 +51,7 @@ def test_the_depth_and_the_pose(tmp_path: Path) -> None:
     [
         pair("hand", "base", "User"),
         pair("hand", "base", "Default"),
-        pair("hand", "frame"),  # which has no bodies
+        pair("hand", "frame"),  # no collision geometry
         pair("hand", "nothing"),
         pair("hand", "hand"),
         "",
@@ -67,7 +67,7 @@ def test_collision_outside_the_limits_is_accepted(tmp_path: Path) -> None:
 
 
 def test_the_matrix_of_a_real_arm(corpus: Path) -> None:
-    """Found by hand, too: see docs/commands/collisions.md."""
+    """Confirmed by hand: see docs/commands/collisions.md."""
     file = corpus / "moveit_resources" / "panda_moveit_config" / "config" / "panda.urdf.xacro"
     found = check(file, select=["SRD009"]).diagnostics
     assert {one.message.partition(" overlap")[0] for one in found} <= {
@@ -76,7 +76,7 @@ def test_the_matrix_of_a_real_arm(corpus: Path) -> None:
 
 
 def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A humanoid's two hands make 2000 pairs, and a check must end."""
+    """The two hands of a humanoid have 2000 pairs."""
     asked: list[tuple[int, int]] = []
 
     def colliding(

@@ -72,8 +72,8 @@ def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD010") == []
 
 
-def test_all_around_a_link_without_geometry_are_adjacent_to_moveit(tmp_path: Path) -> None:
-    """The Setup Assistant takes such links out, and joins what they held."""
+def test_links_around_a_link_without_geometry_are_adjacent(tmp_path: Path) -> None:
+    """The Setup Assistant removes such links, and connects their neighbours."""
     body = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
     links = "".join(f'<link name="leg{number}">{body}</link>' for number in (1, 2))
     joints = "".join(

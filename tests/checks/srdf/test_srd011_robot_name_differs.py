@@ -13,6 +13,6 @@ def test_both_names_are_reported(tmp_path: Path) -> None:
     assert finding.severity is Severity.WARNING  # MoveIt logs it and goes on
 
 
-def test_of_several_files_the_one_with_the_name_counts(tmp_path: Path) -> None:
+def test_srdf_with_the_name_of_the_robot_is_used(tmp_path: Path) -> None:
     (tmp_path / "old.srdf").write_text('<robot name="old"/>')
     assert findings(tmp_path, "", "SRD011") == []

@@ -54,7 +54,7 @@ def test_wider(tmp_path: Path, values: dict[str, str], message: str) -> None:
         {"has_acceleration_limits": "true", "max_acceleration": "99"},
     ],
 )
-def test_narrower_or_off(tmp_path: Path, values: dict[str, str]) -> None:
+def test_narrower_or_disabled(tmp_path: Path, values: dict[str, str]) -> None:
     assert reported(tmp_path, **values) == []
 
 

@@ -1,4 +1,4 @@
-"""One SRDF serves the variants of a robot: for the others it is one info, not an error each."""
+"""SRD025: an SRDF for another variant is one info, not an error for each name."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ ARMS = ("left", "right")
 
 
 def about_srdf(robot: Path, **arguments: str) -> tuple[Diagnostic, ...]:
-    """What a reader sees of the findings about the SRDF."""
+    """The findings for the SRDF, as they are printed."""
     return grouped(check(robot, select=["SRD"], arguments=arguments).diagnostics)
 
 

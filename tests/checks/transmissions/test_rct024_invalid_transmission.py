@@ -204,7 +204,7 @@ def test_unread_by_gazebo_is_a_warning(old: str, new: str, is_read: bool) -> Non
 FIRST = transmission("swing")
 
 
-def test_a_copy_in_which_one_name_was_forgotten() -> None:
+def test_copied_transmission_of_the_same_joint() -> None:
     text = ROBOT + FIRST + transmission("swing").replace('name="t"', 'name="u"')
     assert messages("RCT024", text) == ["joint 'swing' already has a transmission"]
     assert places("RCT024", text) == [(NEXT + 3, "swing")]
@@ -212,7 +212,7 @@ def test_a_copy_in_which_one_name_was_forgotten() -> None:
     assert [note.span.line for note in found.related] == [NEXT + 1]
 
 
-def test_two_transmissions_of_one_name() -> None:
+def test_duplicate_name() -> None:
     text = ROBOT + FIRST + transmission("slide")
     assert messages("RCT024", text) == ["duplicate transmission name 't'"]
 

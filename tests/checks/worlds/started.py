@@ -51,7 +51,7 @@ def systems(*names: str) -> str:
     )
 
 
-def found(
+def findings(
     directory: Path,
     code: str,
     *,
@@ -61,23 +61,23 @@ def found(
     name: str = "robot.launch.py",
     files: dict[str, str] | None = None,
 ) -> list[Diagnostic]:
-    """What a rule says of a launch file.
+    """The findings of a rule for a launch file.
 
     Args:
-        directory: becomes the package ``arm``.
+        directory: of the package ``arm``.
         code: of the rule.
-        world: what stands in the ``<world>`` of ``worlds/hall.sdf``, from line 3; no file if None.
-        robot: what ``robot.urdf`` has besides the link ``base``, from line 5.
-        launch: the launch file.
-        name: of it.
-        files: further ones, by path.
+        world: content of the ``<world>`` in ``worlds/hall.sdf``, from line 3; no file if None.
+        robot: content of ``robot.urdf`` after the link ``base``, from line 5.
+        launch: content of the launch file.
+        name: of the launch file.
+        files: further files, by path.
     """
-    written = {"robot.urdf": ROBOT.format(robot), **(files or {})}
+    contents = {"robot.urdf": ROBOT.format(robot), **(files or {})}
     if world is not None:
-        written["worlds/hall.sdf"] = WORLD.format(world)
-    return reported(directory, code, name, launch, written)
+        contents["worlds/hall.sdf"] = WORLD.format(world)
+    return reported(directory, code, name, launch, contents)
 
 
 def messages(directory: Path, code: str, **files: Any) -> list[str]:
-    """The same, without the places."""
-    return [one.message for one in found(directory, code, **files)]
+    """The messages of these findings."""
+    return [finding.message for finding in findings(directory, code, **files)]

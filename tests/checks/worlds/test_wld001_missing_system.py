@@ -1,10 +1,10 @@
-"""WLD001: a world of gz sim does not load a system that the robot needs."""
+"""WLD001: see the rule."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, found, messages, systems
+from tests.checks.worlds.started import INCLUDE, SENSOR, findings, messages, systems
 from urdfkit import Severity
 
 CODE = "WLD001"
@@ -29,7 +29,7 @@ DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
 )
 def test_each_sensor_requires_its_system(kind: str, system: str, tmp_path: Path) -> None:
     world = systems(*DEFAULTS)
-    (one,) = found(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
+    (one,) = findings(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
     assert one.message == (
         f"world 'hall' does not load the system {system}, without which sensor 's' ({kind}) "
         "publishes no data"
@@ -89,15 +89,15 @@ def test_a_server_configuration_may_load_it(tmp_path: Path) -> None:
         INCLUDE + 'ExecuteProcess(cmd=["ign gazebo -r -v 4", "shapes.sdf"], shell=True)\n',
     ],
 )
-def test_worlds_that_come_with_gazebo(start: str, tmp_path: Path) -> None:
+def test_worlds_of_gazebo(start: str, tmp_path: Path) -> None:
     if "ign gazebo" in start:
         start = start.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
-    (one,) = found(tmp_path, CODE, robot=SENSOR.format("camera"), launch=start)
+    (one,) = findings(tmp_path, CODE, robot=SENSOR.format("camera"), launch=start)
     assert "the system Sensors" in one.message
     assert one.span.source.path == str(tmp_path / "launch/robot.launch.py")
 
 
-def test_one_that_has_all(tmp_path: Path) -> None:
+def test_world_with_all_systems(tmp_path: Path) -> None:
     start = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r sensors_demo.sdf"')
     assert messages(tmp_path, CODE, robot=SENSOR.format("camera"), launch=start) == []
 
@@ -162,7 +162,7 @@ START = "ExecuteProcess(cmd=[{}])\n"
 )
 def test_classic_without_the_factory(command: str, tmp_path: Path) -> None:
     launch = INCLUDE.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
-    (one,) = found(tmp_path, CODE, world="", launch=launch + START.format(command) + SPAWN)
+    (one,) = findings(tmp_path, CODE, world="", launch=launch + START.format(command) + SPAWN)
     assert one.message == (
         "Gazebo is started without libgazebo_ros_factory.so, which spawn_entity.py requires"
     )

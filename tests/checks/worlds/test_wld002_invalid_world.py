@@ -1,10 +1,10 @@
-"""WLD002: Gazebo does not load the world that a launch file starts, or not all of it."""
+"""WLD002: see the rule."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, WORLD, found, messages, systems
+from tests.checks.worlds.started import INCLUDE, SENSOR, WORLD, findings, messages, systems
 from urdfkit import Diagnostic, Severity
 
 CODE = "WLD002"
@@ -14,7 +14,7 @@ SPAWN = '\nNode(package="ros_gz_sim", executable="create", arguments=["-topic", 
 
 
 def one(directory: Path, world: str, **files: object) -> Diagnostic:
-    (found_one,) = found(directory, CODE, world=world, **files)  # type: ignore[arg-type]
+    (found_one,) = findings(directory, CODE, world=world, **files)  # type: ignore[arg-type]
     return found_one
 
 
@@ -51,7 +51,7 @@ def test_a_system_of_gz_in_classic(tmp_path: Path) -> None:
     ],
 )
 def test_names_of_plugins(file: str, name: str, problem: str, tmp_path: Path) -> None:
-    reported = found(tmp_path, CODE, world=f'<plugin filename="{file}" name="{name}"/>')
+    reported = findings(tmp_path, CODE, world=f'<plugin filename="{file}" name="{name}"/>')
     assert [problem in one.message for one in reported] == [True] * bool(problem)
     assert all(one.severity is Severity.ERROR for one in reported)
 

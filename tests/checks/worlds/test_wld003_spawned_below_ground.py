@@ -1,10 +1,10 @@
-"""WLD003: the robot is spawned with its wheels below the ground of the world."""
+"""WLD003: see the rule."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, found, messages
+from tests.checks.worlds.started import INCLUDE, findings, messages
 from urdfkit import Severity
 
 CODE = "WLD003"
@@ -42,7 +42,7 @@ def wheeled(joint: str = "continuous", world: str = "") -> str:
         ),
     ],
 )  # fmt: skip
-def test_it_is_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
+def test_spawned_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
     (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=launch)
     assert one == (
         f"the robot is spawned at z = {z} m, where link 'left' is {depth} m below the ground"
@@ -51,15 +51,15 @@ def test_it_is_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
 
 def test_location_and_help(tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(TOPIC + ', "-z", "0.1"')
-    (one,) = found(tmp_path, CODE, robot=wheeled(), launch=launch)
+    (one,) = findings(tmp_path, CODE, robot=wheeled(), launch=launch)
     assert one.span.text == '"0.1"'
     assert (one.help, one.severity) == ("spawn it at z = 0.3 or higher", Severity.WARNING)
-    (one,) = found(tmp_path, CODE, robot=wheeled(), launch=launch.replace("0.1", "0.22"))
+    (one,) = findings(tmp_path, CODE, robot=wheeled(), launch=launch.replace("0.1", "0.22"))
     assert one.severity is Severity.INFO
 
 
 @pytest.mark.parametrize("z", ["0.3", "0.295", "1"])
-def test_it_is_high_enough(z: str, tmp_path: Path) -> None:
+def test_spawned_high_enough(z: str, tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(f'{TOPIC}, "-z", "{z}"')
     assert messages(tmp_path, CODE, robot=wheeled(), launch=launch) == []
 

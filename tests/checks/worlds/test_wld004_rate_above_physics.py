@@ -1,10 +1,10 @@
-"""WLD004: the controllers or a sensor are to run more often than the physics steps."""
+"""WLD004: see the rule."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, found, messages
+from tests.checks.worlds.started import INCLUDE, SENSOR, findings, messages
 
 CODE = "WLD004"
 PHYSICS = '<physics name="p" type="ode"><max_step_size>{}</max_step_size></physics>'
@@ -25,7 +25,7 @@ YAML = """controller_manager:
 )
 def test_the_controller_manager(step: str, rate: int, steps: str, tmp_path: Path) -> None:
     path = str(tmp_path / "control.yaml")
-    (one,) = found(
+    (one,) = findings(
         tmp_path,
         CODE,
         world=PHYSICS.format(step),
@@ -39,7 +39,7 @@ def test_the_controller_manager(step: str, rate: int, steps: str, tmp_path: Path
 
 
 @pytest.mark.parametrize(("step", "rate"), [("0.001", 1000), ("0.004", 250), ("0.00833", 120)])
-def test_it_is_slow_enough(step: str, rate: int, tmp_path: Path) -> None:
+def test_rate_is_low_enough(step: str, rate: int, tmp_path: Path) -> None:
     robot = CONTROL.replace("$(find arm)", str(tmp_path))
     files = {"control.yaml": YAML.format(rate)}
     assert messages(tmp_path, CODE, world=PHYSICS.format(step), robot=robot, files=files) == []

@@ -112,10 +112,10 @@ def _worlds(context: Context) -> Findings:
 
 
 def _may_come_from_elsewhere(context: Context, path: str) -> bool:
-    """True if a build or a user makes a file, or the computer of the robot has it.
+    """True if a build or a user generates the file, or it may exist on the robot's computer.
 
-    Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``, and
-    where arguments make an expression of their own: ``$(arg dollar)(find robot)``.
+    Also if the name is unknown: an argument is empty by default (``$(arg model).yaml``), or
+    arguments result in an expression (``$(arg dollar)(find robot)``).
     """
     if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path):
         return True

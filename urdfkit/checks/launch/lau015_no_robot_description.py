@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
             yield from _unexpanded(node, parameters)
             continue
         if (parameters.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
-            message = f"{_PARAMETER} is the path of a file: the node takes the text of the robot"
+            message = f"{_PARAMETER} is the path of a file, not the text of the robot"
             yield Finding(Location(node.span, node.frame), message, _EXPANDED)
         if _PARAMETER not in parameters:
             names = sorted(parameters)

@@ -109,7 +109,7 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
                 Location((component.plugin or component.at).span, description.frame),
                 f"{component.called}: {plugins[0].filename} does not load {component.hardware}, "
                 "so the simulated robot does not move",
-                "choose the hardware of the simulator where the launch file simulates",
+                "use the hardware of the simulator in a launch file with Gazebo",
                 related=(Related(plugins[0].at.span, "control plugin"),),
             )
 
@@ -129,8 +129,8 @@ def without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> 
                     Location((component.plugin or component.at).span, description.frame),
                     f"{component.called}: ros2_control_node does not load "
                     f"{component.hardware}, only Gazebo's plugin does",
-                    "choose the hardware of the robot, or mock_components/GenericSystem, where "
-                    "the launch file starts no simulator",
+                    "use the hardware of the robot, or mock_components/GenericSystem, in a launch "
+                    "file without a simulator",
                     related=(Related(managers[0].span, "the controller manager"),),
                 )
 

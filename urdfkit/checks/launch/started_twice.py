@@ -85,7 +85,7 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
                 yield Finding(
                     Location(node.span, node.frame),
                     "ros2_control_node is a second controller manager: Gazebo's plugin runs one",
-                    "remove ros2_control_node where the robot is simulated",
+                    "remove ros2_control_node from launch files with Gazebo",
                     related=(Related(plugin.at.span, "the plugin"), simulated),
                 )
 

@@ -1,4 +1,4 @@
-"""A controller needs an interface that the robot's joints do not offer.
+"""A controller requires an interface that the robot's joints do not offer.
 
 The controller manager cannot activate the controller: "not in the list of available interfaces".
 Add the command or state interface to the joint if the hardware has it, or configure the controller
@@ -44,7 +44,7 @@ FILES = {
     )
 }
 
-#: The control plugin of ROS 1, the interfaces of its joints, and those that controllers need.
+#: The control plugin of ROS 1, and the interfaces of its joints by the names in the URDF.
 _OF_ROS1 = "gazebo_ros_control"
 _INTERFACES = {
     "PositionJointInterface": "position",
@@ -105,7 +105,7 @@ def _lacking(
         if missing and available is not None:
             yield Finding(
                 Location(value.span),
-                f"controller '{controller.name}' needs {direction} interface "
+                f"controller '{controller.name}' requires {direction} interface "
                 f"{', '.join(missing)} of joint '{value.text}', which offers: "
                 + (", ".join(sorted(available)) or "none"),
                 f"add the <{direction}_interface> to the joint, or change the controller",
