@@ -60,20 +60,20 @@ _MEASURED = {
 def check(context: Context) -> Findings:
     for use in context.plugins:
         if kind := drive_of(use):
-            yield from _of_plugin(use, kind, context)
+            yield from _check_plugin(use, kind, context)
     if not context.controllers:
         return
     from urdfkit.ros.controllers import by_file  # it reads YAML, which few robots have
 
     for file, controllers in by_file(context.controllers):
         for alternatives in _by_wheels(controllers):
-            findings = [list(_of_controller(each, context)) for each in alternatives]
+            findings = [list(_check_controller(each, context)) for each in alternatives]
             fewest = min(map(len, findings))
             for finding in chain.from_iterable(each for each in findings if len(each) == fewest):
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
+def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     driven = list(wheels(use, context.tree))
     size = "diameter" if kind.diameter else "radius"
     sizes = [(2 if kind.diameter else 1) * radius for radius in _radius([d.wheel for d in driven])]
@@ -108,12 +108,12 @@ def _by_wheels(controllers: Iterable[Controller]) -> Iterable[list[Controller]]:
     return groups.values()
 
 
-def _of_controller(controller: Controller, context: Context) -> Findings:
+def _check_controller(controller: Controller, context: Context) -> Findings:
     kind = controller.kind
     for measure in kind.measures if kind else ():
         values = controller.values([measure.parameter])
         value = number(values[0].text) if values else None
-        real = _real(measure, controller, context)
+        real = _lengths_in_model(measure, controller, context)
         if _is_multiplied(controller, measure.parameter):
             continue  # the drive is calibrated
         if value is not None and real and _differs(value, real):
@@ -142,7 +142,7 @@ def _differs(value: float, real: list[float]) -> bool:
     return all(abs(value - each) > TOLERANCE * each for each in real)
 
 
-def _real(measure: Measure, controller: Controller, context: Context) -> list[float]:
+def _lengths_in_model(measure: Measure, controller: Controller, context: Context) -> list[float]:
     """Lengths in the model in m, by the tyres and by the joints; empty if they are unknown."""
     sides = [_wheels(controller, names, context) for names in measure.sides]
     if not all(sides):

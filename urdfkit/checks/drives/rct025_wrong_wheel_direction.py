@@ -84,18 +84,18 @@ _PARALLEL = 0.95
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
-    for explain in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
+    for explain in (_one_of_four, _wrong_drives, _opposite):  # the most precise explanation first
         if findings := list(explain(context)):
             yield from findings
             return
 
 
-def _of_drives(context: Context) -> Findings:
+def _wrong_drives(context: Context) -> Findings:
     """Drive plugins and controllers with wheels of the wrong side."""
     for use in context.plugins:
-        yield from _of_plugin(use, context)
+        yield from _wrong_plugin(use, context)
     for file, controller in context.controllers:
-        for finding in _of_axles(controller, context):
+        for finding in _wrong_axles(controller, context):
             yield finding._replace(related=(file.note,))
         left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
         if "diff_drive" not in controller.type or not left or not right:
@@ -108,7 +108,7 @@ def _of_drives(context: Context) -> Findings:
             yield Finding(at, message, wrong[1], related=(file.note,))
 
 
-def _of_axles(controller: Controller, context: Context) -> Findings:
+def _wrong_axles(controller: Controller, context: Context) -> Findings:
     """A list of a steering controller with swapped or inverted joints."""
     rolling: Wheel | None = None
     for right_name, right, left in sorted(_axles(controller, context), key=_is_steered):
@@ -137,7 +137,7 @@ def _is_steered(axle: tuple[Value, Wheel, Wheel]) -> bool:
     return min(abs(wheel.axis[2]) for wheel in axle[1:]) > _PARALLEL
 
 
-def _of_plugin(use: PluginUse, context: Context) -> Findings:
+def _wrong_plugin(use: PluginUse, context: Context) -> Findings:
     kind = drive_of(use)
     if kind is None or use.values("legacyMode"):
         return

@@ -52,17 +52,17 @@ _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
 def check(context: Context) -> Findings:
     for use in context.plugins:
-        yield from _of_plugin(use, context)
+        yield from _check_plugin(use, context)
     if context.is_part or len(context.tree.roots) != 1:
         return
     for file, controller in context.controllers:
-        yield from _odometry(controller, context)
+        yield from _moving_odometry(controller, context)
         if frame := _frame(controller):
-            for finding in _of_controller(controller, frame, context):
+            for finding in _check_controller(controller, frame, context):
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, context: Context) -> Findings:
+def _check_plugin(use: PluginUse, context: Context) -> Findings:
     frames = _published_frames(use)
     if frames is None:
         return
@@ -95,7 +95,7 @@ def _published_frames(use: PluginUse) -> tuple[str, str] | None:
     return (child, use.value(parent) or "odom") if child and parent and is_published else None
 
 
-def _of_controller(controller: Controller, frame: Value, context: Context) -> Findings:
+def _check_controller(controller: Controller, frame: Value, context: Context) -> Findings:
     root, name = context.tree.roots[0].name, frame.text.strip("/")
     links = context.model.links_by_name
     if name == root:
@@ -113,7 +113,7 @@ def _of_controller(controller: Controller, frame: Value, context: Context) -> Fi
     )
 
 
-def _odometry(controller: Controller, context: Context) -> Findings:
+def _moving_odometry(controller: Controller, context: Context) -> Findings:
     """An odometry frame that is a link, which moves with the robot."""
     is_drive = "drive" in controller.type or "steering" in controller.type
     for odometry in controller.values(["odom_frame_id"]) if is_drive else ():

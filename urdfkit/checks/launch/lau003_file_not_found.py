@@ -48,18 +48,18 @@ _MAX_DIRECTORIES = 2000
 def check(context: Context) -> Findings:
     for file in context.launch.files:
         if file.is_outside:
-            yield _outside(f"{file.purpose} {file.path}", file.span)
-        elif not file.exists and not _may_come_from_elsewhere(context, file.path):
+            yield _outside_workspace(f"{file.purpose} {file.path}", file.span)
+        elif not file.exists and not _may_exist_elsewhere(context, file.path):
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
         elif file.exists and file.purpose == MAP:
-            yield from _image(context, file)
+            yield from _missing_image(context, file)
     yield from _worlds(context)
     yield from reported(context, "LAU003")
 
 
-def _image(context: Context, file: FileUse) -> Findings:
+def _missing_image(context: Context, file: FileUse) -> Findings:
     """A missing image of a map, at which map_server stops."""
     try:
         image = mapping(load(context.resolver.read(file.path))).get("image")
@@ -67,14 +67,14 @@ def _image(context: Context, file: FileUse) -> Findings:
         return
     if isinstance(image, Value) and image.text:
         path = os.path.join(os.path.dirname(file.path), image.text)
-        if not disk.exists(path) and not _may_come_from_elsewhere(context, path):
+        if not disk.exists(path) and not _may_exist_elsewhere(context, path):
             stem = os.path.splitext(path)[0]
             suggested = next((kind for kind in _IMAGES if disk.is_file(stem + kind)), None)
             hint = f"write {os.path.splitext(image.text)[0]}{suggested}" if suggested else ""
             yield Finding(Location(image.span), f"image of the map not found: {path}", hint)
 
 
-def _outside(subject: str, span: Span) -> Finding:
+def _outside_workspace(subject: str, span: Span) -> Finding:
     help = "move it into the package, or pass --trust"
     return Finding(Location(span), f"{subject} {OUTSIDE}: not read", help)
 
@@ -93,8 +93,8 @@ def _worlds(context: Context) -> Findings:
         if os.path.isabs(name):
             exists = disk.exists(name) or context.resolver.installed(name)
             if disk.is_file(name) and not context.resolver.admits(name):
-                yield _outside(f"world {name}", started.span)
-            elif not exists and not _may_come_from_elsewhere(context, name):
+                yield _outside_workspace(f"world {name}", started.span)
+            elif not exists and not _may_exist_elsewhere(context, name):
                 suggested = nearest_file(name)
                 hint = f"did you mean '{suggested}'?" if suggested else ""
                 yield Finding(Location(started.span), f"world not found: {name}", hint)
@@ -111,7 +111,7 @@ def _worlds(context: Context) -> Findings:
                 yield Finding(Location(started.span), f"Gazebo has no world '{name}'", hint)
 
 
-def _may_come_from_elsewhere(context: Context, path: str) -> bool:
+def _may_exist_elsewhere(context: Context, path: str) -> bool:
     """True if a build or a user generates the file, or it may exist on the robot's computer.
 
     Also if the name is unknown: an argument is empty by default (``$(arg model).yaml``), or

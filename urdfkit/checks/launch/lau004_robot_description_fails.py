@@ -48,7 +48,7 @@ def check(context: Context) -> Findings:
             yield Finding(place, f"'{description.path}' does not expand: {first.message}{more}")
         elif description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
-            reason = _why_no_text(robot)
+            reason = _yaml_error(robot)
             message = f"launch reads the robot description as YAML, {reason or _NOT_YET}"
             is_xml = description.frame.call.span.source.path.endswith(".xml")
             help = (
@@ -76,7 +76,7 @@ def _errors(robot: Context) -> list[Problem]:
     return sorted(errors, key=lambda problem: problem.code == "XAC011")
 
 
-def _why_no_text(robot: Context) -> str:
+def _yaml_error(robot: Context) -> str:
     """Why an expanded robot is not a YAML string; empty if it is, or if the robot has problems."""
     if robot.reading.document is None or robot.reading.problems:
         return ""

@@ -85,7 +85,7 @@ def check(context: Context) -> Findings:
                 message = f"the bridge does not read '{key}'; did you mean '{suggested}'?"
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {suggested}", severity=Severity.WARNING)
-    yield from _silent(context, bridged)
+    yield from _unused(context, bridged)
 
 
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
@@ -137,7 +137,7 @@ def _lacking(topic: BridgedTopic) -> str:
     return "ROS" if not topic.ros_type else "Gazebo"
 
 
-def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
+def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """Bridged topics without messages: unused in Gazebo, or bridged in the wrong direction."""
     of_robot = list(_topics(context))
     passed = {topic.topic for topic, _ in bridged}
@@ -161,7 +161,7 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
             if other.is_unnamed and other.who in unnamed:
                 continue  # a <topic> in this sensor names both topics
             unnamed.add(other.who)
-            yield Finding(at, *_unknown(topic.topic, other), severity=Severity.WARNING)
+            yield Finding(at, *_unknown_topic(topic.topic, other), severity=Severity.WARNING)
         elif not own and is_known and kind in _OF_ROBOTS:
             verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
             message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
@@ -198,7 +198,7 @@ def _nearest(topic: str, waiting: list[GazeboTopic]) -> GazeboTopic:
     return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
 
 
-def _unknown(topic: str, other: GazeboTopic) -> tuple[str, str]:
+def _unknown_topic(topic: str, other: GazeboTopic) -> tuple[str, str]:
     """Message and help for a topic that the robot does not have; ``other`` is the nearest."""
     nothing = f"no sensor or system of the robot has the topic '{topic}'"
     if other.is_unnamed:

@@ -26,14 +26,8 @@ Sources:
 from collections.abc import Iterator
 from math import dist
 
+from urdfkit.checks.launch import duplicate_programs
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.started_twice import (
-    second_manager,
-    second_map,
-    second_odometry,
-    second_parent,
-    second_publisher,
-)
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.ros.claims import commanded_joints, commands
@@ -69,11 +63,11 @@ def check(context: Context) -> Findings:
     if not launch.has_scopes:  # which give them namespaces
         yield from _joint_states(context, started)
     yield from _claims(context, started)
-    yield from second_publisher(context, started)
-    yield from second_manager(context, started)
-    yield from second_odometry(context, started)
-    yield from second_parent(context, started)
-    yield from second_map(context, started)
+    yield from duplicate_programs.second_publisher(context, started)
+    yield from duplicate_programs.second_manager(context, started)
+    yield from duplicate_programs.second_odometry(context, started)
+    yield from duplicate_programs.second_parent(context, started)
+    yield from duplicate_programs.second_map(context, started)
 
 
 def _transforms(context: Context, started: list[StartedProgram]) -> Findings:

@@ -35,21 +35,10 @@ Sources:
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
 
+from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.meeting_points import (
-    other_manager,
-    unpublished_description,
-    without_types,
-)
-from urdfkit.checks.launch.simulation import (
-    by_wall_clock,
-    mock_hardware,
-    paused,
-    without_clock,
-    without_simulator,
-)
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
-from urdfkit.checks.launch.unread_commands import is_of_ros, unread_commands
+from urdfkit.checks.launch.unread_commands import is_part_of_ros, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -92,17 +81,17 @@ def check(context: Context) -> Findings:
         return
     if any(node.package == _PUBLISHER for node in started):
         yield from _without_joint_states(context, started)
-    yield from without_types(started)
-    yield from by_wall_clock(context, started)
-    yield from without_clock(context, started)
-    yield from paused(context, started)
-    yield from mock_hardware(context, started)
-    yield from without_simulator(context, started)
-    if not launch.has_scopes and all(map(is_of_ros, launch.unread)):
-        yield from unpublished_description(context, started)
+    yield from mismatched_names.untyped_controllers(started)
+    yield from simulation.wall_clock_nodes(context, started)
+    yield from simulation.missing_clock(context, started)
+    yield from simulation.paused(context, started)
+    yield from simulation.mock_hardware(context, started)
+    yield from simulation.hardware_without_simulator(context, started)
+    if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
+        yield from mismatched_names.unpublished_description(context, started)
         yield from unpublished_inputs(context)
         yield from unread_commands(context, started)
-        yield from other_manager(context, started)
+        yield from mismatched_names.manager_in_another_namespace(context, started)
 
 
 def _is_whole(launch: Launch) -> bool:

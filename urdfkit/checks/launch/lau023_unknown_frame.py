@@ -103,11 +103,11 @@ def check(context: Context) -> Findings:
             and (frame.key != GLOBAL or _is_typo(frame, frames))
         ]
         parents = {}
-        if not _has_foreign_publishers(context):
+        if not _may_have_other_publishers(context):
             parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
         words = {frame.name for frame in unknown} | parents.keys()
         elsewhere = strings_in_programs(words, context.source.path, context.resolver)
-        yield from (_unknown(frame, known) for frame in unknown if frame.name not in elsewhere)
+        yield from (_finding(frame, known) for frame in unknown if frame.name not in elsewhere)
         yield from (finding for name, finding in parents.items() if name not in elsewhere)
     yield from _wrong_filter_frames(context)
 
@@ -136,23 +136,23 @@ def _frames_of_drivers(launch: Launch) -> frozenset[str]:
     )
 
 
-def _has_foreign_publishers(context: Context) -> bool:
+def _may_have_other_publishers(context: Context) -> bool:
     """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
     started = _started(context.launch)
-    if any(_is_foreign(context, node.package) for node in started if node.package):
+    if any(_is_unavailable(context, node.package) for node in started if node.package):
         return True
     if any("bag" in (word.text for word in node.words) for node in started if not node.package):
         return True
-    return _includes_foreign(context)
+    return _includes_unavailable(context)
 
 
-def _includes_foreign(context: Context) -> bool:
+def _includes_unavailable(context: Context) -> bool:
     """True if the launch file includes files of unavailable packages that are not part of ROS."""
-    packages = (path.removeprefix(UNKNOWN) for path in context.launch.unread)
-    return any(_is_foreign(context, path.strip("/").partition("/")[0]) for path in packages if path)
+    paths = (path.removeprefix(UNKNOWN).strip("/") for path in context.launch.unread)
+    return any(_is_unavailable(context, path.partition("/")[0]) for path in paths if path)
 
 
-def _is_foreign(context: Context, package: str) -> bool:
+def _is_unavailable(context: Context, package: str) -> bool:
     if package in _PUBLISHERS_OF_ROS:
         return True  # even if the package is in the workspace: it computes its frame names
     if comes_with_ros(package):
@@ -167,7 +167,7 @@ def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[st
     return frozenset(frame.name for frame in frames if frame.key == "base_link_frame") & parents
 
 
-def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
+def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
     published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
     return Finding(
         Location(frame.span),
@@ -183,7 +183,7 @@ def _published_frames(context: Context) -> frozenset[str]:
     launch = context.launch
     links = _links_of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
-    if not launch.descriptions and (_includes_foreign(context) or _publishes(launch)):
+    if not launch.descriptions and (_includes_unavailable(context) or _starts_publisher(launch)):
         return frozenset()  # an included file may start another robot
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
@@ -225,7 +225,7 @@ def _renames_frames(launch: Launch) -> bool:
     return any(renaming) or (bool(launch.descriptions) and not publishers)
 
 
-def _publishes(launch: Launch) -> bool:
+def _starts_publisher(launch: Launch) -> bool:
     return any(node.package == _PUBLISHER for node in _started(launch))
 
 

@@ -37,19 +37,8 @@ Sources:
 import re
 from itertools import chain
 
-from urdfkit.checks.launch.costmap_parameters import (
-    COSTMAPS,
-    misplaced,
-    misspelt_servers,
-    plugins,
-)
+from urdfkit.checks.launch import costmap_parameters, parameter_types
 from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
-from urdfkit.checks.launch.parameter_types import (
-    old_model,
-    whole_frequency,
-    wrong_sizes,
-    wrong_types,
-)
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
@@ -104,26 +93,26 @@ def check(context: Context) -> Findings:
     names = [section.name for section in sections]
     for section in sections:
         yield from _configurations(section)
-        yield from wrong_types(section)
-        yield from old_model(section)
-        yield from wrong_sizes(section)
-        yield from misspelt_servers(section)
+        yield from parameter_types.wrong_types(section)
+        yield from parameter_types.outdated_motion_model(section)
+        yield from parameter_types.wrong_sizes(section)
+        yield from costmap_parameters.misspelt_servers(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
-            yield from plugins(section)
-            yield from misplaced(section)
-    yield from _of_other_nodes(context, files)
+            yield from costmap_parameters.plugins(section)
+            yield from costmap_parameters.misplaced(section)
+    yield from _other_nodes(context, files)
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from relative_meshes(context)
     yield from reported(context, "LAU024")
     for started in context.launch.started:
-        yield from _other_pipeline(started)
-        yield from whole_frequency(started)
+        yield from _unknown_pipeline(started)
+        yield from parameter_types.integer_frequency(started)
         for word, message, help in mistakes(started):
             yield Finding(Location(word.span, started.frame), message, help)
 
 
-def _other_pipeline(started: StartedProgram) -> Findings:
+def _unknown_pipeline(started: StartedProgram) -> Findings:
     """A default planning pipeline of MoveIt that is not loaded."""
     name = started.parameters.values.get("default_planning_pipeline")
     loaded = started.parameters.lists.get("planning_pipelines", ())
@@ -149,28 +138,28 @@ def _configurations(node: NodeParameters) -> Findings:
             )
 
 
-def _of_other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
+def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
     """Parameter files that a node loads, but whose sections belong to other nodes."""
     launch = context.launch
     started = (*launch.started, *launch.included)
     for path, sections in files.items():
-        users = [program for program in started if path in program.parameters.files]
+        users = [node for node in started if path in node.parameters.files]
         names = {section.name for section in sections}
         yield from _misnamed(sections, users)
         if not launch.has_scopes:
             yield from _outside_namespace(sections, users)
-        is_known = users and all(map(_is_named, users)) and not launch.has_scopes
+        is_known = users and all(map(_has_known_name, users)) and not launch.has_scopes
         if not names or not is_known or any("*" in name for name in names):
             continue
-        if names.isdisjoint(user.name for user in users) and names.isdisjoint(COSTMAPS):
-            who = users[0]
-            likely = who.executable if who.executable in names else nearest(who.name, names)
+        if names.isdisjoint((*costmap_parameters.COSTMAPS, *(user.name for user in users))):
+            node = users[0]
+            likely = node.executable if node.executable in names else nearest(node.name, names)
             section = next((each for each in sections if each.name == likely), sections[0])
             yield Finding(
                 Location(section.at),
-                f"parameters of '{section.name}' are not read: the node is '{who.name}'",
-                f"write {who.name}, or name the node {section.name}",
-                related=(Related(who.span, "the node that loads the file"),),
+                f"parameters of '{section.name}' are not read: the node is '{node.name}'",
+                f"write {node.name}, or name the node {section.name}",
+                related=(Related(node.span, "the node that loads the file"),),
                 severity=Severity.WARNING,
             )
 
@@ -186,13 +175,13 @@ def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgra
         owners = [user for user in users if _node_name(user) == section.name]
         written = namespaces[section.name]
         if owners and all(user.namespace and user.namespace not in written for user in owners):
-            who = owners[0]
+            node = owners[0]
             yield Finding(
                 Location(section.at),
                 f"parameters of '{section.name}' are not read: the node is "
-                f"'/{who.namespace}/{section.name}'",
-                f"write the section below {who.namespace}:, or below /**:",
-                related=(Related(who.span, "the node that loads the file"),),
+                f"'/{node.namespace}/{section.name}'",
+                f"write the section below {node.namespace}:, or below /**:",
+                related=(Related(node.span, "the node that loads the file"),),
                 severity=Severity.WARNING,
             )
 
@@ -221,7 +210,7 @@ def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Fi
             )
 
 
-def _is_named(started: StartedProgram) -> bool:
+def _has_known_name(started: StartedProgram) -> bool:
     """True for a single node with a known name."""
     return (
         bool(started.name)

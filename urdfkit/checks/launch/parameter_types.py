@@ -66,7 +66,7 @@ def wrong_sizes(node: NodeParameters) -> Findings:
             yield Finding(Location(value.span), message, f"write {round(float(value.text))}")
 
 
-def whole_frequency(started: StartedProgram) -> Findings:
+def integer_frequency(started: StartedProgram) -> Findings:
     """An integer frequency of robot_state_publisher, which ROS 1 accepts and ROS 2 rejects."""
     value = started.parameters.values.get(FREQUENCY) or ""
     is_ros2 = started.span.source.path.endswith(".py")
@@ -77,7 +77,7 @@ def whole_frequency(started: StartedProgram) -> Findings:
         yield Finding(Location(started.span, started.frame), message, f"write {value}.0")
 
 
-def old_model(node: NodeParameters) -> Findings:
+def outdated_motion_model(node: NodeParameters) -> Findings:
     """A motion model of AMCL with its name in ROS 1 and Foxy."""
     model = node.values.get("robot_model_type")
     name = _MODELS.get(model.text) if isinstance(model, Value) and node.name == "amcl" else None

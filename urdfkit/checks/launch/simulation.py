@@ -33,7 +33,7 @@ _OF_GAZEBO = ("gazebo_ros2_control/", "gz_ros2_control/", "ign_ros2_control/")
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 
 
-def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
     if not any(world.generation == GZ for world in worlds(context.launch)):
         return
@@ -51,13 +51,13 @@ def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
         is_remapped and any(topic.ros_type.endswith("/Clock") for topic in bridged)
     ):
         return
-    where = bridges[0] if bridges else waiting
+    place = bridges[0] if bridges else waiting
     message = f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes"
     help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
-    yield Finding(Location(where.span, where.frame), message, help)
+    yield Finding(Location(place.span, place.frame), message, help)
 
 
-def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without simulation time, while other nodes use it."""
     if context.launch.has_scopes or not any(map(spawner_of, started)):
         return
@@ -114,7 +114,7 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
             )
 
 
-def without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def hardware_without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Hardware of Gazebo in ros2_control_node, without Gazebo."""
     managers = [component for component in started if component.executable == "ros2_control_node"]
     if not managers or any(map(spawner_of, started)):

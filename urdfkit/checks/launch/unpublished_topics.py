@@ -56,7 +56,7 @@ _PUBLISHED = {
 }
 
 
-class _Read(Record):
+class _ReadTopic(Record):
     """A topic that a node reads."""
 
     topic: Value
@@ -66,7 +66,7 @@ class _Read(Record):
 
 
 def unpublished_inputs(context: Context) -> Findings:
-    topics = (*_read(context), *_shown(context))
+    topics = (*_read_by_nodes(context), *_read_by_rviz(context))
     inputs = [read for read in topics if not read.topic.text.startswith(("$", "~"))]
     if not inputs or is_included(context.source.path, context.resolver):
         return
@@ -107,7 +107,7 @@ def _is_known(started: StartedProgram, message: str) -> bool:
     return is_plain and package in _PUBLISHERS
 
 
-def _shown(context: Context) -> Iterator[_Read]:
+def _read_by_rviz(context: Context) -> Iterator[_ReadTopic]:
     """Topics of RViz's displays, by message; some displays may be for other robots."""
     topics_by_message: dict[str, list[Value]] = {}
     for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
@@ -115,28 +115,28 @@ def _shown(context: Context) -> Iterator[_Read]:
         if message in _SHOWN and (topic := topic_of(display)):
             topics_by_message.setdefault(message, []).append(topic)
     for message, topics in topics_by_message.items():
-        yield _Read(topics[0], message, "RViz", tuple(topic.text for topic in topics))
+        yield _ReadTopic(topics[0], message, "RViz", tuple(topic.text for topic in topics))
 
 
-def _read(context: Context) -> Iterator[_Read]:
+def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
             for key, value in node.values.items():
                 match = _INPUT.fullmatch(key)
                 if match and isinstance(value, Value) and f"{key}_config" in node.values:
-                    yield _Read(value, _READ[match.group(1)], node.name)
+                    yield _ReadTopic(value, _READ[match.group(1)], node.name)
                 elif (message := _NAMED.get((node.name, key))) and isinstance(value, Value):
-                    yield _Read(value, message, node.name)
+                    yield _ReadTopic(value, message, node.name)
                 elif isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
 
 
-def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
+def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_ReadTopic]:
     for source in layer.values() if "observation_sources" in layer else ():
         topic, message = mapping(source).get("topic"), mapping(source).get("data_type")
         if isinstance(topic, Value) and isinstance(message, Value):
-            yield _Read(topic, message.text, who)
+            yield _ReadTopic(topic, message.text, who)
 
 
 def _published(

@@ -84,13 +84,13 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
             )
 
 
-def is_of_ros(path: str) -> bool:
+def is_part_of_ros(path: str) -> bool:
     """True for an included file of ROS, which starts no robot."""
     return path.startswith(f"{UNKNOWN}/") and comes_with_ros(path.split("/")[2])
 
 
 def _is_whole(launch: Launch) -> bool:
-    return not launch.has_scopes and all(map(is_of_ros, launch.unread))
+    return not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
 
 
 def _is_known(started: StartedProgram) -> bool:

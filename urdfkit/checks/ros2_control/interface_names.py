@@ -28,12 +28,12 @@ def invalid_interfaces(context: Context) -> Findings:
     for component in components(context.model):
         for part in component.parts:
             for interface in part.interfaces:
-                yield from _of_ros2(component, part, interface)
+                yield from _interface(component, part, interface)
     if context.model.transmissions and reads_transmissions(context.targets):
-        yield from _of_ros1(context)
+        yield from _hardware_interfaces(context)
 
 
-def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Findings:
+def _interface(component: Component, part: ControlPart, interface: Interface) -> Findings:
     name = interface.name
     if not name or part.kind == "gpio":
         return
@@ -72,7 +72,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
         )
 
 
-def _of_ros1(context: Context) -> Findings:
+def _hardware_interfaces(context: Context) -> Findings:
     simulated = _has_default_simulation(context)
     known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
     simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]

@@ -55,14 +55,14 @@ def check(context: Context) -> Findings:
     known = context.model.joints_by_name
     # A robot without joints describes only the hardware: the joints are in the world of Webots.
     if known and not context.is_part:
-        yield from _of_robot(context, Suggester(known))
+        yield from _unknown_joints(context, Suggester(known))
     yield from _not_in_block(context)
-    yield from _mimicked(context)
+    yield from _unknown_leaders(context)
     if not context.is_part:
-        yield from _of_controllers(context)
+        yield from _controller_joints(context)
 
 
-def _of_robot(context: Context, suggester: Suggester) -> Findings:
+def _unknown_joints(context: Context, suggester: Suggester) -> Findings:
     for joint, owner in joints_and_owners(context):
         name = joint.attributes.get("name")
         if name is None or name.value in context.model.joints_by_name or is_expression(name.value):
@@ -89,7 +89,7 @@ def _not_in_block(context: Context) -> Findings:
                 )
 
 
-def _mimicked(context: Context) -> Findings:
+def _unknown_leaders(context: Context) -> Findings:
     """Parameters ``mimic`` of ROS 2 Humble that name no joint of the block."""
     for component in components(context.model):
         listed = [joint.name for joint in component.joints]
@@ -102,7 +102,7 @@ def _mimicked(context: Context) -> Findings:
                 yield Finding(named, message, "list the joint in the same block, or fix the name")
 
 
-def _of_controllers(context: Context) -> Findings:
+def _controller_joints(context: Context) -> Findings:
     known = set(context.model.joints_by_name)
     for component in components(context.model):  # a controller may also command a GPIO
         known.update(part.name for part in component.parts)

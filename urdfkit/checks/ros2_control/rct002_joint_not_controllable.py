@@ -66,13 +66,13 @@ def _fixed(context: Context) -> Findings:
     joints = context.model.joints_by_name
     for element, owner in joints_and_owners(context):
         joint = joints.get(element.get("name") or "")
-        if joint and joint.kind == "fixed" and not _is_of_a_vendor(element):
+        if joint and joint.kind == "fixed" and not _has_vendor_interface(element):
             message = f"{owner} has joint '{joint.name}', which is fixed"
             help = "change the type of the joint, or remove the joint here"
             yield Finding(element.attributes["name"], message, help, group_key="fixed")
 
 
-def _is_of_a_vendor(joint: Element) -> bool:
+def _has_vendor_interface(joint: Element) -> bool:
     """True if a transmission has only hardware interfaces that are unknown to ROS."""
     known = {name.rpartition("/")[2] for name in ros_control.words("transmission", "interfaces")}
     names = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}

@@ -52,7 +52,7 @@ def check(context: Context) -> Findings:
         yield from _misspelt(component)
         yield from _padded(component)
         if plugins:
-            yield from _of_other_simulator(component, plugins)
+            yield from _other_simulator(component, plugins)
 
 
 def _missing(component: Component) -> Findings:
@@ -98,7 +98,7 @@ def _misspelt(component: Component) -> Findings:
         yield Finding(component.plugin, message, f"write {suggested}", fix)
 
 
-def _of_other_simulator(component: Component, plugins: list[ControlPlugin]) -> Findings:
+def _other_simulator(component: Component, plugins: list[ControlPlugin]) -> Findings:
     kinds = {plugin.kind for plugin in plugins}
     known = simulated_hardware()
     hardware = known.get(component.hardware)

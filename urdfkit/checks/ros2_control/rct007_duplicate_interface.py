@@ -72,9 +72,9 @@ def _duplicate_interfaces(blocks: list[Component]) -> Findings:
                     duplicates.setdefault((number, before), {}).setdefault(part.name, duplicate)
     for (number, before), parts in duplicates.items():
         if number != before and len(parts) > 1:
-            yield _of_blocks(blocks[number], blocks[before], list(parts))
+            yield _duplicate_block(blocks[number], blocks[before], list(parts))
         else:
-            yield from (_of_part(duplicate, blocks[before]) for duplicate in parts.values())
+            yield from (_duplicate(duplicate, blocks[before]) for duplicate in parts.values())
 
 
 class _Duplicate(Record):
@@ -83,7 +83,7 @@ class _Duplicate(Record):
     first: Interface
 
 
-def _of_blocks(block: Component, first: Component, names: list[str]) -> Finding:
+def _duplicate_block(block: Component, first: Component, names: list[str]) -> Finding:
     shown = few([f"'{name}'" for name in names], _NAMED)
     return Finding(
         block.at,
@@ -93,7 +93,7 @@ def _of_blocks(block: Component, first: Component, names: list[str]) -> Finding:
     )
 
 
-def _of_part(duplicate: _Duplicate, first: Component) -> Finding:
+def _duplicate(duplicate: _Duplicate, first: Component) -> Finding:
     part, interface = duplicate.part, duplicate.interface
     return Finding(
         interface.at,

@@ -37,7 +37,7 @@ _TYPO = 0.9
 )
 def check(context: Context) -> Findings:
     plugins = control_plugins(context.model)
-    yield from _twice(plugins)
+    yield from _duplicates(plugins)
     for plugin in plugins:
         yield from _misspelt_simulation(plugin)
     if context.is_part:
@@ -48,7 +48,7 @@ def check(context: Context) -> Findings:
         yield from _without_transmission(context, plugins[0])
 
 
-def _twice(plugins: list[ControlPlugin]) -> Findings:
+def _duplicates(plugins: list[ControlPlugin]) -> Findings:
     seen: dict[tuple[str, str], ControlPlugin] = {}
     for plugin in plugins:
         key = (plugin.kind, _namespace(plugin.at))

@@ -65,18 +65,18 @@ _Offered = dict[str, set[str]]
 def check(context: Context) -> Findings:
     yield from _without_command(context)
     states = _offered(context, "state")
-    free = _free(context)
+    free = _may_offer_more(context)
     for file, controller in context.controllers:
         kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
-        yield from _lacking(controller, file, joints, _states(controller), states, free, "state")
+        yield from _missing(controller, file, joints, _states(controller), states, free, "state")
     yield from _without_state(context)
 
 
 def _without_command(context: Context) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
-    free = _free(context)
+    free = _may_offer_more(context)
     claimed = [(file, user, *claim) for file, user in context.controllers for claim in claims(user)]
     served = {  # another controller of the file has all of its interfaces of these joints
         (file.path, value.text)
@@ -87,10 +87,10 @@ def _without_command(context: Context) -> Findings:
     for file, user, needed, all_joints in claimed:
         joints = [value for value in all_joints if (file.path, value.text) not in served]
         free_joints = free if user.ros == 2 else frozenset()
-        yield from _lacking(user, file, joints, needed, by_ros[user.ros], free_joints, "command")
+        yield from _missing(user, file, joints, needed, by_ros[user.ros], free_joints, "command")
 
 
-def _lacking(
+def _missing(
     controller: Controller,
     file: ParameterFile,
     joints: list[Value],
@@ -119,17 +119,17 @@ def _severity(listed: Collection[str]) -> Severity:
     return Severity.WARNING if listed else Severity.INFO
 
 
-def _free(context: Context) -> frozenset[str]:
+def _may_offer_more(context: Context) -> frozenset[str]:
     """The joints of hardware that may export unlisted interfaces."""
     return frozenset(
         part.name
         for component in components(context.model)
         for part in component.joints
-        if not _offers_what_is_listed(component)
+        if not _offers_only_listed(component)
     )
 
 
-def _offers_what_is_listed(component: Component) -> bool:
+def _offers_only_listed(component: Component) -> bool:
     return component.hardware in simulated_hardware() or component.hardware in _MOCK
 
 
@@ -152,7 +152,7 @@ def _offered(context: Context, direction: str) -> _Offered:
     offered: _Offered = {}
     for component in components(context.model):
         for part in component.joints:
-            if part.interfaces or _offers_what_is_listed(component):
+            if part.interfaces or _offers_only_listed(component):
                 # gazebo_ros2_control offers position_pid as position, with its own PID.
                 names = {interface.name.removesuffix("_pid") for interface in part.of(direction)}
                 offered.setdefault(part.name, set()).update(names)
@@ -175,13 +175,13 @@ def _transmitted(context: Context) -> _Offered:
 def _states(controller: Controller) -> list[str]:
     """State interfaces that a controller requires of each joint; empty if unknown."""
     if controller.type == _DRIVE:
-        if _is(controller, "open_loop", "true"):
+        if _has_value(controller, "open_loop", "true"):
             return []
-        return ["velocity" if _is(controller, "position_feedback", "false") else "position"]
+        return ["velocity" if _has_value(controller, "position_feedback", "false") else "position"]
     if controller.type.endswith(_GRIPPER):
         return ["position", "velocity"]
     return [value.text for value in controller.values(["state_interfaces"]) if value.text]
 
 
-def _is(controller: Controller, name: str, word: str) -> bool:
+def _has_value(controller: Controller, name: str, word: str) -> bool:
     return any(value.text.lower() == word for value in controller.values([name]))

@@ -44,7 +44,7 @@ Sources:
 from itertools import islice
 
 from urdfkit.checks.srdf.configuration import unknown_names
-from urdfkit.checks.srdf.trajectory_controllers import unfit_controllers
+from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -77,7 +77,7 @@ _MAX_STARTED = 32
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
-    elsewhere = _of_other_arguments(context, srdf) if srdf.unknown else set()
+    elsewhere = _names_with_other_arguments(context, srdf) if srdf.unknown else set()
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
         if kind != "group" and attribute.value in elsewhere:
@@ -95,10 +95,10 @@ def check(context: Context) -> Findings:
                 )
     yield from _not_in_group(context, srdf)
     yield from unknown_names(context, srdf)
-    yield from unfit_controllers(context, srdf)
+    yield from mismatched_controllers(context, srdf)
 
 
-def _of_other_arguments(context: Context, srdf: Srdf) -> set[str]:
+def _names_with_other_arguments(context: Context, srdf: Srdf) -> set[str]:
     """Links and joints of robots of the same name in launch files of the workspace."""
     launches = launches_of_workspace(context.source.path, context.resolver)
     descriptions = (description for launch in launches for description in launch.descriptions)

@@ -52,7 +52,7 @@ _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
 def check(context: Context) -> Findings:
-    yield from _without_acceleration(context)
+    yield from _missing_acceleration(context)
     for planned in planned_limits(context):
         if joint := context.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, context))
@@ -60,7 +60,7 @@ def check(context: Context) -> Findings:
             yield from (finding for name, finding in _wider(planned, joint) if name not in invalid)
 
 
-def _without_acceleration(context: Context) -> Findings:
+def _missing_acceleration(context: Context) -> Findings:
     """Joints of groups without an acceleration limit, if the file contains limits."""
     srdf, planned = context.srdf, {limit.joint: limit for limit in planned_limits(context)}
     if srdf is None or not planned or _ros(context) != 2:
@@ -108,7 +108,7 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
 def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Finding]]:
     for name, switch in _LIMITS.items():
         value = planned.values.get(name) if planned.is_on(switch) else None
-        if value is not None and (invalid := _wrong(name, value, _ros(context))):
+        if value is not None and (invalid := _error_in(name, value, _ros(context))):
             message, help = invalid
             message = f"joint '{planned.joint}': {message}"
             at = Location(value.span)
@@ -139,7 +139,7 @@ def _ros(context: Context) -> int | None:
     return next((manifest.ros for manifest in manifests if manifest), None)
 
 
-def _wrong(name: str, value: Value, ros: int | None) -> tuple[str, str] | None:
+def _error_in(name: str, value: Value, ros: int | None) -> tuple[str, str] | None:
     kind = type_of(value)
     if kind in ("string", "bool"):
         return f"{name} is '{value.text}', not a number", "write a number"

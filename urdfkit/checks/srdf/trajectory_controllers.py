@@ -28,7 +28,7 @@ _ACTIONS = {
 }
 
 
-def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
+def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
     """Controllers of MoveIt 2 that are not defined, or have other joints or actions."""
     manifest = manifest_of(context.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
@@ -46,7 +46,7 @@ def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
             yield from _undefined(key, entry, served, defined)
             continue
         yield from _action(key, entry, same)
-        yield from _other_joints(key, entry, same, _unmoved(context.model, srdf))
+        yield from _other_joints(key, entry, same, _omitted_joints(context.model, srdf))
 
 
 def _undefined(
@@ -66,7 +66,7 @@ def _undefined(
         )
 
 
-def _unmoved(model: RobotModel, srdf: Srdf) -> set[str]:
+def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:
     """The joints that MoveIt omits from trajectories."""
     joints = {each.name for each in model.joints if each.kind == "fixed" or each.mimic is not None}
     elements = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))

@@ -25,7 +25,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins

@@ -27,7 +27,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
@@ -74,18 +74,18 @@ _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     models = Models(context.resolver, context.source.path)
-    opened_list = list(opened_worlds(context))
-    for opened in opened_list:
+    started = list(opened_worlds(context))
+    for opened in started:
         if opened.world is None and opened.path:
             yield from _unreadable(opened)
         elif opened.world is not None:
             yield from _values(opened, opened.world)
-            yield from _of_other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
+            yield from _other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
             yield from _engines(context, opened)
-    if len(opened_list) == len({world.span for world in worlds(context.launch)}) == 1:
-        yield from _other_worlds(context, opened_list[0])
+    if len(started) == len({world.span for world in worlds(context.launch)}) == 1:
+        yield from _other_worlds(context, started[0])
 
 
 def _unreadable(opened: OpenedWorld) -> Findings:
@@ -117,10 +117,10 @@ def _values(opened: OpenedWorld, world: World) -> Findings:
             yield Finding(step, message, "write 0.001", related=opened.note)
 
 
-def _of_other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
+def _other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
     """A world whose plugins are all for the other Gazebo, so that the wrong Gazebo is started."""
     is_gz = opened.started.generation == GZ
-    kinds = [_is_of_gz(plugin) for plugin in world.plugins]
+    kinds = [_generations(plugin) for plugin in world.plugins]
     if len(kinds) < 2 or any(kind != {not is_gz} for kind in kinds):
         return []
     other, own = _TITLES[not is_gz], _TITLES[is_gz]
@@ -131,7 +131,7 @@ def _of_other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
     return [Finding(place, message, help, severity=Severity.WARNING)]
 
 
-def _is_of_gz(plugin: Element) -> set[bool]:
+def _generations(plugin: Element) -> set[bool]:
     """Whether a plugin is for gz sim: both values if both have it, empty if it is unknown."""
     file = (plugin.get("filename") or "").strip()
     generations = {known.generation == GZ for known in find(file)}
@@ -143,7 +143,7 @@ def _plugins(opened: OpenedWorld, world: World) -> Findings:
     for plugin in world.plugins:
         at = plugin.attributes.get("filename")
         file = (at.value if at else "").strip()
-        is_of_gz = _is_of_gz(plugin)
+        is_of_gz = _generations(plugin)
         title = f"plugin '{plugin.get('name') or ''}' ({file})"
         if at is not None and not is_of_gz and (suggested := misspelt(file)):
             message = f"{title}: unknown plugin library"
@@ -196,7 +196,7 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
 def _engines(context: Context, opened: OpenedWorld) -> Findings:
     """Unknown render engines, and engines that do not support a sensor of the robot."""
     known: dict[str, str] = data("worlds")["engines"]
-    for place, engine in _chosen(opened):
+    for place, engine in _selected_engines(opened):
         if engine not in known:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
             yield Finding(place, message, "write ogre2", related=opened.note)
@@ -210,7 +210,7 @@ def _engines(context: Context, opened: OpenedWorld) -> Findings:
             )
 
 
-def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
+def _selected_engines(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
     """The engine of the command line, otherwise of the Sensors system."""
     started = opened.started
     if started.engine:

@@ -15,7 +15,7 @@ Sources:
     ROS, base_footprint: https://www.ros.org/reps/rep-0120.html#base-footprint
 """
 
-from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
 from urdfkit.robot.stability import is_freestanding, standing

@@ -92,7 +92,7 @@ def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
 
 def second_odometry(context: Context, started: list[StartedProgram]) -> Findings:
     """A transform from odom to the robot by a filter, and by a controller or a bridge."""
-    filters = {frames[_ODOM]: node for node in started for frames in _odometry_of(node, context)}
+    filters = {frames[_ODOM]: node for node in started for frames in _filter_frames(node, context)}
     if not filters:
         return
     for _, robot in context.described_robots:
@@ -133,7 +133,7 @@ def second_map(context: Context, started: list[StartedProgram]) -> Findings:
     programs: dict[str, StartedProgram] = {}
     for node in started if not context.launch.has_scopes else ():
         is_known = node.package in _LOCALIZING and _is_plain(node)
-        if is_known and not _is_quiet(node, _LOCALIZING[node.package], context):
+        if is_known and not _may_be_disabled(node, _LOCALIZING[node.package], context):
             programs.setdefault(node.package, node)
     for node in list(programs.values())[1:]:
         first = next(iter(programs.values()))
@@ -146,7 +146,7 @@ def second_map(context: Context, started: list[StartedProgram]) -> Findings:
         )
 
 
-def _is_quiet(started: StartedProgram, switch: str, context: Context) -> bool:
+def _may_be_disabled(started: StartedProgram, switch: str, context: Context) -> bool:
     """True if a parameter disables the transforms of a program, or is unknown."""
     values = [value for key, value in started.parameters.values.items() if key == switch]
     for path in started.parameters.files:
@@ -163,7 +163,7 @@ def second_parent(context: Context, started: list[StartedProgram]) -> Findings:
     """A transform of a link with a parent joint, by a filter or a bridge."""
     launch = context.launch
     publishers = [node for node in started if node.package == _PUBLISHER and _is_plain(node)]
-    filters = [(node, frames) for node in started for frames in _odometry_of(node, context)]
+    filters = [(node, frames) for node in started for frames in _filter_frames(node, context)]
     if not publishers or len(launch.descriptions) != 1:
         return
     robot = context.other_robot(launch.descriptions[0].path, launch.descriptions[0].arguments)
@@ -194,7 +194,7 @@ def second_parent(context: Context, started: list[StartedProgram]) -> Findings:
             )
 
 
-def _odometry_of(started: StartedProgram, context: Context) -> Iterator[dict[str, str]]:
+def _filter_frames(started: StartedProgram, context: Context) -> Iterator[dict[str, str]]:
     """The frames of a filter that publishes the transform from odometry to the robot."""
     if started.package != "robot_localization" or started.executable not in _FILTERS:
         return

@@ -46,7 +46,7 @@ def unpublished_description(context: Context, started: tuple[StartedProgram, ...
             )
 
 
-def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def manager_in_another_namespace(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Spawners that wait for a controller manager in the wrong namespace."""
     if any(_renames(node) for node in started):
         return
@@ -70,7 +70,7 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
             )
 
 
-def without_types(started: tuple[StartedProgram, ...]) -> Findings:
+def untyped_controllers(started: tuple[StartedProgram, ...]) -> Findings:
     """A controller manager without parameters, and so without types of controllers."""
     spawners = [node for node in started if any(True for _ in controllers(node))]
     words = {word.text for node in spawners for word in node.words}
