@@ -153,9 +153,7 @@ def _may_be_disabled(started: StartedProgram, switch: str, context: Context) -> 
         source = context.resolver.readable(path)
         nodes = list(node_parameters(source)) if source else []
         written = [node.values[switch] for node in nodes if switch in node.values]
-        values += [
-            node_value.text if isinstance(node_value, Value) else None for node_value in written
-        ]
+        values += [each.text if isinstance(each, Value) else None for each in written]
     return any(value is None or value.lower() in ("false", "0", "0.0") for value in values)
 
 
@@ -207,12 +205,8 @@ def _filter_frames(started: StartedProgram, context: Context) -> Iterator[dict[s
             return
         for node in node_parameters(source):
             if node.name == name:
-                values = {
-                    key: parameter.text
-                    for key, parameter in node.values.items()
-                    if isinstance(parameter, Value)
-                }
-                frames |= {key: values[key] for key in _FILTER if key in values}
+                values = ((key, node.values.get(key)) for key in _FILTER)
+                frames |= {key: value.text for key, value in values if isinstance(value, Value)}
     for key, text in started.parameters.values.items():
         is_known = is_known and (key not in _FILTER or text is not None)
         frames[key] = text or ""
@@ -224,8 +218,8 @@ def _filter_frames(started: StartedProgram, context: Context) -> Iterator[dict[s
 def _bridged_odometry(
     context: Context, started: list[StartedProgram], robot: Context
 ) -> Iterator[_BridgedOdometry]:
-    for program in started:
-        for topic in bridged_topics(program, context.resolver):
+    for node in started:
+        for topic in bridged_topics(node, context.resolver):
             if topic.direction == TO_GAZEBO or topic.ros_topic.strip("/") != "tf":
                 continue
             for use in robot.plugins:
@@ -234,10 +228,10 @@ def _bridged_odometry(
                     gz_topic.message == "Pose_V" and gz_topic.is_called(topic.topic)
                     for gz_topic in of_plugin(use.at)
                 )
-                if child is not None and publishes and program.is_sure and not program.is_remapped:
+                if child is not None and publishes and node.is_sure and not node.is_remapped:
                     parent = _first_child(use.at, _PARENTS)
                     odometry = parent.text.strip().strip("/") if parent is not None else ""
-                    yield _BridgedOdometry(program, use.title, odometry, child)
+                    yield _BridgedOdometry(node, use.title, odometry, child)
 
 
 def _first_child(plugin: Element, tags: tuple[str, ...]) -> Element | None:

@@ -9,6 +9,7 @@ Gazebo and `]` to Gazebo, stops the program. So does a name that ROS rejects: Ga
 does not know are not reported: later releases may support them.
 
 Warnings:
+
 - No sensor or system of the robot uses the topic, while another topic with the same message type
   is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
   `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next

@@ -163,7 +163,7 @@ def _is_unavailable(context: Context, package: str) -> bool:
 
 def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[str]:
     """Base frames of filters that are parents of static transforms."""
-    parents = {(frame.parent.text or "").lstrip("/") for frame in _transforms(launch)}
+    parents = {(each.parent.text or "").lstrip("/") for each in _transforms(launch)}
     return frozenset(frame.name for frame in frames if frame.key == "base_link_frame") & parents
 
 
@@ -250,17 +250,13 @@ def _transforms(launch: Launch) -> Iterator[StaticTransform]:
 def _unknown_parents(
     launch: Launch, known: frozenset[str], of_robot: frozenset[str]
 ) -> Iterator[tuple[str, Finding]]:
-    """Parents of static transforms that create a second tree.
-
-    The parent of the robot's root is not reported.
-    """
+    """Parents of static transforms that create a second tree, except that of the robot's root."""
     for node in launch.started:
         transform = static_transform(node)
         if transform is None:
             continue
-        name, child = (
-            (word.text or "").lstrip("/") for word in (transform.parent, transform.child)
-        )
+        words = (transform.parent, transform.child)
+        name, child = ((word.text or "").lstrip("/") for word in words)
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             yield (

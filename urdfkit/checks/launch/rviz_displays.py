@@ -55,12 +55,8 @@ def unknown_classes(context: Context) -> Findings:
         if is_known or not suggested or name in reported or not isinstance(class_name, Value):
             continue
         reported.add(name)
-        yield _finding(
-            class_name.span,
-            f"RViz has no display '{name}'",
-            f"write {_PLUGINS}/{suggested}",
-            file,
-        )
+        message, help = f"RViz has no display '{name}'", f"write {_PLUGINS}/{suggested}"
+        yield _finding(class_name.span, message, help, file)
 
 
 def unpublished_models(context: Context, published: dict[str, Span]) -> Findings:

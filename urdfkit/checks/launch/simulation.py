@@ -85,10 +85,10 @@ def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     waiting = any(activates(node) and any(True for _ in controllers(node)) for node in started)
     for world in worlds(context.launch):
         if world.is_paused and world.is_sure:
-            who = "no controller becomes active" if waiting else "nothing moves"
+            effect = "no controller becomes active" if waiting else "nothing moves"
             yield Finding(
                 Location(world.span, world.frame),
-                f"Gazebo starts paused: {who} until Play is pressed",
+                f"Gazebo starts paused: {effect} until Play is pressed",
                 "write -r before the world",
                 severity=None if waiting else Severity.INFO,
             )
@@ -116,7 +116,7 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
 
 def hardware_without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Hardware of Gazebo in ros2_control_node, without Gazebo."""
-    managers = [component for component in started if component.executable == "ros2_control_node"]
+    managers = [node for node in started if node.executable == "ros2_control_node"]
     if not managers or any(map(spawner_of, started)):
         return
     for description in context.launch.descriptions:
@@ -143,7 +143,7 @@ def _is_known(bridge: StartedProgram) -> bool:
 
 
 def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:
-    """Whether a node uses the time of the simulation.
+    """Whether a node uses simulation time.
 
     Returns:
         None if that is unknown; an empty string if the parameter is not set, which means no.

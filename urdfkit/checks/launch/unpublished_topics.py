@@ -143,7 +143,7 @@ def _published(
     context: Context, started: list[StartedProgram], message: str
 ) -> Iterator[tuple[str, StartedProgram]]:
     """Topics on which a message is published, and their publishers."""
-    types = {name: node.type for name, node in defined_controllers(context).items()}
+    types = {name: controller.type for name, controller in defined_controllers(context).items()}
     for node in started:
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
