@@ -8,7 +8,7 @@ Gazebo and `]` to Gazebo, stops the program. So does a name that ROS rejects: Ga
 `/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. Message types that urdfkit
 does not know are not reported: later releases may support them.
 
-Warnings:
+Reported as a warning:
 
 - No sensor or system of the robot uses the topic, while another topic with the same message type
   is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
