@@ -81,12 +81,12 @@ def test_unknown_names_that_are_not_typos(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "gone", ["left_wheel_names: [left_joint]", "wheel_separation: 0.3", "wheel_radius: 0.1"]
+    "line", ["left_wheel_names: [left_joint]", "wheel_separation: 0.3", "wheel_radius: 0.1"]
 )
-def test_a_required_parameter_is_missing(tmp_path: Path, gone: str) -> None:
-    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(f"    {gone}\n", ""))
+def test_a_required_parameter_is_missing(tmp_path: Path, line: str) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(f"    {line}\n", ""))
     assert place(found) == ("c.yaml", 5, "drive")
-    assert found.message.endswith(f": {gone.partition(':')[0]}")
+    assert found.message.endswith(f": {line.partition(':')[0]}")
 
 
 def test_parameters_of_an_unknown_controller(tmp_path: Path) -> None:

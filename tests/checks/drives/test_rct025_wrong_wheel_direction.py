@@ -197,7 +197,7 @@ car:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("old", "new", "message"),
     [
         ("[right_joint", "[right_joint", ""),
         ("traction_joints", "rear_wheels", ""),
@@ -208,9 +208,9 @@ car:
         ("ackermann_steering_controller/Ackermann", "my_controllers/My", ""),
     ],
 )
-def test_the_right_joint_comes_first(tmp_path: Path, old: str, new: str, said: str) -> None:
+def test_the_right_joint_comes_first(tmp_path: Path, old: str, new: str, message: str) -> None:
     found = reported(tmp_path, "RCT025", STEERED.replace(old, new), CAR)
-    assert [said in one.message for one in found] == [True] * bool(said)
+    assert [message in finding.message for finding in found] == [True] * bool(message)
     assert all(one.help.endswith("the list begins with the right joint") for one in found)
 
 

@@ -46,8 +46,8 @@ def test_included_file_gets_passed_arguments(tmp_path: Path) -> None:
     text = '<include file="$(dirname)/b.launch">{}</include>'
     (found,) = reported(tmp_path, "LAU006", "a.launch", text.format(""), inner)
     assert Path(found.span.source.path).name == "b.launch"
-    given = text.format('<arg name="x" value="1"/>')
-    assert reported(tmp_path, "LAU006", "a.launch", given, inner) == []
+    outer = text.format('<arg name="x" value="1"/>')
+    assert reported(tmp_path, "LAU006", "a.launch", outer, inner) == []
 
 
 def test_included_file_may_get_the_argument(tmp_path: Path) -> None:

@@ -62,7 +62,7 @@ def test_defined_or_unknown_controller_is_accepted(
 
 
 @pytest.mark.parametrize(
-    "given",
+    "parameters",
     [
         '<rosparam command="load" file="$(find arm)/config/c.yaml" ns="grip"/>',
         "<rosparam>\ngrip:\n  type: effort_controllers/X\n</rosparam>",
@@ -70,8 +70,8 @@ def test_defined_or_unknown_controller_is_accepted(
         '<node name="n" pkg="p" type="t"><param name="/grip/type" value="a/B"/></node>',
     ],
 )
-def test_parameters_of_the_launch_file_are_accepted(tmp_path: Path, given: str) -> None:
-    text = LOAD_1 + given + SPAWN_1.format("spawner", "grip")
+def test_parameters_of_the_launch_file_are_accepted(tmp_path: Path, parameters: str) -> None:
+    text = LOAD_1 + parameters + SPAWN_1.format("spawner", "grip")
     assert reported(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
 
 

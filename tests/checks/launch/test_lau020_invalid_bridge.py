@@ -79,11 +79,11 @@ def test_entries_of_a_file(
     text = NODE.format(f"parameters=[{{'config_file': '{path}'}}]")
     files = {"config/bridge.yaml": f"- {{topic_name: imu, {entry}}}\n"}
     found = reported(tmp_path, "LAU020", "a.launch.py", text, files)
-    told = [
+    findings = [
         (one.span.source.path, one.severity.value, one.span.text[: len(place or "")])
         for one in found
     ]
-    assert told == ([(str(path), severity, place)] if place else [])
+    assert findings == ([(str(path), severity, place)] if place else [])
 
 
 @pytest.mark.parametrize(

@@ -135,7 +135,7 @@ FILTER = (
 
 
 @pytest.mark.parametrize(
-    ("base", "topic", "filter", "said"),
+    ("base", "topic", "filter", "words"),
     [
         ("base", "/tf", "", ""),
         ("lidar", "/tf", "", "that of joint 'mast'"),
@@ -145,7 +145,7 @@ FILTER = (
         ("base", "/other", "true", ""),
     ],
 )
-def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, said: str) -> None:
+def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, words: str) -> None:
     plugin = DRIVE.replace("<frame_id>", "<tf_topic>tf</tf_topic><frame_id>").format(base)
     robot = f"open('{tmp_path}/r.urdf')\n"
     bridge = BRIDGE.format(topic)
@@ -155,7 +155,7 @@ def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, 
         "ekf.yaml": FILTER.format(filter or "true"),
     }
     found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
-    assert [said in one.message for one in found] == [True] * bool(said)
+    assert [words in finding.message for finding in found] == [True] * bool(words)
 
 
 @pytest.mark.parametrize(

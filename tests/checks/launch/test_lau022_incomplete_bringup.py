@@ -64,14 +64,14 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "count"),
+    ("parameters", "count"),
     [
         (", parameters=[{'robot_description': x}]", 1),
         (", parameters=[{'robot_description': x, 'use_sim_time': True}]", 0),
         (", parameters=[unknown]", 0),
     ],
 )
-def test_clocks(tmp_path: Path, given: str, count: int) -> None:
+def test_clocks(tmp_path: Path, parameters: str, count: int) -> None:
     other = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
     spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
     bridge = NODE.format(
@@ -79,8 +79,8 @@ def test_clocks(tmp_path: Path, given: str, count: int) -> None:
         "parameter_bridge",
         "arguments=['/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock']",
     )
-    assert len(messages(tmp_path, STATE.format(given) + other + spawn + bridge)) == count
-    assert messages(tmp_path, STATE.format(given) + other) == []
+    assert len(messages(tmp_path, STATE.format(parameters) + other + spawn + bridge)) == count
+    assert messages(tmp_path, STATE.format(parameters) + other) == []
 
 
 BRIDGE = NODE.format(

@@ -26,10 +26,10 @@ VIEW = """Visualization Manager:
 
 
 def messages(directory: Path, text: str, *, other: str = "", **files: str) -> list[str]:
-    given = {"r.urdf": ROBOT, **{name.replace("_", "."): text for name, text in files.items()}}
+    data = {"r.urdf": ROBOT, **{name.replace("_", "."): text for name, text in files.items()}}
     if other:
-        given["launch/other.launch.py"] = HEAD + other
-    return [one.message for one in reported(directory, "LAU023", "a.launch.py", HEAD + text, given)]
+        data["launch/other.launch.py"] = HEAD + other
+    return [one.message for one in reported(directory, "LAU023", "a.launch.py", HEAD + text, data)]
 
 
 @pytest.mark.parametrize(

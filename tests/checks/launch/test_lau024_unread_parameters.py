@@ -221,7 +221,7 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
 
 
 @pytest.mark.parametrize(
-    ("settings", "given", "said"),
+    ("settings", "extra", "words"),
     [
         ("{}", PIPELINES.format('load_yaml("arm", "ompl.yaml")'), ""),
         ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "gets no planning plugin"),
@@ -235,15 +235,15 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
         ("{}", '"a.yaml"', ""),
     ],
 )
-def test_parameters_of_move_group(tmp_path: Path, settings: str, given: str, said: str) -> None:
-    text = HANDED.replace("settings = {}", f"settings = {settings}").replace("[{}", f"[{given}")
+def test_parameters_of_move_group(tmp_path: Path, settings: str, extra: str, words: str) -> None:
+    text = HANDED.replace("settings = {}", f"settings = {settings}").replace("[{}", f"[{extra}")
     files = {
         "ompl.yaml": "planning_plugins: [ompl_interface/OMPLPlanner]\n",
         "empty.yaml": "planner_configs: {}\n",
         "solvers.yaml": "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
     }
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
-    assert [said in one.message for one in found] == [True] * bool(said)
+    assert [words in finding.message for finding in found] == [True] * bool(words)
 
 
 @pytest.mark.parametrize(

@@ -53,8 +53,8 @@ def test_a_transmission_without_plugin() -> None:
     assert messages("RCT005", ROBOT + control(driven("swing"), inner.format(""))) == [
         "transmission 't' has no <plugin>"
     ]
-    given = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
-    assert reported("RCT005", ROBOT + control(driven("swing"), given)) == []
+    complete = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
+    assert reported("RCT005", ROBOT + control(driven("swing"), complete)) == []
 
 
 @pytest.mark.parametrize(

@@ -103,13 +103,13 @@ def test_world_with_all_systems(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("missing", "what"),
+    ("missing", "effect"),
     [("physics", "nothing moves"), ("scene-broadcaster", "stays empty")],
 )
-def test_missing_default_systems(missing: str, what: str, tmp_path: Path) -> None:
+def test_missing_default_systems(missing: str, effect: str, tmp_path: Path) -> None:
     world = systems(*(one for one in DEFAULTS if one != missing))
     (one,) = messages(tmp_path, CODE, world=world)
-    assert what in one
+    assert effect in one
     assert "up to Gazebo Harmonic" in one
     policy = "<include_server_config_plugins>{}</include_server_config_plugins>"
     kept = f"<gz:policies>{policy.format('true')}</gz:policies>"
