@@ -12,7 +12,7 @@ def robot(path: str) -> str:
     return ROBOT + plugin("gz_ros2_control-system", f"<parameters>{path}</parameters>")
 
 
-def test_a_path_that_leads_nowhere() -> None:
+def test_missing_file() -> None:
     assert messages("RCT026", robot("/no/such/directory/c.yaml")) == [
         "parameter file not found on this machine: /no/such/directory/c.yaml"
     ]
@@ -22,12 +22,12 @@ def test_a_path_that_leads_nowhere() -> None:
 @pytest.mark.parametrize(
     "directory", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"]
 )
-def test_a_file_that_is_made_when_it_is_needed_is_calm(directory: str) -> None:
+def test_generated_file_is_accepted(directory: str) -> None:
     assert reported("RCT026", robot(f"{directory}/controllers.yaml")) == []
     assert len(reported("RCT026", robot(f"{directory}/config/controllers.yaml"))) == 1
 
 
-def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:
+def test_path_on_another_machine(tmp_path: Path) -> None:
     (tmp_path / ".git").mkdir()
     for path, severity in (
         ("/workspace/install/arm/share/arm/config/c.yaml", Severity.WARNING),
@@ -37,14 +37,14 @@ def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:
         assert found.severity is severity
 
 
-def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:
+def test_suggested_file_next_to_it(tmp_path: Path) -> None:
     (tmp_path / "controllers.yaml").write_text("")
     (message,) = messages("RCT026", robot(f"{tmp_path}/controler.yaml"))
     assert message.endswith("/controler.yaml; did you mean 'controllers.yaml'?")
     assert reported("RCT026", robot(f"{tmp_path}/controllers.yaml")) == []
 
 
-def test_paths_that_say_nothing_here() -> None:
+def test_paths_that_are_not_checked() -> None:
     for path in ("c.yaml", "$(find p)/c.yaml", ""):
         assert reported("RCT026", robot(path)) == []
     other = plugin("libgazebo_ros_camera.so", "<parameters>/no/such.yaml</parameters>")

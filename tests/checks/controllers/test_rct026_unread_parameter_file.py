@@ -16,9 +16,7 @@ from tests.driving import DRIVE, place, reported
         ("\ndrive:", "\n/**/dirve:", 5, "/**/dirve"),
     ],
 )
-def test_keys_under_which_nobody_looks(
-    tmp_path: Path, old: str, new: str, line: int, text: str
-) -> None:
+def test_keys_that_are_not_read(tmp_path: Path, old: str, new: str, line: int, text: str) -> None:
     (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", line, text)
 
@@ -27,7 +25,7 @@ def test_keys_under_which_nobody_looks(
     ("old", "new", "line"),
     [("    wheel_sep", "\twheel_sep", 9), ("[left_joint]", "[left_joint", 8)],
 )
-def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
+def test_invalid_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
     (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert found.message.startswith("invalid YAML: ")
     assert found.span.line == line
@@ -41,7 +39,7 @@ def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
         ("\ndrive:", "\nother:"),  # the controller may have its parameters elsewhere
     ],
 )
-def test_what_may_be_read_is_calm(tmp_path: Path, old: str, new: str) -> None:
+def test_parameters_that_may_be_read_are_accepted(tmp_path: Path, old: str, new: str) -> None:
     assert reported(tmp_path, "RCT026", DRIVE.replace(old, new)) == []
 
 
@@ -58,6 +56,6 @@ def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
         ("      type: diff", "      typ: diff", "typ"),
     ],
 )
-def test_a_type_of_no_controller(tmp_path: Path, old: str, new: str, text: str) -> None:
+def test_type_that_is_not_a_controller(tmp_path: Path, old: str, new: str, text: str) -> None:
     (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", 4, text)

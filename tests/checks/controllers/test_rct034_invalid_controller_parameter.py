@@ -34,7 +34,7 @@ def test_other_types_than_the_node_declares(
 
 
 @pytest.mark.parametrize("rate", ["0", "-5"])
-def test_rates_of_nothing(tmp_path: Path, rate: str) -> None:
+def test_rates_that_are_not_positive(tmp_path: Path, rate: str) -> None:
     text = DRIVE.replace("ers:\n    drive", f"ers:\n    update_rate: {rate}\n    drive")
     (found,) = reported(tmp_path, "RCT034", text)
     assert found.message == f"controller manager: update_rate is {rate}, must be > 0"
@@ -50,7 +50,7 @@ def test_rates_of_nothing(tmp_path: Path, rate: str) -> None:
         ("frame_id: base", "frame_id: 'base'"),
     ],
 )
-def test_what_ros_takes_is_calm(tmp_path: Path, old: str, new: str) -> None:
+def test_valid_parameters_are_accepted(tmp_path: Path, old: str, new: str) -> None:
     assert reported(tmp_path, "RCT034", DRIVE.replace(old, new)) == []
 
 
@@ -74,7 +74,7 @@ def test_a_misspelt_type(tmp_path: Path) -> None:
     assert found.span.line == 4
 
 
-def test_unknown_names_that_are_no_typos(tmp_path: Path) -> None:
+def test_unknown_names_that_are_not_typos(tmp_path: Path) -> None:
     more = DRIVE + "    linear.x.max_velocity: 1.0\n    angular:\n      z:\n        max_jerk: 1.0\n"
     assert reported(tmp_path, "RCT034", more + "    our_own: 1\n") == []
     assert reported(tmp_path, "RCT034", DRIVE.replace("diff_drive_controller/", "our_drive/")) == []
@@ -89,7 +89,7 @@ def test_a_required_parameter_is_missing(tmp_path: Path, gone: str) -> None:
     assert found.message.endswith(f": {gone.partition(':')[0]}")
 
 
-def test_parameters_under_a_name_that_is_no_controller(tmp_path: Path) -> None:
+def test_parameters_of_an_unknown_controller(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "RCT034", DRIVE.replace("\ndrive:", "\nbase_controller:"))
     assert place(found) == ("c.yaml", 5, "base_controller")
     assert found.help == "rename 'base_controller' to 'drive', or the reverse"
@@ -102,11 +102,11 @@ def test_parameters_under_a_name_that_is_no_controller(tmp_path: Path) -> None:
         ("diff_drive_controller/Diff", "my_drive_controller/Diff"),
     ],
 )
-def test_what_may_be_elsewhere_is_calm(tmp_path: Path, old: str, new: str) -> None:
+def test_parameters_that_may_be_elsewhere_are_accepted(tmp_path: Path, old: str, new: str) -> None:
     assert reported(tmp_path, "RCT034", DRIVE.replace(old, new)) == []
 
 
-def test_ros_1_wants_the_names_of_its_wheels(tmp_path: Path) -> None:
+def test_wheel_names_are_required_in_ros_1(tmp_path: Path) -> None:
     text = "drive:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left_joint\n"
     (found,) = reported(tmp_path, "RCT034", text)
     assert place(found) == ("c.yaml", 1, "drive")
@@ -155,7 +155,7 @@ arm:
         "my_controllers/Drive",
     ],
 )
-def test_what_may_be_there_is_calm(tmp_path: Path, kind: str) -> None:
+def test_unknown_classes_are_accepted(tmp_path: Path, kind: str) -> None:
     assert reported(tmp_path, "RCT034", DRIVE.replace(CLASS, kind)) == []
 
 
@@ -177,7 +177,7 @@ drive:
     [
         ("[left_joint]", "[left_joint, left_joint]", "joints has 'left_joint' twice"),
         ("[position, velocity]", "[velocity]", "state_interfaces has velocity without position"),
-        ("    gains: {left_joint: {p: 1.0}}\n", "", "the command interface velocity needs gains"),
+        ("    gains: {left_joint: {p: 1.0}}\n", "", "command interface velocity requires gains"),
     ],
 )
 def test_a_trajectory_controller(tmp_path: Path, old: str, new: str, message: str) -> None:

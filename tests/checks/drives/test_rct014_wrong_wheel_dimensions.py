@@ -97,7 +97,7 @@ def test_within_calibration(tmp_path: Path, separation: float, radius: float) ->
     assert reported(tmp_path, drive(separation, radius), robot()) == []
 
 
-def test_tyres_beside_their_joints(tmp_path: Path) -> None:
+def test_tyres_away_from_their_joints(tmp_path: Path) -> None:
     model = robot(shift=0.05)
     assert reported(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
     assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
@@ -105,7 +105,7 @@ def test_tyres_beside_their_joints(tmp_path: Path) -> None:
     assert found.message.endswith("but the distance between the wheels is 0.5 m")
 
 
-def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
+def test_unknown_dimensions(tmp_path: Path) -> None:
     mesh = robot().replace('<cylinder radius="0.1" length="0.05"/>', '<mesh filename="w.stl"/>')
     assert reported(tmp_path, drive(0.4, 7), mesh) == []
     assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
@@ -191,7 +191,7 @@ def test_the_defaults_count() -> None:
     ]
 
 
-def test_the_tyre_counts_where_it_is_not_on_the_joint() -> None:
+def test_tyre_that_is_not_at_the_joint() -> None:
     robot = BASE + tyre("left", 0.15, at=0.05) + tyre("right", -0.15, at=-0.05)
     assert of_plugin(plugged("0.4", robot=robot)) == []
     assert of_plugin(plugged("0.3", robot=robot)) == [], "nor is the distance of the joints"
@@ -220,7 +220,7 @@ def test_a_mesh_tells_nothing() -> None:
     assert of_plugin(plugged("5", "5", robot)) == []
 
 
-def test_a_wheel_that_stands_on_its_side_tells_nothing() -> None:
+def test_wheel_on_its_side_is_ignored() -> None:
     assert of_plugin(plugged("5", "5", WHEELS.replace("1.57079632679", "0"))) == []
 
 
@@ -229,7 +229,7 @@ def test_wheels_of_different_size_tell_nothing_of_the_diameter() -> None:
     assert of_plugin(plugged(diameter="1", robot=robot)) == []
 
 
-def test_wheels_without_a_place_of_their_own(tmp_path: Path) -> None:
+def test_wheels_at_the_same_place(tmp_path: Path) -> None:
     wheels = "".join(wheel(name, 0, 0) for name in ("fl", "rl", "fr", "rr"))
     (found,) = reported(tmp_path, drive(0.3, 0.1), '<link name="base"/>' + wheels)
-    assert found.help == "give the wheels' joints the <origin> where the wheels are"
+    assert found.help == "write the positions of the wheels into the <origin> of their joints"

@@ -27,7 +27,7 @@ def test_axes_that_point_at_each_other(tmp_path: Path) -> None:
     assert "are opposite" in found.message
 
 
-def test_sound_wheels_are_calm(tmp_path: Path) -> None:
+def test_valid_wheels_are_accepted(tmp_path: Path) -> None:
     assert reported(tmp_path, "RCT025", DRIVE) == []
     unknown = DRIVE.replace("[left_joint]", "[elsewhere]")
     assert reported(tmp_path, "RCT025", unknown) == []
@@ -81,7 +81,7 @@ def test_axes_against_each_other() -> None:
         WHEELS + plugin("libvendor.so", "<leftJoint>right_joint</leftJoint>"),
     ],
 )
-def test_no_drive_in_the_wrong_direction(text: str) -> None:
+def test_drives_in_the_right_direction(text: str) -> None:
     assert reported_of("RCT025", text) == []
 
 
@@ -102,7 +102,7 @@ def test_one_against_three(odd: int, way: int) -> None:
     axes = [f"0 {way} 0"] * 4
     axes[odd] = f"0 {-way} 0"
     text = rover(*axes)
-    message = f"joint '{NAMES[odd]}': the wheel axis is opposite to those of the other 3 wheels"
+    message = f"joint '{NAMES[odd]}': the wheel axis is opposite to the other 3 wheels"
     assert messages("RCT025", text) == [message]
     assert places("RCT025", text) == [(4 + 2 * odd, f'<axis xyz="0 {-way} 0"/>')]
 
@@ -124,7 +124,7 @@ def test_the_frames_count() -> None:
         rover("0 1 0", "0 1 0", "0 1 0", "0 -1 0", kind="fixed"),
     ],
 )
-def test_what_may_be_meant(other: str) -> None:
+def test_axes_that_may_be_intended(other: str) -> None:
     assert messages("RCT025", other) == []
 
 
@@ -171,7 +171,7 @@ REAR = wheeled("rear_left_wheel", TO_LEFT) + wheeled("rear_right_wheel", TO_RIGH
         cart('<origin xyz="0 -0.2 0"/><axis xyz="1 0 0"/>'),  # JNT025
     ],
 )
-def test_no_opposite_pair(text: str) -> None:
+def test_pairs_that_are_not_opposite(text: str) -> None:
     assert messages("RCT025", text) == []
 
 

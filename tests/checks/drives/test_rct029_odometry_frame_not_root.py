@@ -10,7 +10,7 @@ from tests.reported import messages, places
 from tests.reported import reported as reported_of
 
 
-def test_a_frame_that_is_no_link(tmp_path: Path) -> None:
+def test_frame_that_is_not_a_link(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: base_link"))
     assert found.message == (
         "controller 'drive' publishes the transform to 'base_link': the robot has no link "
@@ -29,7 +29,7 @@ def test_a_frame_that_is_a_child_of_another(tmp_path: Path) -> None:
     "more",
     ["", "    enable_odom_tf: false\n", "    tf_frame_prefix: robot\n"],
 )
-def test_the_root_or_no_transform_is_calm(tmp_path: Path, more: str) -> None:
+def test_root_or_no_transform_is_accepted(tmp_path: Path, more: str) -> None:
     text = DRIVE.replace("_id: base", "_id: left") if more else DRIVE
     assert reported(tmp_path, "RCT029", text + more) == []
 
@@ -44,8 +44,8 @@ def test_two_parents() -> None:
     text = ROBOT + plugin(MOVE, "<robotBaseFrame>mast</robotBaseFrame>")
     assert messages("RCT029", text) == [
         (
-            f"plugin 'p' ({MOVE}) sends the transform odom -> mast, and robot_state_publisher body "
-            "-> mast: a frame has one parent"
+            f"plugin 'p' ({MOVE}) publishes the transform odom -> mast, and robot_state_publisher "
+            "body -> mast: a frame has one parent"
         )
     ]
     assert [one.help for one in reported_of("RCT029", text)] == [
@@ -90,7 +90,7 @@ def test_in_ros2_the_drive_must_be_set_to_send_it() -> None:
     assert len(reported_of("RCT029", WHEELS + plugin(DIFF, on))) == 1
 
 
-def test_a_model_whose_root_is_the_odometry_frame() -> None:
+def test_model_with_the_odometry_frame_as_root() -> None:
     robot = '<link name="odom"/>' + child("body", "floating", parent="odom")
     text = robot + plugin(MOVE, "<robotBaseFrame>body</robotBaseFrame>")
     assert reported_of("RCT029", text) == [], "both name the same parent"

@@ -36,7 +36,7 @@ def test_a_file_that_is_there_is_calm(tmp_path):
     "cmake",
     ["add_subdirectory(doc)", "configure_file(a.in a)", "file(GENERATE OUTPUT a CONTENT b)"],
 )
-def test_what_the_build_may_make_is_calm(tmp_path: Path, cmake: str) -> None:
+def test_generated_file_is_accepted(tmp_path: Path, cmake: str) -> None:
     files = {"CMakeLists.txt": cmake}
     text = '<rosparam file="$(find arm)/config/made.yaml"/>'
     assert reported(tmp_path, "LAU003", "a.launch", text, files) == []
@@ -67,7 +67,7 @@ CLASSIC = """<include file="$(find gazebo_ros)/launch/empty_world.launch">
         ("b.launch.py", COMMAND, 'FindPackageShare("arm") / "worlds/hal.sdf"'),
     ],
 )
-def test_a_world_that_is_not_there(tmp_path: Path, name: str, text: str, world: str) -> None:
+def test_missing_world(tmp_path: Path, name: str, text: str, world: str) -> None:
     files = {"worlds/hall.sdf": "<sdf/>"}
     (found,) = reported(tmp_path, "LAU003", name, text.replace("WORLD", world), files)
     assert found.message == f"world not found: {tmp_path}/worlds/hal.sdf"

@@ -32,7 +32,7 @@ def test_a_robot_that_expands_is_checked_with_the_launch_file_in_the_chain(tmp_p
     assert [step.kind for step in finding.calls[0].via] == ["launch"]
 
 
-def test_a_package_that_is_not_on_this_machine_is_reported_once(tmp_path):
+def test_missing_package_is_reported_once(tmp_path):
     """In one repository, a camera's package that was not there made five errors of one."""
     text = ROBOT.format("a").replace("<link", '<xacro:include filename="$(find camera)/a"/>\n<link')
     (tmp_path / "r.xacro").write_text(text)

@@ -83,7 +83,7 @@ def test_in_python(tmp_path: Path) -> None:
         "def (",
     ],
 )
-def test_what_the_file_may_use_is_calm(tmp_path: Path, more: str) -> None:
+def test_used_argument_is_accepted(tmp_path: Path, more: str) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON + more}
     assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files) == []
 

@@ -37,11 +37,11 @@ def test_a_declaration_that_comes_too_late(tmp_path: Path) -> None:
         "<!-- $(arg x) -->",
     ],
 )
-def test_what_is_declared_or_off_is_calm(tmp_path: Path, text: str) -> None:
+def test_declared_or_disabled_argument_is_accepted(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU006", "a.launch", text) == []
 
 
-def test_an_included_file_has_what_it_is_given(tmp_path: Path) -> None:
+def test_included_file_gets_passed_arguments(tmp_path: Path) -> None:
     inner = {"launch/b.launch": launch(NODE.format("x"))}
     text = '<include file="$(dirname)/b.launch">{}</include>'
     (found,) = reported(tmp_path, "LAU006", "a.launch", text.format(""), inner)
@@ -70,13 +70,15 @@ def test_a_typo_in_python(tmp_path: Path) -> None:
         ("DeclareLaunchArgument('guy')\n", "guy", ""),
     ],
 )
-def test_what_may_be_declared_is_calm(tmp_path: Path, head: str, used: str, more: str) -> None:
+def test_argument_that_may_be_declared_is_accepted(
+    tmp_path: Path, head: str, used: str, more: str
+) -> None:
     text = head + PYTHON.format(declared="gui", used=used, more=more)
     assert reported(tmp_path, "LAU006", "a.launch.py", text) == []
 
 
 @pytest.mark.parametrize(("used", "count"), [("depth_image_height", 0), ("image_heigth", 1)])
-def test_what_an_including_file_gives_may_have_a_longer_name(
+def test_argument_of_an_including_file_may_have_a_longer_name(
     tmp_path: Path, used: str, count: int
 ) -> None:
     """As in NVIDIA's isaac_manipulator, where both names are arguments of the outer file."""
@@ -113,7 +115,7 @@ def test_in_xml(tmp_path: Path) -> None:
         "IncludeLaunchDescription(somewhere())\n",
     ],
 )
-def test_what_may_be_declared_is_calm_configuration(tmp_path: Path, head: str) -> None:
+def test_configuration_that_may_be_declared_is_accepted(tmp_path: Path, head: str) -> None:
     assert reported(tmp_path, "LAU006", "a.launch.py", head + USE) == []
 
 
@@ -135,7 +137,7 @@ def test_a_file_whose_name_is_put_together_elsewhere_may_get_it_there(tmp_path: 
         assert len(reported(tmp_path, "LAU006", "gz_arm.launch.py", USE, outer)) == count
 
 
-def test_a_configuration_that_nobody_reads_is_calm(tmp_path: Path) -> None:
+def test_unread_configuration_is_accepted(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU006", "a.launch.py", "model = " + USE) == []
     assert (
         len(reported(tmp_path, "LAU006", "a.launch.py", "model = " + USE + "print(model)\n")) == 1

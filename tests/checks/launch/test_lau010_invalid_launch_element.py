@@ -36,7 +36,7 @@ def test_unknown_tags_and_attributes(tmp_path: Path, text: str, word: str, help:
         ROS_1 + """<group if="$(eval arg('a') == 'b')"/><group unless=" $(arg a) "/>""",
     ],
 )
-def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
+def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch", text) == []
 
 
@@ -68,7 +68,7 @@ OF_ROS_2 = '<let name="x" value="$(var x)"/><push_ros_namespace namespace="n"/>'
         (OF_ROS_2 + "<executable/>", "<executable> has no cmd"),
     ],
 )
-def test_what_launch_needs(tmp_path: Path, text: str, message: str) -> None:
+def test_missing_requirement(tmp_path: Path, text: str, message: str) -> None:
     (found,) = reported(tmp_path, "LAU010", "a.launch", text)
     assert (found.message, found.span.line) == (message, 2)
 

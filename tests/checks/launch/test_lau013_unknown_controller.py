@@ -54,7 +54,9 @@ def test_several_of_one_spawner(tmp_path: Path) -> None:
         ("unspawner", "x"),
     ],
 )
-def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, args: str) -> None:
+def test_defined_or_unknown_controller_is_accepted(
+    tmp_path: Path, executable: str, args: str
+) -> None:
     text = LOAD_1 + SPAWN_1.format(executable, args)
     assert reported(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
 
@@ -68,7 +70,7 @@ def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, arg
         '<node name="n" pkg="p" type="t"><param name="/grip/type" value="a/B"/></node>',
     ],
 )
-def test_what_the_launch_file_names_itself_is_calm(tmp_path: Path, given: str) -> None:
+def test_parameters_of_the_launch_file_are_accepted(tmp_path: Path, given: str) -> None:
     text = LOAD_1 + given + SPAWN_1.format("spawner", "grip")
     assert reported(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
 
@@ -102,6 +104,6 @@ def test_ros_2_is_calm(tmp_path: Path, spawn: str) -> None:
 
 
 @pytest.mark.parametrize(("name", "count"), [("arm_controler", 1), ("grip", 0)])
-def test_without_a_file_of_its_own_only_typos(tmp_path: Path, name: str, count: int) -> None:
+def test_without_own_file_only_typos(tmp_path: Path, name: str, count: int) -> None:
     text = SPAWN_2.format(repr(name))
     assert len(reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count

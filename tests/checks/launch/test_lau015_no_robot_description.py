@@ -41,7 +41,7 @@ def test_in_xml(tmp_path: Path) -> None:
         NODE.format(", ros_arguments=['--params-file', 'a.yaml']"),
     ],
 )
-def test_given_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
+def test_passed_or_unknown_description_is_accepted(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU015", "a.launch.py", text) == []
 
 

@@ -20,7 +20,7 @@ ROS_2 = (
         (ROS_2, "frame: $(var prefix)base\n", "allow_substs"),
     ],
 )
-def test_what_stays_as_it_is_written(tmp_path: Path, launch: str, yaml: str, switch: str) -> None:
+def test_unresolved_text(tmp_path: Path, launch: str, yaml: str, switch: str) -> None:
     (tmp_path / "c.yaml").write_text(yaml)
     (found,) = reported(tmp_path, "LAU019", "a.launch", launch)
     assert found.help.partition(", and declare")[0] == f'write {switch}="true"'

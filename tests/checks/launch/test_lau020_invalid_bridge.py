@@ -32,7 +32,7 @@ def of_words(directory: Path, *words: str, files: dict[str, str] | None = None) 
         "__node:=bridge",
     ],
 )
-def test_what_the_bridge_passes_on(tmp_path: Path, word: str) -> None:
+def test_valid_bridge(tmp_path: Path, word: str) -> None:
     assert of_words(tmp_path, word) == []
 
 
@@ -47,7 +47,7 @@ def test_what_the_bridge_passes_on(tmp_path: Path, word: str) -> None:
         ("/imu@sensor_msgs/msg/Imu", "write topic@package/msg/Name[gz.msgs.Name"),
     ],
 )
-def test_what_it_does_not(tmp_path: Path, word: str, help: str) -> None:
+def test_invalid_bridge(tmp_path: Path, word: str, help: str) -> None:
     (found,) = of_words(tmp_path, word)
     assert found.severity is Severity.ERROR
     assert found.help.startswith(help)

@@ -217,7 +217,7 @@ def test_two_programs_that_localize(tmp_path: Path, slam: str, other: str, count
     assert all("from map to odom is published twice" in one for one in found)
 
 
-def test_nav2_with_slam_of_its_own(tmp_path: Path) -> None:
+def test_nav2_with_its_slam(tmp_path: Path) -> None:
     nav2 = NAV2.format("bringup_launch.py")[:-2]
     text = f"{nav2}, launch_arguments={{'slam': 'True'}}.items())\n"
     assert messages(tmp_path, SLAM.format("online_sync", tmp_path) + text) == []

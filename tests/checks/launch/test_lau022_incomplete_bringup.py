@@ -107,11 +107,9 @@ def test_topics(tmp_path: Path, text: str, count: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "words"), [("False", "is false, though"), ("True", ""), (None, "has no use_sim_time")]
+    ("value", "words"), [("False", "is false, but"), ("True", ""), (None, "lacks use_sim_time")]
 )
-def test_a_node_that_is_told_not_to_use_the_time_of_gazebo(
-    tmp_path: Path, value: str | None, words: str
-) -> None:
+def test_a_node_without_simulation_time(tmp_path: Path, value: str | None, words: str) -> None:
     own = f", parameters=[{{'use_sim_time': {value}}}]" if value else ", parameters=[{}]"
     text = (
         NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")

@@ -61,7 +61,7 @@ def test_parameters(tmp_path: Path, frame: str, count: int) -> None:
         (FILTER.format("") + PUBLISHER.format("") + STATIC.format("base_link", "base"), "", 0),
     ],
 )
-def test_what_is_published(tmp_path: Path, text: str, other: str, count: int) -> None:
+def test_published_topics(tmp_path: Path, text: str, other: str, count: int) -> None:
     file = "ekf:\n  ros__parameters:\n    base_link_frame: base\n"
     assert len(messages(tmp_path, text, other=other, f_yaml=file)) == count
 

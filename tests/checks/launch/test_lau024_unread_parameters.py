@@ -110,7 +110,7 @@ LAYER = "layer: {{plugin: {}, observation_sources: scan, scan: {{data_type: {}}}
         ("costmap_2d::VoxelLayer", "PointCloud2", "did you mean 'nav2_costmap_2d::Vox"),
         ("nav2_costmap_2d::SemanticLayer", "PointCloud2", ""),  # of a newer Nav2, perhaps
         ("my_layers::ObstacleLayer", "Image", ""),
-        ("nav2_costmap_2d::ObstacleLayer", "laserscan", "stops at data_type 'laserscan'"),
+        ("nav2_costmap_2d::ObstacleLayer", "laserscan", "data_type 'laserscan', which stops"),
     ],
 )
 def test_layers(tmp_path: Path, plugin: str, data: str, message: str) -> None:
@@ -235,7 +235,7 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
         ("{}", '"a.yaml"', ""),
     ],
 )
-def test_what_move_group_is_handed(tmp_path: Path, settings: str, given: str, said: str) -> None:
+def test_parameters_of_move_group(tmp_path: Path, settings: str, given: str, said: str) -> None:
     text = HANDED.replace("settings = {}", f"settings = {settings}").replace("[{}", f"[{given}")
     files = {
         "ompl.yaml": "planning_plugins: [ompl_interface/OMPLPlanner]\n",
@@ -276,9 +276,7 @@ def test_the_size_of_a_costmap(tmp_path: Path, width: str, count: int) -> None:
 
 
 @pytest.mark.parametrize(("name", "count"), [("slam_toolbox", 0), ("async_slam_toolbox_node", 1)])
-def test_a_file_that_is_handed_to_a_launch_file_of_ros(
-    tmp_path: Path, name: str, count: int
-) -> None:
+def test_file_passed_to_a_launch_file_of_ros(tmp_path: Path, name: str, count: int) -> None:
     text = (
         "IncludeLaunchDescription(\n"
         "    get_package_share_directory('slam_toolbox') + '/launch/online_async_launch.py',\n"
@@ -287,4 +285,4 @@ def test_a_file_that_is_handed_to_a_launch_file_of_ros(
     files = {"slam.yaml": f"{name}: {{ros__parameters: {{mode: mapping}}}}\n"}
     found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
     assert len(found) == count
-    assert all("the node is called 'slam_toolbox'" in one.message for one in found)
+    assert all("the node is 'slam_toolbox'" in one.message for one in found)

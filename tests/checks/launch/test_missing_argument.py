@@ -29,7 +29,7 @@ def test_an_argument_without_a_default(tmp_path: Path) -> None:
         ("", "", NEEDS.replace("<param", '<param if="$(env W)"')),
     ],
 )
-def test_given_or_not_needed_is_calm(
+def test_passed_or_optional_argument_is_accepted(
     tmp_path: Path, attribute: str, content: str, needs: str
 ) -> None:
     text = XML.format(attribute, content)
@@ -51,6 +51,6 @@ def test_in_python(tmp_path: Path) -> None:
         PYTHON.format("") + "DeclareLaunchArgument('world')",
     ],
 )
-def test_given_in_python_is_calm(tmp_path: Path, text: str) -> None:
+def test_argument_passed_in_python_is_accepted(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
     assert reported(tmp_path, "LAU005", "a.launch.py", text, files) == []

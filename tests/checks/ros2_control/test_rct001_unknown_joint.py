@@ -30,12 +30,12 @@ def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
     assert reported("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
 
 
-def test_what_is_no_joint_is_free() -> None:
+def test_gpio_may_have_any_name() -> None:
     assert reported("RCT001", ROBOT + control('<gpio name="g"/>', '<sensor name="s"/>')) == []
     assert reported("RCT001", ROBOT + control("<joint/>", driven("${side}_arm"))) == []
 
 
-def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
+def test_part_of_a_robot_is_accepted(tmp_path: Path) -> None:
     xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
     part = tmp_path / "part.xacro"
     part.write_text(f"<robot {xacro}>{transmission('elsewhere')}</robot>")
@@ -47,14 +47,14 @@ def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
     assert found.span.source.path.endswith("part.xacro")
 
 
-def test_a_description_of_the_hardware_alone() -> None:
+def test_description_of_hardware_only() -> None:
     """Such as those of webots_ros2, whose joints are in the world; or of one controller manager."""
     block = control(driven("left motor"), driven("right motor"))
     assert reported("RCT001", block) == reported("RCT001", '<link name="base"/>' + block) == []
     assert len(reported("RCT001", ROBOT + block)) == 2
 
 
-def test_the_joint_is_renamed_that_two_blocks_call_otherwise() -> None:
+def test_fix_renames_the_joint_if_two_blocks_agree() -> None:
     joints = robot(joint("swnig", "continuous", limit("0", "0", "10", "2")))
     once, twice = (joints + control(driven("swing")) * count for count in (1, 2))
     assert fixed("RCT001", once).count('<joint name="swnig"') == 2

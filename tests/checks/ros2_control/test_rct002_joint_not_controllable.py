@@ -54,7 +54,7 @@ def test_a_follower_with_a_command() -> None:
         (("classic-ros2", "ros2"), Severity.WARNING),
     ],
 )
-def test_humble_lets_it_pass(targets: tuple[str, ...], severity: Severity) -> None:
+def test_severity_by_target(targets: tuple[str, ...], severity: Severity) -> None:
     (found,) = reported("RCT002", BAD, targets=targets)
     assert found.severity is severity
 
@@ -64,14 +64,14 @@ def test_a_follower_without_command() -> None:
     assert reported("RCT002", ROBOT + control(driven("swing"), state)) == []
 
 
-def test_a_follower_with_a_motor_of_its_own() -> None:
+def test_follower_with_its_own_motor() -> None:
     own = driven("follow").replace("<joint ", '<joint mimic="False" ')
     assert reported("RCT002", ROBOT + control(driven("swing"), own)) == []
     same = driven("follow").replace("<joint ", '<joint mimic="true" ')
     assert len(reported("RCT002", ROBOT + control(driven("swing"), same))) == 1
 
 
-def test_the_form_of_humble() -> None:
+def test_mimic_parameter_of_humble() -> None:
     old = driven("follow", more='<param name="mimic">swing</param>')
     assert reported("RCT002", ROBOT + control(driven("swing"), old)) == []
 
@@ -90,7 +90,7 @@ def test_a_parameter_of_humble_for_jazzy() -> None:
     ("joint", "hardware"),
     [("slide", CLASSIC), ("slide", "ign_ros2_control/IgnitionSystem"), ("slide", MOCK)],
 )
-def test_where_it_is_read_or_nothing_is_known(joint: str, hardware: str) -> None:
+def test_parameter_that_is_read_or_unknown_joint(joint: str, hardware: str) -> None:
     assert reported("RCT002", ROBOT + control(driven(joint, more=FOLLOWS), plugin=hardware)) == []
 
 

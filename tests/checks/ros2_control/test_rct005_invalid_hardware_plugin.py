@@ -65,7 +65,7 @@ def test_a_transmission_without_plugin() -> None:
         ('<hardware><xacro:if value="1"><param name="rate">5</param></xacro:if></hardware>', 1),
     ],
 )
-def test_the_choice_of_arguments(hardware: str, number: int) -> None:
+def test_plugin_that_depends_on_arguments(hardware: str, number: int) -> None:
     text = GOOD.replace(f"<hardware>{PLUGIN}</hardware>", hardware)
     robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>'
     assert len(reported("RCT005", robot)) == number
@@ -89,7 +89,7 @@ def test_a_misspelt_class(name: str, suggested: str) -> None:
 @pytest.mark.parametrize(
     "name", [MOCK, GZ, "fake_components/GenericSystem", "our_hardware/OurSystem"]
 )
-def test_other_hardware_is_calm(name: str) -> None:
+def test_unknown_hardware_is_accepted(name: str) -> None:
     assert messages("RCT005", ROBOT + control(plugin=name)) == []
 
 
@@ -131,5 +131,5 @@ def test_gz_hardware_for_classic_and_for_ros1() -> None:
         ("acme/Sim", LOADS_GZ),
     ],
 )
-def test_what_fits_or_is_unknown(hardware: str, plugins: str) -> None:
+def test_matching_or_unknown_hardware(hardware: str, plugins: str) -> None:
     assert reported("RCT005", ROBOT + control(driven("swing"), plugin=hardware) + plugins) == []

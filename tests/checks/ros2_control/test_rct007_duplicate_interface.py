@@ -23,7 +23,7 @@ def test_two_blocks_for_all_joints_are_one_mistake() -> None:
     assert messages("RCT007", text) == [
         (
             "<ros2_control> 'sim' declares interfaces of 'swing', 'slide', 'weld' and 1 more that "
-            "another block has already"
+            "are already declared"
         )
     ]
     assert places("RCT007", text) == [(NEXT + 7, '<ros2_control name="sim" type="system">')]
@@ -33,7 +33,7 @@ def test_two_blocks_for_all_joints_are_one_mistake() -> None:
     ]
 
 
-def test_one_block_twice_the_same() -> None:
+def test_duplicate_in_one_block() -> None:
     twice = '<state_interface name="effort"/>' * 2
     assert messages("RCT007", ROBOT + control(driven("swing", more=twice))) == [
         "joint 'swing': state interface 'effort' is declared twice"
@@ -47,7 +47,7 @@ def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
     assert reported("RCT007", ROBOT + control(driven("swing"), driven("slide"))) == []
 
 
-def test_a_sensor_and_a_gpio_of_one_name_are_two_things() -> None:
+def test_sensor_and_gpio_may_have_the_same_name() -> None:
     """As in the hands of Robotis: the GPIO holds the settings of the sensor's bus."""
     state = '<state_interface name="pressure"/>'
     sensor = f'<sensor name="s">{state}</sensor>'
@@ -63,7 +63,7 @@ def test_two_blocks_of_one_name() -> None:
     assert [(one.span.line, one.message) for one in found.related] == [(NEXT, "first defined here")]
 
 
-def test_names_of_their_own() -> None:
+def test_unique_names() -> None:
     text = ROBOT + control(driven("swing")) + control(driven("slide"), name="d")
     assert reported("RCT007", text) == []
     assert reported("RCT007", text.replace('"c"', '""').replace('"d"', '""')) == [], "RCT017"

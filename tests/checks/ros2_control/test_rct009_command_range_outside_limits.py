@@ -44,7 +44,7 @@ def test_wider(joint: str, message: str) -> None:
     assert messages("RCT009", ROBOT + control(joint)) == [message]
 
 
-def test_the_place_is_the_bound_that_is_outside() -> None:
+def test_location_is_the_bound_outside_the_limit() -> None:
     text = ROBOT + control(commanded("slide", "position", "0", "0.6"))
     assert places("RCT009", text) == [(NEXT + 2, '<param name="max">')]
     text = text.replace(">0<", ">-0.1<")
@@ -96,7 +96,7 @@ def test_of_a_gpio() -> None:
     assert message.startswith("gpio 'lamp', ")
 
 
-def test_ranges_that_hold_something() -> None:
+def test_ranges_that_are_not_empty() -> None:
     for least, greatest in [("0", "0"), ("0", "0.5"), ("x", "0.5"), ("0.5", "")]:
         assert (
             reported("RCT009", ROBOT + control(commanded("slide", "position", least, greatest)))

@@ -44,9 +44,9 @@ def test_two_plugins_in_one_namespace() -> None:
     assert len(reported("RCT010", block + left + left)) == 1
 
 
-def test_the_plugin_of_ros1_wants_transmissions() -> None:
+def test_plugin_of_ros1_requires_transmissions() -> None:
     assert messages("RCT010", ROBOT + plugin("libgazebo_ros_control.so")) == [
-        "plugin libgazebo_ros_control.so: no transmission, so it drives no joint"
+        "plugin libgazebo_ros_control.so drives no joint: there are no transmissions"
     ]
     assert (
         reported("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []

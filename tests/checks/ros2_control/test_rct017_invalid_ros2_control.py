@@ -33,7 +33,7 @@ def test_a_name_that_is_missing(old: str, new: str, tag: str) -> None:
     assert set(found) == {f"<{tag}> has no name"}
 
 
-def test_what_the_parser_takes() -> None:
+def test_valid_names() -> None:
     more = '<properties/><transmission name="t"><plugin>p/C</plugin></transmission>'
     assert reported("RCT017", GOOD) == []
     assert reported("RCT017", ROBOT + control(driven("swing"), more)) == []
@@ -74,7 +74,7 @@ def test_names_that_hardware_and_controller_agree_on(name: str) -> None:
     assert reported("RCT017", ROBOT + control(driven("swing", name, name))) == []
 
 
-def test_gazebo_has_three_and_classic_five() -> None:
+def test_interfaces_of_simulators() -> None:
     found = messages("RCT017", ROBOT + control(driven("swing", "position_pid"), plugin=GZ))
     assert found == [
         (
@@ -123,7 +123,7 @@ def test_hardware_interfaces_of_ros1() -> None:
         assert reported("RCT017", ROBOT + transmission("swing", name)) == []
 
 
-def test_gazebo_of_ros1_knows_three() -> None:
+def test_interfaces_of_gazebo_in_ros1() -> None:
     text = ROBOT + transmission("swing", "hardware_interface/PosVelJointInterface")
     (message,) = messages("RCT017", text + plugin("libgazebo_ros_control.so"))
     assert " is not one of gazebo_ros_control (hardware_interface/Effort" in message
@@ -153,7 +153,7 @@ def test_no_type() -> None:
 
 
 @pytest.mark.parametrize("kind", ["system", "actuator", "sensor", "${kind}"])
-def test_the_types_that_there_are(kind: str) -> None:
+def test_valid_types(kind: str) -> None:
     assert reported("RCT017", ROBOT + control(driven("swing"), kind=kind)) == []
 
 
@@ -227,7 +227,7 @@ def test_text_for_a_number(name: str, value: str) -> None:
         ("{pi", "write a number"),
     ],
 )
-def test_a_dollar_makes_an_expression_of_what_is_one(value: str, help: str) -> None:
+def test_missing_dollar_of_an_expression(value: str, help: str) -> None:
     (found,) = reported("RCT017", with_parameter("min", value))
     assert found.help == help
 
@@ -242,7 +242,7 @@ def test_a_misspelt_parameter_is_fixed() -> None:
 @pytest.mark.parametrize(
     ("name", "value"), [("min", "-1.5"), ("max", "${pi}"), ("initial_value", " 1e-3 "), ("p", "x")]
 )
-def test_numbers_and_parameters_of_others(name: str, value: str) -> None:
+def test_numbers_and_other_parameters(name: str, value: str) -> None:
     assert messages("RCT017", with_parameter(name, value)) == []
 
 

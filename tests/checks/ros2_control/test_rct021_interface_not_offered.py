@@ -34,7 +34,7 @@ def state_reported(directory: Path, text: str) -> list[Diagnostic]:
     return reported(directory, text, direction="state")
 
 
-def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:
+def test_command_interfaces_of_a_trajectory_controller(tmp_path: Path) -> None:
     text = controller("arm", joints="[swing, slide]", command_interfaces="[position, acceleration]")
     first, second = reported(tmp_path, text)
     assert first.message == (
@@ -54,7 +54,7 @@ def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:
         ("diff_drive_controller/DiffDriveController", "left_wheel_names", "slide"),
     ],
 )
-def test_the_type_says_which(tmp_path: Path, kind: str, names: str, joint: str) -> None:
+def test_command_interface_of_the_type(tmp_path: Path, kind: str, names: str, joint: str) -> None:
     (found,) = reported(tmp_path, controller("c", kind, **{names: f"[{joint}]"}))
     assert found.span.text == joint
     good = "slide" if joint == "swing" and "effort" not in kind else "swing"
@@ -62,7 +62,7 @@ def test_the_type_says_which(tmp_path: Path, kind: str, names: str, joint: str) 
     assert len(others) == ("effort" in kind)
 
 
-def test_what_is_not_known_is_not_judged(tmp_path: Path) -> None:
+def test_unknown_controller_is_accepted(tmp_path: Path) -> None:
     velocity = controller("arm", joints="[swing]", command_interfaces="[position]")
     assert reported(tmp_path, velocity, "") == []  # no block at all
     assert reported(tmp_path, controller("arm", joints="[swing]")) == []
@@ -104,7 +104,7 @@ DRIVE = "drive:\n  type: {}_controllers/JointPositionController\n  joint: swing\
         (DRIVE.format("position") + DRIVE.format("effort").replace("drive", "other"), 0),
     ],
 )
-def test_ros_1_goes_by_the_transmission(tmp_path: Path, text: str, count: int) -> None:
+def test_interfaces_of_transmissions_in_ros_1(tmp_path: Path, text: str, count: int) -> None:
     (tmp_path / "c.yaml").write_text(text)
     robot = ROBOT + transmission("swing") + plugin("libgazebo_ros_control.so")
     (tmp_path / "r.urdf").write_text(whole_robot(robot))
@@ -121,7 +121,7 @@ def test_ros_1_goes_by_the_transmission(tmp_path: Path, text: str, count: int) -
 WHEELS = "diff_drive_controller/DiffDriveController"
 
 
-def test_a_trajectory_controller_says_which_state(tmp_path: Path) -> None:
+def test_state_interfaces_of_a_trajectory_controller(tmp_path: Path) -> None:
     text = controller("arm", joints="[swing, slide]", state_interfaces="[position, velocity]")
     first, second = state_reported(tmp_path, text)
     assert first.message.endswith("position of joint 'swing', which offers: velocity")

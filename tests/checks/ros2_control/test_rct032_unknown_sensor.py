@@ -34,7 +34,7 @@ def test_a_sensor_that_gazebo_does_not_have(hardware: str) -> None:
     assert '<sensor name="base_imu"><state' in fixed("RCT032", text)
 
 
-def test_others_are_calm() -> None:
+def test_other_sensors_are_accepted() -> None:
     assert reported("RCT032", ROBOT + control(IMU.format("base_imu"), plugin=GZ) + GAZEBO) == []
     assert reported("RCT032", ROBOT + control(IMU.format("own"), plugin=MOCK) + GAZEBO) == []
 
@@ -50,7 +50,7 @@ def reported_broadcaster(directory: Path, text: str, blocks: str = OFFERED) -> l
 
 
 @pytest.mark.parametrize("kind", [IMU_BROADCASTER, FORCE])
-def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
+def test_missing_sensor(tmp_path: Path, kind: str) -> None:
     (found,) = reported_broadcaster(tmp_path, controller("b", kind, sensor_name="imuu"))
     assert found.message == (
         "controller 'b': sensor 'imuu' does not exist in <ros2_control>; did you mean 'imu'?"
@@ -70,12 +70,12 @@ def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
         controller("b", IMU_BROADCASTER, sensor_name="$(var prefix)imu"),
     ],
 )
-def test_there_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
+def test_existing_or_unknown_sensor_is_accepted(tmp_path: Path, text: str) -> None:
     assert reported_broadcaster(tmp_path, text) == []
 
 
 @pytest.mark.parametrize("blocks", ["", control(driven("swing"))])
-def test_a_robot_without_sensors_is_calm(tmp_path: Path, blocks: str) -> None:
+def test_robot_without_sensors_is_accepted(tmp_path: Path, blocks: str) -> None:
     assert (
         reported_broadcaster(tmp_path, controller("b", IMU_BROADCASTER, sensor_name="x"), blocks)
         == []

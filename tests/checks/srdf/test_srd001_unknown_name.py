@@ -146,7 +146,7 @@ SOLVER = "{}:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
 
 
 @pytest.mark.parametrize("place", [".", "config"])
-def test_a_solver_for_no_group(tmp_path: Path, place: str) -> None:
+def test_solver_of_an_unknown_group(tmp_path: Path, place: str) -> None:
     (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     (tmp_path / "srdf").mkdir()
     directory = tmp_path / place
@@ -166,7 +166,7 @@ def test_a_solver_for_no_group(tmp_path: Path, place: str) -> None:
         "manipulator:\n  default_planner_config: RRT",
     ],
 )
-def test_planners_for_no_group(tmp_path: Path, text: str) -> None:
+def test_planners_of_an_unknown_group(tmp_path: Path, text: str) -> None:
     (tmp_path / "ompl_planning.yaml").write_text(text)
     (found,) = findings(tmp_path, GROUPS, "SRD001")
     assert found.span.text == "manipulator"
@@ -182,7 +182,7 @@ def test_planners_for_no_group(tmp_path: Path, text: str) -> None:
         "arm: [",
     ],
 )
-def test_what_is_known_or_of_others_is_calm(tmp_path: Path, text: str) -> None:
+def test_known_or_other_names_are_accepted(tmp_path: Path, text: str) -> None:
     (tmp_path / "kinematics.yaml").write_text(text)
     assert findings(tmp_path, GROUPS, "SRD001") == []
 
@@ -206,9 +206,7 @@ ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist,
         ("initial_positions.yaml", "initial_positions:\n  shoulder: 0\n", "should", "shuold", 2),
     ],
 )
-def test_names_that_nobody_has(
-    tmp_path: Path, file: str, text: str, old: str, new: str, line: int
-) -> None:
+def test_unknown_names(tmp_path: Path, file: str, text: str, old: str, new: str, line: int) -> None:
     (tmp_path / file).write_text(text)
     assert findings(tmp_path, "", "SRD001") == []
     (tmp_path / file).write_text(text.replace(old, new))
@@ -223,7 +221,7 @@ def test_settings_one_level_too_high(tmp_path: Path) -> None:
     )
     (tmp_path / "moveit_controllers.yaml").write_text(text)
     (found,) = findings(tmp_path, "", "SRD001")
-    assert found.message.endswith("they stand at the top level of the file")
+    assert found.message.endswith("they are at the top level of the file")
     assert found.help == "indent the settings"
 
 
@@ -231,7 +229,7 @@ def test_settings_one_level_too_high(tmp_path: Path) -> None:
     ("old", "new"),
     [("shoulder, wrist", "a, b"), ("wrist", "$(arg wrist)"), ("joints: [", "joints: 3 # ")],
 )
-def test_what_is_of_others_or_open_is_calm(tmp_path: Path, old: str, new: str) -> None:
+def test_other_or_unresolved_names_are_accepted(tmp_path: Path, old: str, new: str) -> None:
     (tmp_path / "moveit_controllers.yaml").write_text(TWO.replace(old, new))
     assert findings(tmp_path, "", "SRD001") == []
 

@@ -43,6 +43,6 @@ def test_two_states_of_one_name(tmp_path: Path) -> None:
     assert found.related[0].span.line == 3
 
 
-def test_the_same_name_in_two_groups_is_calm(tmp_path: Path) -> None:
+def test_same_name_in_two_groups_is_accepted(tmp_path: Path) -> None:
     body = GROUPS + STATE.format("up", "arm") + STATE.format("up", "all")
     assert findings(tmp_path, body, "SRD004") == []

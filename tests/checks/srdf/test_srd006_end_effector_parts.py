@@ -41,5 +41,5 @@ def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> 
 
 
 @pytest.mark.parametrize("text", GOOD)
-def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD006") == []

@@ -28,7 +28,7 @@ def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> 
 
 
 @pytest.mark.parametrize("text", GOOD)
-def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD007") == []
 
 
@@ -47,7 +47,7 @@ WORLD = """<robot name="r">
         ("fixed", "<visual><geometry><sphere radius='1'/></geometry></visual>", 1),
     ],
 )
-def test_the_world_link_of_gazebo_is_no_hindrance(
+def test_world_link_of_gazebo_is_accepted(
     tmp_path: Path, kind: str, inside: str, count: int
 ) -> None:
     (tmp_path / "r.urdf").write_text(WORLD.format(inside=inside))

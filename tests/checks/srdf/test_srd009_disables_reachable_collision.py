@@ -57,11 +57,11 @@ def test_the_depth_and_the_pose(tmp_path: Path) -> None:
         "",
     ],
 )
-def test_what_is_no_matter(tmp_path: Path, matrix: str) -> None:
+def test_matrix_that_is_accepted(tmp_path: Path, matrix: str) -> None:
     assert reported(tmp_path, matrix) == []
 
 
-def test_what_the_limits_rule_out_is_no_matter(tmp_path: Path) -> None:
+def test_collision_outside_the_limits_is_accepted(tmp_path: Path) -> None:
     short = ARM.replace('lower="-3" upper="3"', 'lower="-2" upper="2"')
     assert reported(tmp_path, pair("hand", "base"), short) == []
 

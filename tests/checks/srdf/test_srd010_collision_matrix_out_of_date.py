@@ -41,11 +41,11 @@ def test_the_pair_and_the_depth(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("matrix", [ALL, "", f'{SOME}<disable_default_collisions link="arm"/>'])
-def test_a_pair_that_is_disabled_and_no_matrix_at_all(tmp_path: Path, matrix: str) -> None:
+def test_disabled_pair_or_no_matrix(tmp_path: Path, matrix: str) -> None:
     assert reported(tmp_path, matrix) == []
 
 
-def test_what_does_not_overlap_is_no_matter(tmp_path: Path) -> None:
+def test_separate_links_are_accepted(tmp_path: Path) -> None:
     assert reported(tmp_path, SOME, near=0.21) == []
 
 
@@ -68,7 +68,7 @@ def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> 
 
 
 @pytest.mark.parametrize("text", GOOD)
-def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD010") == []
 
 

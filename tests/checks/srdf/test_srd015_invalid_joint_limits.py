@@ -72,7 +72,7 @@ AMENT = (
         ("'2.5'", "max_velocity is '2.5', not a number"),
         ("-2.5", "max_velocity is -2.5, must be > 0"),
         ("0.0", "max_velocity is 0.0, must be > 0"),
-        ("2", "max_velocity is 2, an integer; MoveIt 2 needs a double"),
+        ("2", "max_velocity is 2, an integer; MoveIt 2 requires a double"),
     ],
 )
 def test_values_that_moveit_cannot_use(tmp_path: Path, value: str, message: str) -> None:
@@ -84,12 +84,12 @@ def test_values_that_moveit_cannot_use(tmp_path: Path, value: str, message: str)
 
 
 @pytest.mark.parametrize("value", ["0.5", "1", "$(var v)"])
-def test_what_moveit_1_takes_is_calm(tmp_path: Path, value: str) -> None:
+def test_integers_are_accepted_in_moveit_1(tmp_path: Path, value: str) -> None:
     (tmp_path / "joint_limits.yaml").write_text(TEXT.format(value))
     assert findings(tmp_path, "", "SRD015") == []
 
 
-def test_a_limit_that_is_off_is_calm(tmp_path: Path) -> None:
+def test_disabled_limit_is_accepted(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text(AMENT)
     (tmp_path / "joint_limits.yaml").write_text(TEXT.replace("true", "false").format(0))
     assert findings(tmp_path, "", "SRD015") == []

@@ -23,7 +23,7 @@ from urdfkit import check
         ),
     ],
 )
-def test_what_is_left_out(tmp_path: Path, body: str, message: str) -> None:
+def test_ignored_elements(tmp_path: Path, body: str, message: str) -> None:
     (finding,) = findings(tmp_path, body, "SRD017")
     assert finding.message.startswith(message)
     assert finding.span.line == 2
@@ -37,7 +37,7 @@ def test_what_is_left_out(tmp_path: Path, body: str, message: str) -> None:
         '<group name="g"><chain base_link="base" tip_link="arm"/></group>',
     ],
 )
-def test_what_is_read(tmp_path: Path, body: str) -> None:
+def test_valid_elements(tmp_path: Path, body: str) -> None:
     assert findings(tmp_path, body, "SRD017") == []
 
 
@@ -87,12 +87,12 @@ def test_xml_that_is_not_well_formed(tmp_path: Path) -> None:
     assert (finding.span.line, finding.span.text) == (2, '<group name="g">')
 
 
-def test_one_of_several_that_has_another_name_is_left_alone(tmp_path: Path) -> None:
+def test_one_of_several_with_another_name_is_accepted(tmp_path: Path) -> None:
     (tmp_path / "other.srdf").write_text("<robot")
     assert findings(tmp_path, "", "SRD017") == []
     (tmp_path / "r.srdf").write_text("<robot")
     assert len(check(tmp_path / "r.urdf", select=["SRD017"]).diagnostics) == 1
 
 
-def test_a_sound_one_is_calm(tmp_path: Path) -> None:
+def test_valid_file_is_accepted(tmp_path: Path) -> None:
     assert findings(tmp_path, '<group name="g"><link name="arm"/></group>', "SRD017") == []

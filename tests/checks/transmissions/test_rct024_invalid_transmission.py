@@ -54,7 +54,7 @@ def test_typos_are_fixed() -> None:
 @pytest.mark.parametrize(
     ("old", "new"), [(">1<", ">-50.5<"), ("Simple", "HalfDifferential"), ("Simple", "acme/Worm")]
 )
-def test_what_is_read_or_of_others(old: str, new: str) -> None:
+def test_valid_elements(old: str, new: str) -> None:
     assert messages("RCT024", SOUND.replace(old, new)) == []
 
 
@@ -103,7 +103,7 @@ def test_a_joint_without_interface() -> None:
     assert places("RCT024", EMPTY) == [(NEXT + 1, '<joint name="swing">')]
 
 
-def test_the_one_in_the_actuator_does_not_count() -> None:
+def test_interface_in_the_actuator_is_ignored() -> None:
     old = "<hardwareInterface>EffortJointInterface</hardwareInterface></actuator>"
     assert messages("RCT024", EMPTY.replace("</actuator>", old)) == [
         (
@@ -125,7 +125,7 @@ def test_one_finding_for_all() -> None:
     assert [one.message for one in found.related] == ["transmission 'u'"]
 
 
-def test_who_reads_it() -> None:
+def test_readers_of_transmissions() -> None:
     assert reported("RCT024", TWO) == [], "nothing says that it is for ROS 2"
     assert reported("RCT024", TWO + plugin("libgazebo_ros_control.so")) == []
     assert reported("RCT024", TWO, targets=("ros1", "ros2")) == []
@@ -159,7 +159,7 @@ ACTUATOR = '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></act
         ),
     ],
 )
-def test_what_is_missing(old: str, new: str, message: str) -> None:
+def test_missing_parts(old: str, new: str, message: str) -> None:
     found = messages("RCT024", SOUND.replace(old, new))
     assert found[0].startswith(message)
     assert places("RCT024", SOUND.replace(old, new))[0][0] == NEXT
@@ -191,7 +191,7 @@ def test_severity_by_target(targets: tuple[str, ...], severity: Severity) -> Non
         ("<actuator", '<joint name="slide"/><actuator', True),
     ],
 )
-def test_what_gazebo_does_not_read_is_no_error_there(old: str, new: str, is_read: bool) -> None:
+def test_unread_by_gazebo_is_a_warning(old: str, new: str, is_read: bool) -> None:
     """DefaultRobotHWSim reads the joint and its first interface, whatever the type."""
     targets = ("ros1", "classic-ros1")
     found = reported("RCT024", SOUND.replace(old, new), targets=targets)
@@ -217,6 +217,6 @@ def test_two_transmissions_of_one_name() -> None:
     assert messages("RCT024", text) == ["duplicate transmission name 't'"]
 
 
-def test_a_joint_that_is_moved_in_two_ways() -> None:
+def test_joint_with_two_interfaces() -> None:
     other = transmission("swing", "hardware_interface/PositionJointInterface")
     assert reported("RCT024", ROBOT + FIRST + other.replace('name="t"', 'name="u"')) == []

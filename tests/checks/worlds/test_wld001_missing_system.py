@@ -27,12 +27,12 @@ DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
         ("air_pressure", "AirPressure"),
     ],
 )
-def test_each_sensor_needs_its_system(kind: str, system: str, tmp_path: Path) -> None:
+def test_each_sensor_requires_its_system(kind: str, system: str, tmp_path: Path) -> None:
     world = systems(*DEFAULTS)
     (one,) = found(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
     assert one.message == (
         f"world 'hall' does not load the system {system}, without which sensor 's' ({kind}) "
-        "gives no data"
+        "publishes no data"
     )
     assert (one.span.source.path, one.span.line) == (str(tmp_path / "worlds/hall.sdf"), 2)
     assert [note.span.source.path.rpartition("/")[2] for note in one.related] == [
@@ -106,7 +106,7 @@ def test_one_that_has_all(tmp_path: Path) -> None:
     ("missing", "what"),
     [("physics", "nothing moves"), ("scene-broadcaster", "stays empty")],
 )
-def test_defaults_that_a_world_leaves_out(missing: str, what: str, tmp_path: Path) -> None:
+def test_missing_default_systems(missing: str, what: str, tmp_path: Path) -> None:
     world = systems(*(one for one in DEFAULTS if one != missing))
     (one,) = messages(tmp_path, CODE, world=world)
     assert what in one
@@ -118,7 +118,7 @@ def test_defaults_that_a_world_leaves_out(missing: str, what: str, tmp_path: Pat
     assert "Harmonic" not in one
 
 
-def test_spawning_needs_user_commands(tmp_path: Path) -> None:
+def test_spawning_requires_user_commands(tmp_path: Path) -> None:
     world = systems("physics", "scene-broadcaster")
     assert messages(tmp_path, CODE, world=world) == []
     spawn = '\nNode(package="ros_gz_sim", executable="create", arguments=["-file", "a.sdf"])\n'
@@ -126,7 +126,7 @@ def test_spawning_needs_user_commands(tmp_path: Path) -> None:
     assert "UserCommands: the node that spawns the robot waits for ever" in one
 
 
-def test_without_a_window_nobody_needs_the_scene(tmp_path: Path) -> None:
+def test_scene_is_optional_without_a_window(tmp_path: Path) -> None:
     launch = INCLUDE.replace('"-r "', '"-s -r "')
     assert messages(tmp_path, CODE, world=systems("physics", "user-commands"), launch=launch) == []
 
@@ -164,7 +164,7 @@ def test_classic_without_the_factory(command: str, tmp_path: Path) -> None:
     launch = INCLUDE.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
     (one,) = found(tmp_path, CODE, world="", launch=launch + START.format(command) + SPAWN)
     assert one.message == (
-        "Gazebo is started without libgazebo_ros_factory.so, which spawn_entity.py needs"
+        "Gazebo is started without libgazebo_ros_factory.so, which spawn_entity.py requires"
     )
     assert one.severity is Severity.ERROR
     loaded = START.format(f'{command}, "-s", "libgazebo_ros_factory.so"')
@@ -185,7 +185,7 @@ def test_a_world_may_load_the_factory(tmp_path: Path) -> None:
     assert messages(tmp_path, CODE, world=plugin, launch=launch + start + SPAWN) == []
 
 
-def test_a_world_that_is_nowhere_on_earth(tmp_path: Path) -> None:
+def test_world_without_spherical_coordinates(tmp_path: Path) -> None:
     world = systems(*DEFAULTS, "navsat")
     (one,) = messages(tmp_path, CODE, world=world, robot=SENSOR.format("navsat"))
     assert "has no <spherical_coordinates>" in one

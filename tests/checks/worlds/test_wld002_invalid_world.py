@@ -24,7 +24,7 @@ def one(directory: Path, world: str, **files: object) -> Diagnostic:
 def test_a_plugin_of_classic_in_gz(file: str, tmp_path: Path) -> None:
     reported = one(tmp_path, f'<plugin name="p" filename="{file}"/>')
     assert reported.message == (
-        f"plugin 'p' ({file}) is for Gazebo Classic, and world 'hall' is started in gz-sim: it is "
+        f"plugin 'p' ({file}) is for Gazebo Classic, but world 'hall' is started in gz-sim: it is "
         "not loaded"
     )
     assert (reported.severity, reported.span.text) == (Severity.WARNING, file)
@@ -32,7 +32,7 @@ def test_a_plugin_of_classic_in_gz(file: str, tmp_path: Path) -> None:
 
 def test_a_system_of_gz_in_classic(tmp_path: Path) -> None:
     reported = one(tmp_path, systems("physics"), launch=CLASSIC)
-    assert "is for gz-sim, and world 'hall' is started in Gazebo Classic" in reported.message
+    assert "is for gz-sim, but world 'hall' is started in Gazebo Classic" in reported.message
     state = '<plugin name="p" filename="libgazebo_ros_state.so"/>'
     assert messages(tmp_path, CODE, world=state, launch=CLASSIC) == []
 
@@ -72,17 +72,17 @@ def test_render_engines(engine: str, problem: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["segmentation", "boundingbox_camera"])
-def test_what_the_old_engine_lacks(kind: str, tmp_path: Path) -> None:
+def test_sensors_that_the_old_engine_lacks(kind: str, tmp_path: Path) -> None:
     world = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors">'
     world += "<render_engine>ogre</render_engine></plugin>"
     reported = one(tmp_path, world, robot=SENSOR.format(kind))
-    assert reported.message == f"the render engine ogre has no {kind}, which sensor 's' is"
+    assert reported.message == f"render engine ogre does not support {kind}, the type of sensor 's'"
     assert messages(tmp_path, CODE, world=world, robot=SENSOR.format("camera")) == []
     newer = world.replace("ogre", "ogre2")
     assert messages(tmp_path, CODE, world=newer, robot=SENSOR.format(kind)) == []
 
 
-def test_models_that_are_not_there(tmp_path: Path) -> None:
+def test_missing_models(tmp_path: Path) -> None:
     include = "<include><uri>model://{}</uri></include>"
     files = {"models/big_shelf/model.config": "<model/>"}
     assert messages(tmp_path, CODE, world=include.format("big_shelf"), files=files) == []
@@ -91,11 +91,11 @@ def test_models_that_are_not_there(tmp_path: Path) -> None:
     assert messages(tmp_path, CODE, world=include.format("cafe")) == []
     for name in ("sun", "ground_plane"):
         (online,) = messages(tmp_path, CODE, world=include.format(name))
-        assert f"gz sim does not come with 'model://{name}'" in online
+        assert f"gz sim does not have 'model://{name}'" in online
         assert messages(tmp_path, CODE, world=include.format(name), launch=CLASSIC) == []
 
 
-def test_files_that_are_no_worlds(tmp_path: Path) -> None:
+def test_files_that_are_not_worlds(tmp_path: Path) -> None:
     path = tmp_path / "worlds/hall.sdf"
     reported = one(tmp_path, "<model>")
     assert reported.message.startswith("'hall.sdf' is not a world: ")
@@ -112,7 +112,7 @@ def test_files_that_are_no_worlds(tmp_path: Path) -> None:
 )
 def test_spawned_into_another_world(argument: str, tmp_path: Path) -> None:
     reported = one(tmp_path, "", launch=INCLUDE + SPAWN.format(argument))
-    assert "and world 'hall' is started" in reported.message
+    assert "but world 'hall' is started" in reported.message
     same = SPAWN.format('"-world", "hall"')
     assert messages(tmp_path, CODE, world="", launch=INCLUDE + same) == []
     assert messages(tmp_path, CODE, world="", launch=INCLUDE + SPAWN.format("")) == []

@@ -49,7 +49,7 @@ def test_it_is_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
     )
 
 
-def test_the_place_and_what_to_write(tmp_path: Path) -> None:
+def test_location_and_help(tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(TOPIC + ', "-z", "0.1"')
     (one,) = found(tmp_path, CODE, robot=wheeled(), launch=launch)
     assert one.span.text == '"0.1"'
@@ -73,7 +73,7 @@ def test_the_floor_of_the_world(tmp_path: Path) -> None:
     low = launch.replace("0.5", "0.1")
     assert len(messages(tmp_path, CODE, robot=wheeled(), launch=low, world=include)) == 1
     (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=low, world="")
-    assert one == "world 'hall' has nothing to stand on, so the robot falls"
+    assert one == "world 'hall' has no collision geometry, so the robot falls"
     spawned = low + SPAWN.format('"-file", "floor.sdf"')
     assert messages(tmp_path, CODE, robot=wheeled(), launch=spawned, world="") == []
     hilly = f"{include}<model><collision><geometry><heightmap/></geometry></collision></model>"
@@ -90,12 +90,12 @@ def test_the_floor_of_the_world(tmp_path: Path) -> None:
         '"-topic", "robot_description", "-z", LaunchConfiguration("z")',
     ],
 )
-def test_what_is_not_known(arguments: str, tmp_path: Path) -> None:
+def test_unknown_poses(arguments: str, tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(arguments)
     assert messages(tmp_path, CODE, robot=wheeled(), launch=launch) == []
 
 
-def test_what_does_not_roll(tmp_path: Path) -> None:
+def test_robots_without_wheels(tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(TOPIC)
     assert messages(tmp_path, CODE, robot=wheeled("fixed"), launch=launch) == []
     fixed = '<link name="world"/><joint name="w" type="fixed"><parent link="world"/>'

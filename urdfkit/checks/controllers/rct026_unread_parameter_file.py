@@ -1,10 +1,10 @@
 """A parameter file of controllers does not exist, or a part of it is not read.
 
-- The file that the Gazebo control plugin names does not exist. The controller manager stops at it;
-  no controller can be loaded, and Gazebo may stop as well. The file has another name or directory,
-  or is not installed. An absolute path outside of the repository or workspace is a warning: it may
-  exist on another machine, such as `/workspace/install/...` in a container. One that an argument
-  or a property chooses is an info: who starts the robot passes another.
+- The file that the Gazebo control plugin names does not exist. The controller manager stops, no
+  controller can be loaded, and Gazebo may stop as well. The file has another name or directory, or
+  is not installed. An absolute path outside the repository or workspace is a warning: it may exist
+  on another machine, such as `/workspace/install/...` in a container. A path that depends on an
+  argument or a property is an info.
 - The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
   name that no controller has. The controller then starts without its joints, and stops: "parameter
   'joints' was not set".
@@ -41,17 +41,17 @@ def check(context: Context) -> Findings:
     yield from _missing(context)
     for file, span, reason in syntax_errors(context):
         yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
-    for file, found in unread_keys(context):
-        for span, message, help in found:
+    for file, problems in unread_keys(context):
+        for span, message, help in problems:
             yield Finding(Location(span), message, help, related=(file.note,))
 
 
 def _missing(context: Context) -> Findings:
     for file in parameter_files(context):
         if file.element and "://" in file.path:
-            message = f"the plugin takes '{file.path}' for a path, which does not exist"
+            message = f"the plugin reads '{file.path}' as a path, which does not exist"
             yield Finding(file.element, message, f"write {_FIND}")
-        elif file.found is None and file.element:  # LAU003 reports those of launch files
+        elif file.found is None and file.element:  # LAU003 reports the files of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
                 continue  # the launch file writes it first
             is_here = context.resolver.packages.searches(file.path, context.source.path)

@@ -4,22 +4,22 @@ The controller manager does not load the controller, or the controller runs with
 
 - The type is misspelt, or its package does not have that class in this version of ROS: "Loader for
   controller 'x' (type 'y') not found". Many types of ROS 1 have another name in ROS 2.
-- The name of a parameter is misspelt. A robot whose `wheel_seperation` is never read turns by the
-  wrong angle (warning).
+- The name of a parameter is misspelt (warning): with an unread `wheel_seperation`, the robot turns
+  by the wrong angle.
 - A required parameter is missing: "'joints' parameter was empty".
 - A value has the wrong type. ROS 2 parameters are typed: a `double` does not accept the integer
   `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
-  type". Only what all versions of a class since Humble agree on is reported.
-- A value that must be positive is not, or a covariance has another length: 6 numbers for the
+  type". Types that differ between versions of a class since Humble are not checked.
+- A value must be positive but is not, or a covariance has the wrong length: 6 numbers for the
   diagonal of a drive, 9 for an IMU.
-- The list of an axle has not the number of joints of the steering controller: two for Ackermann,
+- The list of an axle has the wrong number of joints for the steering controller: two for Ackermann,
   one for a bicycle.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
   without `position`: it is not configured. With `effort` or `velocity` as its only command
-  interface a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
+  interface, a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
 
-Only classes of the packages that urdfkit knows are checked, and not those of a package of the
-workspace, which may have parameters of its own.
+Only classes of packages that urdfkit knows are checked, unless the package is in the workspace,
+where it may have other parameters.
 
 Sources:
     rclcpp, parameter types: https://docs.ros.org/en/rolling/Concepts/Basic/About-Parameters.html
@@ -70,7 +70,7 @@ _TYPES = {
     "double_array": "a list of numbers with a decimal point",
     "string_array": "a list of strings",
 }
-#: The numbers in lists of covariance.
+#: The lengths of covariance lists.
 _LENGTHS = {
     "pose_covariance_diagonal": 6,
     "static_covariance": 9,
@@ -80,9 +80,9 @@ _LENGTHS = {
     "static_position_covariance": 9,
     "twist_covariance_diagonal": 6,
 }
-#: The joints of an axle of a steering controller, by the first word of its package.
+#: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
-#: Similarity from which an unknown word is a typo: of a parameter, and of a class.
+#: Similarity from which an unknown parameter or class is a typo.
 _PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
 
 #: Place, message and help.
@@ -96,51 +96,50 @@ def check(context: Context) -> Findings:
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
-    for file, found in by_file(context.controllers):
-        names = {one.name for one in found}
+    for file, controllers in by_file(context.controllers):
+        names = {controller.name for controller in controllers}
         others = {name: section for name, section in sections.items() if name not in names}
-        for one in found:
-            if _is_of_workspace(context, one):
+        for controller in controllers:
+            if _is_of_workspace(context, controller):
                 continue
-            own = sections.get(one.name, one.section)
-            for severity, (span, message, help) in _problems(one, own, others):
-                at, whole = Location(span), f"controller '{one.name}': {message}"
-                yield Finding(at, whole, help, related=(file.note,), severity=severity)
+            own = sections.get(controller.name, controller.section)
+            for severity, (span, message, help) in _problems(controller, own, others):
+                at, text = Location(span), f"controller '{controller.name}': {message}"
+                yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 
 def _problems(
     controller: Controller, own: Section, others: dict[str, Section]
 ) -> Iterator[tuple[Severity | None, _Problem]]:
-    """What is wrong with a controller, with the severity where it is not that of the rule.
+    """Problems of a controller, with a severity if it differs from that of the rule.
 
     Args:
         own: the section with its parameters.
-        others: the sections of what is no controller of the same file, by name.
+        others: the sections that do not belong to a controller of the file, by name.
     """
-    wrong = [*_unknown_class(controller), *_missing(controller, own, others)]
+    errors = [*_unknown_class(controller), *_missing(controller, own, others)]
     known = parameters_of(controller.type, controller.ros)
     if known is not None:
-        wrong += _invalid_values(known, controller.section)
-    wrong += invalid_interfaces(controller)
-    wrong += _wrong_axles(controller)
-    yield from ((None, problem) for problem in wrong)
-    likely = (*_misspelt(controller), *without_gains(controller, own))
-    yield from ((Severity.WARNING, problem) for problem in likely)
+        errors += _invalid_values(known, controller.section)
+    errors += invalid_interfaces(controller)
+    errors += _wrong_axles(controller)
+    yield from ((None, problem) for problem in errors)
+    warnings = (*_misspelt(controller), *without_gains(controller, own))
+    yield from ((Severity.WARNING, problem) for problem in warnings)
 
 
 def _is_of_workspace(context: Context, controller: Controller) -> bool:
-    """True if the sources of its class are in the workspace: the package of the same name."""
-    directory = context.resolver.packages.known(context.source.path).get(
-        controller.type.partition("/")[0]
-    )
-    found = context.resolver.directories.find(directory, "CMakeLists.txt") if directory else None
-    return found is not None
+    """True if the sources of the controller's package are in the workspace."""
+    package = controller.type.partition("/")[0]
+    directory = context.resolver.packages.known(context.source.path).get(package)
+    find = context.resolver.directories.find
+    return directory is not None and find(directory, "CMakeLists.txt") is not None
 
 
 def _unknown_class(controller: Controller) -> Iterator[_Problem]:
-    """The type, if its package is known and has no such class in this version of ROS."""
-    kind, here = controller.type, classes(controller.ros)
-    if kind in here:
+    """A type whose package is known, but does not have the class in this version of ROS."""
+    kind, known = controller.type, classes(controller.ros)
+    if kind in known:
         return
     if controller.ros == 1:
         if kind in classes(2):
@@ -151,10 +150,10 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
         yield controller.type_at, message, f"use {suggested}, and check its parameters"
     else:
         package = kind.partition("/")[0]
-        own = [name for name in here if name.startswith(f"{package}/")]
-        if own and not nearest(kind, here, _CLASS_TYPO):
+        types = [name for name in known if name.startswith(f"{package}/")]
+        if types and not nearest(kind, known, _CLASS_TYPO):
             message = f"package '{package}' has no controller type '{kind}'"
-            yield controller.type_at, message, f"use one of: {', '.join(own)}"
+            yield controller.type_at, message, f"use one of: {', '.join(types)}"
 
 
 def _misspelt(controller: Controller) -> Iterator[_Problem]:
@@ -176,7 +175,7 @@ def _misspelt(controller: Controller) -> Iterator[_Problem]:
 def _missing(
     controller: Controller, own: Section, others: dict[str, Section]
 ) -> Iterator[_Problem]:
-    """Required parameters that the controller does not have, misspelt ones apart."""
+    """Required parameters that the controller does not have, except misspelt ones."""
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
     absent = [name for name in required if name not in own.places]
@@ -211,7 +210,7 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
 
 
 def _wrong_axles(controller: Controller) -> Iterator[_Problem]:
-    """The lists of a steering controller with too many or too few joints."""
+    """Joint lists of a steering controller with the wrong length."""
     count = _OF_AXLE.get(controller.type.partition("_steering_controller/")[0])
     known = controller_types().get(controller.type)
     for name in known.joints if count and known else ():
@@ -222,7 +221,6 @@ def _wrong_axles(controller: Controller) -> Iterator[_Problem]:
 
 
 def _correction(node: Node, expected: str) -> str:
-    """What to write instead."""
     if isinstance(node, Value) and expected in ("double", "int"):
         try:
             number = float(node.text.replace(",", "."))

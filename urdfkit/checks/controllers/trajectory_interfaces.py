@@ -1,4 +1,4 @@
-"""Parameters of a joint_trajectory_controller that do not go together.
+"""Inconsistent parameters of a joint_trajectory_controller.
 
 Sources: ``validate_jtc_parameters.hpp`` and ``joint_trajectory_controller.cpp`` of
 ros2_controllers, Humble to Rolling.
@@ -12,15 +12,15 @@ from urdfkit.text.source import Span
 
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 _LISTS = ("joints", "command_interfaces", "state_interfaces")
-#: What a state interface can only be used with.
-_NEEDS = {"velocity": "position", "acceleration": "velocity"}
+#: State interfaces that require another one.
+_REQUIRED = {"velocity": "position", "acceleration": "velocity"}
 
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
 
 
 def invalid_interfaces(controller: Controller) -> Iterator[_Problem]:
-    """Lists that the controller rejects."""
+    """Lists of joints or interfaces that the controller rejects."""
     if controller.type != _TRAJECTORY:
         return
     for name in _LISTS:
@@ -30,13 +30,13 @@ def invalid_interfaces(controller: Controller) -> Iterator[_Problem]:
             yield twice.span, f"{name} has '{twice.text}' twice", "remove one of the two"
     states = [value.text for value in controller.section.values("state_interfaces")]
     for state in states:
-        if (other := _NEEDS.get(state)) and other not in states:
-            message = f"state_interfaces has {state} without {other}"
-            yield controller.section.places["state_interfaces"], message, f"add {other}"
+        if (required := _REQUIRED.get(state)) and required not in states:
+            message = f"state_interfaces has {state} without {required}"
+            yield controller.section.places["state_interfaces"], message, f"add {required}"
 
 
 def without_gains(controller: Controller, own: Section) -> Iterator[_Problem]:
-    """Commands that a PID computes whose gains are not given, and are 0."""
+    """Commands that a PID computes without gains, which are then 0."""
     commands = [value.text for value in controller.section.values("command_interfaces")]
     if controller.type != _TRAJECTORY or commands not in (["effort"], ["velocity"]):
         return
@@ -44,6 +44,6 @@ def without_gains(controller: Controller, own: Section) -> Iterator[_Problem]:
     is_open = any(value.text.lower() == "true" for value in own.values("open_loop_control"))
     if any(name.startswith("gains") for name in own.places) or (is_open and command == "velocity"):
         return
-    message = f"the command interface {command} needs gains, which are 0 by default"
+    message = f"command interface {command} requires gains, which are 0 by default"
     help = "add gains: {JOINT: {p: ..., i: ..., d: ...}} for each joint"
     yield controller.section.places["command_interfaces"], message, help

@@ -1,13 +1,15 @@
 """The wheel radius or separation of a drive plugin or controller differs from the model.
 
-The drive computes wheel speeds and odometry from its own numbers. With a wrong radius the robot
-drives too fast or too slow, and measures too little or too much; with a wrong separation it turns
-by the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
-sphere, how large. Write its values into the plugin or the parameter file, corrections into
-multipliers, of which a controller's length is not reported. A separation larger than the track is
-not reported where wheels slip in turns, nor any if the collision of a wheel is farther from its
-joint than its diameter. Of several controllers of a file for the same wheels, those that fit best
-are reported: the others may be for another robot.
+The drive computes wheel speeds and odometry from its parameters. With a wrong radius the robot
+drives too fast or too slow, and the odometry is too short or too long; with a wrong separation it
+turns by the wrong angle. The model defines the positions of the wheels and, if their collision
+geometry is a cylinder or a sphere, their radius. Use these values in the plugin or the parameter
+file; use multipliers for corrections.
+
+Not reported: lengths with a multiplier, a separation larger than the track for wheels that slip in
+turns, and a separation if the collision geometry of a wheel is farther from its joint than its
+diameter. If a file has several controllers for the same wheels, only those with the fewest
+differences are reported: the others may be for another robot.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -36,9 +38,9 @@ if TYPE_CHECKING:
     from urdfkit.ros.controllers import Controller
     from urdfkit.ros.gazebo.plugins import PluginUse
 
-#: Relative difference; real robots are calibrated within this.
+#: Relative difference, within which real robots are calibrated.
 TOLERANCE = 0.05
-#: In m; wheels that are closer have no place of their own yet.
+#: In m: the positions of wheels that are closer are not yet defined.
 SAME_PLACE = 1e-3
 
 BAD = DRIVEN
@@ -64,36 +66,33 @@ def check(context: Context) -> Findings:
     from urdfkit.ros.controllers import by_file  # it reads YAML, which few robots have
 
     for file, controllers in by_file(context.controllers):
-        for several in _by_wheels(controllers):
-            found = [list(_of_controller(controller, context)) for controller in several]
-            fewest = min(map(len, found))
-            for finding in chain.from_iterable(one for one in found if len(one) == fewest):
+        for alternatives in _by_wheels(controllers):
+            findings = [list(_of_controller(each, context)) for each in alternatives]
+            fewest = min(map(len, findings))
+            for finding in chain.from_iterable(each for each in findings if len(each) == fewest):
                 yield finding._replace(related=(file.note,))
 
 
 def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     driven = list(wheels(use, context.tree))
     size = "diameter" if kind.diameter else "radius"
-    radius = _radius([one.wheel for one in driven])
-    sizes = [2 * one if kind.diameter else one for one in radius]
-    apart = _separations(driven)
-    for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", apart)):
-        found = given(use, name) if name else None
-        if found is None or not real:
+    sizes = [(2 if kind.diameter else 1) * radius for radius in _radius([d.wheel for d in driven])]
+    track = _separations(driven)
+    for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", track)):
+        parameter = given(use, name) if name else None
+        if parameter is None or not real:
             continue
-        at, value = found
+        at, value = parameter
         may_slip = kind.slips and measured == "separation" and value > real[0]
         if not may_slip and _differs(value, real):
             default = ", the default" if at is use.at else ""
-            message = (
-                f"{use.title}: <{name}> is {value:g} m{default}, but {_MEASURED[measured]} "
-                f"{real[0]:.4g} m"
-            )
+            message = f"{use.title}: <{name}> is {value:g} m{default}, but {_MEASURED[measured]} "
+            message += f"{real[0]:.4g} m"
             yield Finding(at, message, _help(real[0]), weight=abs(value - real[0]))
 
 
 def _separations(driven: list[DrivenWheel]) -> list[float]:
-    """How far the first pair of parallel wheels is apart, in m."""
+    """Distances of the first pair of parallel wheels in m: of the tyres, and of the joints."""
     for left, right in ((left.wheel, right.wheel) for left, right in pairs(driven)):
         if left.is_parallel(right) and left.is_at_joint:
             return _distances(left, right, left.axis) if left.hub and right.hub else []
@@ -101,25 +100,25 @@ def _separations(driven: list[DrivenWheel]) -> list[float]:
 
 
 def _by_wheels(controllers: Iterable[Controller]) -> Iterable[list[Controller]]:
-    """The controllers that name the same joints together."""
-    found: dict[frozenset[str], list[Controller]] = {}
+    """The controllers, grouped by their joints."""
+    groups: dict[frozenset[str], list[Controller]] = {}
     for controller in controllers:
         joints = controller.values(controller.kind.joints) if controller.kind else ()
-        found.setdefault(frozenset(joint.text for joint in joints), []).append(controller)
-    return found.values()
+        groups.setdefault(frozenset(joint.text for joint in joints), []).append(controller)
+    return groups.values()
 
 
 def _of_controller(controller: Controller, context: Context) -> Findings:
     kind = controller.kind
     for measure in kind.measures if kind else ():
-        written = controller.values([measure.parameter])
-        value = number(written[0].text) if written else None
+        values = controller.values([measure.parameter])
+        value = number(values[0].text) if values else None
         real = _real(measure, controller, context)
         if _is_multiplied(controller, measure.parameter):
-            continue  # by who measured how the robot drives
+            continue  # the drive is calibrated
         if value is not None and real and _differs(value, real):
             yield Finding(
-                Location(written[0].span),
+                Location(values[0].span),
                 f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
                 f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
                 _help(real[0]),
@@ -130,62 +129,62 @@ def _of_controller(controller: Controller, context: Context) -> Findings:
 def _is_multiplied(controller: Controller, parameter: str) -> bool:
     """True if the controller multiplies a length by another number than 1."""
     names = [f"{side}{parameter}_multiplier" for side in ("", "left_", "right_")]
-    return any(number(one.text) not in (None, 1.0) for one in controller.values(names))
+    return any(number(value.text) not in (None, 1.0) for value in controller.values(names))
 
 
 def _help(real: float) -> str:
     if real < SAME_PLACE:
-        return "give the wheels' joints the <origin> where the wheels are"
+        return "write the positions of the wheels into the <origin> of their joints"
     return f"write {real:.4g}"
 
 
 def _differs(value: float, real: list[float]) -> bool:
-    return all(abs(value - one) > TOLERANCE * one for one in real)
+    return all(abs(value - each) > TOLERANCE * each for each in real)
 
 
 def _real(measure: Measure, controller: Controller, context: Context) -> list[float]:
-    """What the model says, in m: from the tyres and from the joints. Empty if it says nothing."""
+    """Lengths in the model in m, by the tyres and by the joints; empty if they are unknown."""
     sides = [_wheels(controller, names, context) for names in measure.sides]
     if not all(sides):
         return []
     if measure.kind == "radius":
         return _radius(sides[0])
     if measure.kind == "wheelbase":
-        if max(map(len, sides)) > 2:  # not of one axle: see RCT034
+        if max(map(len, sides)) > 2:  # more than one axle: see RCT034
             return []
         x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
         return [length((x, y, 0.0))]
     if measure.kind == "track":
         return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
     left, right = sides[0][0], sides[1][0]
-    # See RCT025 of flat ones, and GEO004 of a collision that is far from its joint.
-    are_apart = left.is_parallel(right) and not left.is_flat and left.is_at_joint
-    return _distances(left, right, left.axis) if are_apart else []
+    # RCT025 reports flat wheels, and GEO004 a collision that is far from its joint.
+    is_pair = left.is_parallel(right) and not left.is_flat and left.is_at_joint
+    return _distances(left, right, left.axis) if is_pair else []
 
 
 def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[Wheel]:
     """The wheels that some parameters name; empty if one of them is unknown."""
     joints = (context.model.joints_by_name.get(name.text) for name in controller.values(names))
-    found = [wheel_of(joint, context.tree) if joint else None for joint in joints]
-    known = [wheel for wheel in found if wheel]
-    return known if len(known) == len(found) else []
+    candidates = [wheel_of(joint, context.tree) if joint else None for joint in joints]
+    known = [wheel for wheel in candidates if wheel]
+    return known if len(known) == len(candidates) else []
 
 
-def _radius(found: list[Wheel]) -> list[float]:
-    """The radius of some wheels in m; empty if they have several, or if it is unknown."""
-    radii = [wheel.radius for wheel in found if wheel.radius is not None]
-    is_one = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
-    return radii[:1] if is_one else []
+def _radius(wheels: list[Wheel]) -> list[float]:
+    """The common radius of some wheels in m; empty if it is unknown or differs."""
+    radii = [wheel.radius for wheel in wheels if wheel.radius is not None]
+    is_common = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
+    return radii[:1] if is_common else []
 
 
-def _centre(found: list[Wheel]) -> Vector:
-    x, y, z = (sum(part) / len(found) for part in zip(*(w.origin for w in found), strict=True))
+def _centre(wheels: list[Wheel]) -> Vector:
+    x, y, z = (sum(part) / len(wheels) for part in zip(*(w.origin for w in wheels), strict=True))
     return x, y, z
 
 
 def _distances(a: Wheel, b: Wheel, along: Vector | None = None) -> list[float]:
-    """Between the tyres and between the joints of two wheels; along a direction if there is one."""
-    apart = [minus(a.origin, b.origin)]
+    """Distances of two wheels in m, of the tyres if known and of the joints; ``along`` an axis."""
+    offsets = [minus(a.origin, b.origin)]
     if a.hub and b.hub:
-        apart.insert(0, minus(a.hub, b.hub))
-    return [abs(dot(way, along)) if along else length(way) for way in apart]
+        offsets.insert(0, minus(a.hub, b.hub))
+    return [abs(dot(offset, along)) if along else length(offset) for offset in offsets]

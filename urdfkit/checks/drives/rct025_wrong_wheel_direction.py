@@ -1,20 +1,21 @@
 """Wheels turn in the wrong direction: left and right are swapped, or axes are opposite.
 
-Drive plugins and controllers give all wheels of a side one speed, positive for forwards. The axis
-of the wheels says which way the robot rolls then, and so which side is left.
+Drive plugins and controllers command the same speed for all wheels of a side, positive for
+forwards. The axis of the wheels defines the direction in which the robot rolls, and so the left
+side.
 
-- With left and right swapped the robot turns to the wrong side, and its odometry with it.
-- If the axes of a left and a right wheel are opposite, it spins instead of driving straight.
-- If the axes are vertical, the wheels lie flat: an rpy in the `<origin>` of a joint turns its
-  `<axis>`, too.
-- The steering controllers of ros2_controllers take the right joint of a list first, then the left
-  one. With joints swapped the inner wheel gets the speed or the angle of the outer one, and skids;
-  with the axes of the steering joints down the robot steers the wrong way.
-- If one of four wheels has a reversed `<axis>`, the robot skids, turns or stands still, while its
-  odometry shows nothing of it. Robots whose left wheels all turn against the right ones are not
+- Left and right are swapped: the robot, and its odometry, turn to the wrong side.
+- The axes of a left and a right wheel are opposite: the robot spins instead of driving straight.
+- The axes are vertical, so that the wheels lie flat: an rpy in the `<origin>` of a joint also
+  rotates its `<axis>`.
+- The joints of a steering controller of ros2_controllers are swapped; the first joint of a list is
+  the right one. The inner wheel gets the speed or the angle of the outer wheel, and skids. Or the
+  axes of the steering joints point down: the robot steers the wrong way.
+- One of four wheels has a reversed `<axis>`: the robot skids, turns or stands still, while its
+  odometry does not show it. Robots whose left wheels all turn opposite to the right wheels are not
   reported.
-- If the axes of the only left and right wheel are opposite and no drive is known, it is an info:
-  some robots are built so, and their driver inverts one sign.
+- The axes of the only left and right wheel are opposite and no drive is known (info): the driver of
+  some robots inverts one sign.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -71,26 +72,26 @@ _AXLES = (
     "traction_joints_names", "steering_joints_names", "rear_wheels_names", "front_wheels_names",
 )  # fmt: skip
 
-#: What a car does whose steering is right.
+#: The effect of a swapped pair of wheels.
 _SKIDS = "the inner wheel gets the speed of the outer one"
 
-#: Names of joints that do not roll a wheel along.
+#: Words in names of joints other than those of drive wheels.
 _OTHERS = ("caster", "castor", "swivel", "steer", "mecanum", "omni", "roller")
 
-#: Cosine of the angle of two axles that are parallel.
+#: Least cosine of the angle of two parallel axles.
 _PARALLEL = 0.95
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
     for explain in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
-        if found := list(explain(context)):
-            yield from found
+        if findings := list(explain(context)):
+            yield from findings
             return
 
 
 def _of_drives(context: Context) -> Findings:
-    """The drive plugins and controllers that take wheels for those of the wrong side."""
+    """Drive plugins and controllers with wheels of the wrong side."""
     for use in context.plugins:
         yield from _of_plugin(use, context)
     for file, controller in context.controllers:
@@ -99,7 +100,7 @@ def _of_drives(context: Context) -> Findings:
         left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
         if "diff_drive" not in controller.type or not left or not right:
             continue
-        joints = [context.model.joints_by_name.get(one.text) for one in (*left, *right)]
+        joints = [context.model.joints_by_name.get(name.text) for name in (*left, *right)]
         first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
         if first and second and (wrong := wrong_direction(first, second)):
             message = f"controller '{controller.name}': {wrong[0]}"
@@ -108,7 +109,7 @@ def _of_drives(context: Context) -> Findings:
 
 
 def _of_axles(controller: Controller, context: Context) -> Findings:
-    """A list of a steering controller with joints of the wrong side, or the wrong way up."""
+    """A list of a steering controller with swapped or inverted joints."""
     rolling: Wheel | None = None
     for right_name, right, left in sorted(_axles(controller, context), key=_is_steered):
         if not _is_steered((right_name, right, left)):
@@ -123,17 +124,17 @@ def _of_axles(controller: Controller, context: Context) -> Findings:
 
 
 def _axles(controller: Controller, context: Context) -> Iterator[tuple[Value, Wheel, Wheel]]:
-    """The lists of two joints, right and left, each with the place of the first."""
-    for name in _AXLES if controller.type.endswith("SteeringController") else ():
-        named = controller.values([name])
-        joints = [context.model.joints_by_name.get(one.text) for one in named]
-        found = [wheel for one in joints if one and (wheel := wheel_of(one, context.tree))]
-        if len(found) == len(named) == 2:
-            yield named[0], found[0], found[1]
+    """The lists of two joints: name of the right joint, right wheel, left wheel."""
+    for parameter in _AXLES if controller.type.endswith("SteeringController") else ():
+        names = controller.values([parameter])
+        joints = (context.model.joints_by_name.get(name.text) for name in names)
+        found = [wheel for joint in joints if joint and (wheel := wheel_of(joint, context.tree))]
+        if len(found) == len(names) == 2:
+            yield names[0], found[0], found[1]
 
 
 def _is_steered(axle: tuple[Value, Wheel, Wheel]) -> bool:
-    return min(abs(one.axis[2]) for one in axle[1:]) > _PARALLEL
+    return min(abs(wheel.axis[2]) for wheel in axle[1:]) > _PARALLEL
 
 
 def _of_plugin(use: PluginUse, context: Context) -> Findings:
@@ -148,45 +149,45 @@ def _of_plugin(use: PluginUse, context: Context) -> Findings:
             at, message = left.reference.item.at, f"{use.title}: {wrong[0]}"
             yield Finding(at, message, wrong[1], related=(other,))
             return
-    steered = {one.parameter.name: one for one in use.references() if rolling and kind.steered}
-    named = [steered.get(f"{side}_steering_joint") for side in ("left", "right")]
-    joints = [context.model.joints_by_name.get(one.name) for one in named if one]
-    found = [wheel for one in joints if one and (wheel := wheel_of(one, context.tree))]
-    if named[0] and len(found) == 2:
+    steered = {ref.parameter.name: ref for ref in use.references() if rolling and kind.steered}
+    sides = [steered.get(f"{side}_steering_joint") for side in ("left", "right")]
+    joints = [context.model.joints_by_name.get(reference.name) for reference in sides if reference]
+    found = [wheel for joint in joints if joint and (wheel := wheel_of(joint, context.tree))]
+    if sides[0] and len(found) == 2:
         left_joint, right_joint = found
         if wrong := wrong_steering(left_joint, right_joint, rolling[0][0].wheel):
-            yield Finding(named[0].item.at, f"{use.title}: {wrong[0]}", wrong[1])
+            yield Finding(sides[0].item.at, f"{use.title}: {wrong[0]}", wrong[1])
 
 
 def _one_of_four(context: Context) -> Findings:
-    """The one of four wheels whose axis is opposite to the others."""
-    found = [(joint, _axle(context, joint)) for joint in context.model.joints if _rolls(joint)]
-    axles = [(joint, axle) for joint, axle in found if axle]
+    """One of four wheels whose axis is opposite to the others."""
+    joints = filter(_rolls, context.model.joints)
+    axles = [(joint, axle) for joint in joints if (axle := _axle(context, joint))]
     if len(axles) != 4:
         return
-    along = [dot(axles[0][1], axle) for _, axle in axles]
-    if min(map(abs, along)) < _PARALLEL:
+    cosines = [dot(axles[0][1], axle) for _, axle in axles]
+    if min(map(abs, cosines)) < _PARALLEL:
         return
     for sign in (1, -1):
-        odd = [joint for (joint, _), part in zip(axles, along, strict=True) if part * sign > 0]
-        if len(odd) == 1:
+        same = [joint for (joint, _), cos in zip(axles, cosines, strict=True) if cos * sign > 0]
+        if len(same) == 1:
             yield Finding(
-                _axis(odd[0]),
-                f"joint '{odd[0].name}': the wheel axis is opposite to those of the other 3 wheels",
+                _axis(same[0]),
+                f"joint '{same[0].name}': the wheel axis is opposite to the other 3 wheels",
                 "invert the <axis>",
-                related=tuple(_note(joint) for joint, _ in axles if joint is not odd[0]),
+                related=tuple(_note(joint) for joint, _ in axles if joint is not same[0]),
                 confidence=Confidence.INFERRED,
             )
 
 
 def _opposite(context: Context) -> Findings:
-    """The only pair of wheels, if their axes are opposite."""
-    wheeled = [pair for pair in context.symmetric_joints if all(map(_rolls, pair))]
-    if len(wheeled) != 1:
+    """A single pair of wheels with opposite axes."""
+    wheel_pairs = [pair for pair in context.symmetric_joints if all(map(_rolls, pair))]
+    if len(wheel_pairs) != 1:
         return
-    ((left, right),) = wheeled
-    one, other = _axle(context, left), _axle(context, right)
-    if one and other and dot(one, other) < -_PARALLEL:
+    ((left, right),) = wheel_pairs
+    left_axle, right_axle = _axle(context, left), _axle(context, right)
+    if left_axle and right_axle and dot(left_axle, right_axle) < -_PARALLEL:
         yield Finding(
             _axis(right),
             f"joint '{right.name}': the wheel axis is opposite to that of '{left.name}'",
@@ -206,13 +207,13 @@ def _note(joint: Joint) -> Related:
 
 
 def _rolls(joint: Joint) -> bool:
-    """True for the joint of a wheel that turns without end and is not steered."""
+    """True for the continuous joint of a wheel that is not steered."""
     name = f"{joint.name} {joint.child_name}".lower()
     is_wheel = "wheel" in name and not any(word in name for word in _OTHERS)
     return is_wheel and joint.kind == "continuous" and joint.mimic is None
 
 
 def _axle(context: Context, joint: Joint) -> Vector | None:
-    """The axis of a joint in the frame of the root."""
+    """The axis of a joint in the root frame."""
     frame = context.tree.frames.get(joint.child_name)
     return rotate(frame.rotation, direction(joint)) if frame else None

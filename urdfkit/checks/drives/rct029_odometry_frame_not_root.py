@@ -1,10 +1,10 @@
 """The robot frame of a drive's odometry is not the root link of the robot.
 
-A drive plugin or wheel controller sends the transform from its odometry frame to this link, and
-robot_state_publisher sends one from the link's parent: a frame has one parent in tf, and the robot
-jumps between the two. If the name is not a link, the robot has no transform to `odom` ("no
+A drive plugin or wheel controller publishes the transform from its odometry frame to this link, and
+robot_state_publisher the transform from the link's parent: a frame has one parent in tf, and the
+robot jumps between the two. If the name is not a link, the robot has no transform to `odom` ("no
 transform from [base_link] to [odom]"). Use the root link, or remove the links above it. An
-`odom_frame_id` that is a link of the robot is reported, too.
+`odom_frame_id` that is a link of the robot is also reported.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -40,12 +40,12 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
 
-#: Parameters of plugins: the frame of the robot, and that of the odometry.
+#: Parameters of plugins for the robot frame and the odometry frame.
 _FRAMES = ("robotBaseFrame", "robot_base_frame")
 _ODOMETRY = ("odometryFrame", "odometry_frame")
-#: Links of some robots that are frames of odometry.
+#: Links of some robots that are global frames.
 _WORLDS = ("world", "map", "odom")
-#: What switches the transform off; the names in the catalogue give the defaults.
+#: Parameters that enable the transform; the catalogue contains their defaults.
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
 
 
@@ -63,11 +63,11 @@ def check(context: Context) -> Findings:
 
 
 def _of_plugin(use: PluginUse, context: Context) -> Findings:
-    frames = _sent_frames(use)
+    frames = _published_frames(use)
     if frames is None:
         return
     parameter, frame = frames
-    written, name = use.values(parameter), use.value(parameter)
+    values, name = use.values(parameter), use.value(parameter)
     above = context.tree.parents.get(name.lstrip("/"), [])
     if len(above) != 1 or above[0].parent is None:
         return
@@ -77,22 +77,22 @@ def _of_plugin(use: PluginUse, context: Context) -> Findings:
     roots = context.tree.roots
     root = roots[0].name if len(roots) == 1 else parent
     yield Finding(
-        written[0].at if written else use.at,
-        f"{use.title} sends the transform {frame} -> {name}, and robot_state_publisher "
+        values[0].at if values else use.at,
+        f"{use.title} publishes the transform {frame} -> {name}, and robot_state_publisher "
         f"{parent} -> {name}: a frame has one parent",
         f"name the root link '{root}', or remove the links above '{name}'",
-        fix_value(written[0].at, root) if written and len(roots) == 1 else None,
+        fix_value(values[0].at, root) if values and len(roots) == 1 else None,
     )
 
 
-def _sent_frames(use: PluginUse) -> tuple[str, str] | None:
-    """The parameter for the child of the transform that a plugin sends, and the parent."""
+def _published_frames(use: PluginUse) -> tuple[str, str] | None:
+    """Parameter for the child frame, and parent frame, of the transform that a plugin publishes."""
     parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
     child = next((name for name in _FRAMES if name in parameters), None)
     parent = next((name for name in _ODOMETRY if name in parameters), None)
     switches = [use.value(name) for name in _SWITCHES if name in parameters]
-    is_sent = all(value.lower() in ("true", "1") for value in switches)
-    return (child, use.value(parent) or "odom") if child and parent and is_sent else None
+    is_published = all(value.lower() in ("true", "1") for value in switches)
+    return (child, use.value(parent) or "odom") if child and parent and is_published else None
 
 
 def _of_controller(controller: Controller, frame: Value, context: Context) -> Findings:
@@ -114,7 +114,7 @@ def _of_controller(controller: Controller, frame: Value, context: Context) -> Fi
 
 
 def _odometry(controller: Controller, context: Context) -> Findings:
-    """A frame of odometry that is a link, which moves with the robot."""
+    """An odometry frame that is a link, which moves with the robot."""
     is_drive = "drive" in controller.type or "steering" in controller.type
     for odometry in controller.values(["odom_frame_id"]) if is_drive else ():
         name = odometry.text.strip("/")
@@ -125,12 +125,12 @@ def _odometry(controller: Controller, context: Context) -> Findings:
 
 
 def _frame(controller: Controller) -> Value | None:
-    """The frame whose pose it sends, if it sends one and says which."""
+    """The robot frame whose transform a controller publishes; None if there is none."""
     if "drive" not in controller.type and "steering" not in controller.type:
         return None
-    sends = controller.values(["enable_odom_tf"])
+    switch = controller.values(["enable_odom_tf"])
     prefixed = controller.values(["tf_frame_prefix"])
     frame = controller.values(["base_frame_id"])
-    if not frame or (sends and sends[0].text.lower() == "false") or prefixed:
+    if not frame or (switch and switch[0].text.lower() == "false") or prefixed:
         return None
     return None if is_expression(frame[0].text) or not frame[0].text else frame[0]

@@ -1,4 +1,4 @@
-"""Parameters of Nav2's costmaps: their plugins, the classes of these, and what layers listen to.
+"""Parameters of Nav2's costmaps: plugins, plugin classes and observation sources.
 
 Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (humble to rolling).
 """
@@ -11,7 +11,7 @@ from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")
-#: Lists of plugins, each with the value that needs no parameters.
+#: Lists of plugins, each with its default value, which needs no parameters.
 _PLUGINS = {
     "plugins": ["static_layer", "obstacle_layer", "inflation_layer"],
     "filters": [],
@@ -23,7 +23,7 @@ _LAYERS = (
     "BinaryFilter", "DenoiseLayer", "InflationLayer", "KeepoutFilter", "ObstacleLayer",
     "PluginContainerLayer", "RangeSensorLayer", "SpeedFilter", "StaticLayer", "VoxelLayer",
 )  # fmt: skip
-#: Plugins of the servers, as classes of C++.
+#: Plugin classes of the servers, as C++ names.
 _SERVERS = {
     "planner_server": (
         "nav2_navfn_planner::NavfnPlanner", "nav2_smac_planner::SmacPlanner2D",
@@ -45,21 +45,21 @@ _DATA = ("LaserScan", "PointCloud2")
 
 
 def plugins(node: NodeParameters) -> Findings:
-    """What a node lists and gives no parameters; classes and sources that Nav2 does not know."""
+    """Listed plugins without parameters, unknown classes and unknown observation sources."""
     for key, defaults in _PLUGINS.items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
-        listed = scalars(node.values.get(key))
-        if [one.text for one in listed] == defaults:
+        plugin_names = scalars(node.values.get(key))
+        if [plugin.text for plugin in plugin_names] == defaults:
             continue
         sections = {name for name, value in node.values.items() if isinstance(value, dict)}
-        for one in listed:
-            if one.text not in sections and f"{one.text}.plugin" not in node.values:
+        for plugin in plugin_names:
+            if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
                 yield Finding(
-                    Location(one.span),
-                    f"'{node.name}': no parameters for '{one.text}' of {key}"
-                    f"{did_you_mean(one.text, sections)}",
-                    f"add {one.text} with its plugin, or fix the name",
+                    Location(plugin.span),
+                    f"'{node.name}': no parameters for '{plugin.text}' of {key}"
+                    f"{did_you_mean(plugin.text, sections)}",
+                    f"add {plugin.text} with its plugin, or fix the name",
                 )
     for layer in node.values.values():
         if isinstance(layer, dict):
@@ -69,20 +69,20 @@ def plugins(node: NodeParameters) -> Findings:
 
 
 def misspelt_servers(node: NodeParameters) -> Findings:
-    """Planners, controllers and checkers of Nav2 that are misspelt; their parts differ by age."""
+    """Misspelt planners, controllers and checkers of Nav2; ``/`` and ``::`` are accepted."""
     for section in node.values.values() if node.name in _SERVERS else ():
-        named = mapping(section).get("plugin")
-        text = named.text.replace("/", "::") if isinstance(named, Value) else ""
-        meant = nearest(text, _SERVERS[node.name], 0.9)
-        if meant and meant != text and isinstance(named, Value):
-            meant = meant.replace("::", "/") if "/" in named.text else meant
-            hint = f"unknown plugin '{named.text}'; did you mean '{meant}'?"
-            at = Location(named.span)
-            yield Finding(at, hint, f"write {meant}", severity=Severity.WARNING)
+        plugin = mapping(section).get("plugin")
+        text = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
+        suggested = nearest(text, _SERVERS[node.name], 0.9)
+        if suggested and suggested != text and isinstance(plugin, Value):
+            suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
+            hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
+            at = Location(plugin.span)
+            yield Finding(at, hint, f"write {suggested}", severity=Severity.WARNING)
 
 
 def misplaced(node: NodeParameters) -> Findings:
-    """The parameters of a costmap that are not below its name twice: it is its own namespace."""
+    """Costmap parameters that are not below the costmap's name twice, its namespace and node."""
     is_nested = node.name in node.namespace.split("/") or "*" in node.namespace
     if node.name in COSTMAPS and not is_nested and "robot_base_frame" in node.values:
         yield Finding(
@@ -93,12 +93,12 @@ def misplaced(node: NodeParameters) -> Findings:
 
 
 def _sources(layer: dict[str, Node]) -> Findings:
-    given = layer.get("observation_sources")
+    listed = layer.get("observation_sources")
     sections = {name for name, value in layer.items() if isinstance(value, dict)}
-    for name in given.text.split() if isinstance(given, Value) else ():
-        if isinstance(given, Value) and name not in sections:
+    for name in listed.text.split() if isinstance(listed, Value) else ():
+        if isinstance(listed, Value) and name not in sections:
             yield Finding(
-                Location(given.span),
+                Location(listed.span),
                 f"observation source '{name}' has no parameters{did_you_mean(name, sections)}",
                 f"add {name} with its topic and data_type, or fix the name",
                 severity=Severity.WARNING,
@@ -106,22 +106,24 @@ def _sources(layer: dict[str, Node]) -> Findings:
 
 
 def _layer(layer: dict[str, Node]) -> Findings:
-    """A class of a layer that is misspelt, and messages that an obstacle layer does not take."""
-    named = layer.get("plugin")
-    if not isinstance(named, Value):
+    """A misspelt layer class, and message types that an obstacle layer does not accept."""
+    plugin = layer.get("plugin")
+    if not isinstance(plugin, Value):
         return
-    package, _, name = re.sub("::|/", " ", named.text).partition(" ")
-    kinds = {re.sub(_KIND, "", one): one for one in _LAYERS}
+    package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
+    kinds = {re.sub(_KIND, "", layer_class): layer_class for layer_class in _LAYERS}
     near = nearest(re.sub(_KIND, "", name), kinds, 0.75) or ""
-    meant = kinds.get(near) if nearest(package, (_PACKAGE,), 0.7) else None
-    if meant and named.text != f"{_PACKAGE}::{meant}":
-        hint = f"'{named.text}'; did you mean '{_PACKAGE}::{meant}'?"
-        yield Finding(Location(named.span), f"unknown layer {hint}", f"write {_PACKAGE}::{meant}")
-    for source in layer.values() if meant in ("ObstacleLayer", "VoxelLayer") else ():
+    suggested = kinds.get(near) if nearest(package, (_PACKAGE,), 0.7) else None
+    if suggested and plugin.text != f"{_PACKAGE}::{suggested}":
+        hint = f"'{plugin.text}'; did you mean '{_PACKAGE}::{suggested}'?"
+        help = f"write {_PACKAGE}::{suggested}"
+        yield Finding(Location(plugin.span), f"unknown layer {hint}", help)
+    for source in layer.values() if suggested in ("ObstacleLayer", "VoxelLayer") else ():
         kind = mapping(source).get("data_type")
         if isinstance(kind, Value) and kind.text not in _DATA:
             yield Finding(
                 Location(kind.span),
-                f"the costmap stops at data_type '{kind.text}'{did_you_mean(kind.text, _DATA)}",
+                f"unknown data_type '{kind.text}', which stops the costmap"
+                f"{did_you_mean(kind.text, _DATA)}",
                 f"write {' or '.join(_DATA)}",
             )

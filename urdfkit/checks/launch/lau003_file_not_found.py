@@ -1,13 +1,16 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch, and Gazebo does not start without its world. What the build of a package may
-make is not reported, nor an absolute path outside of the repository or workspace, such as
-`/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
-makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
-`PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package of
-ROS does not have is reported, too, and a map of Nav2 whose image is missing. So is `xacro.py`,
-which ROS has no more since Noetic; in a launch file of ROS 1 it is an info.
+file stops the launch, and Gazebo does not start without its world. Also reported:
+
+- An executable or launch file that a ROS package does not have.
+- A Nav2 map whose image is missing.
+- `xacro.py`, which was removed in Noetic (info in a launch file of ROS 1).
+- In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`
+  drop everything before it (error).
+
+Not reported: files that the build of a package may generate, files that git ignores, and absolute
+paths outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -35,7 +38,7 @@ BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
 GOOD = BAD.replace("controler", "controllers")
 FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 
-#: Of maps, as map_server reads them.
+#: Suffixes of map images that map_server reads.
 _IMAGES = (".pgm", ".png", ".bmp")
 #: Directories of a workspace that are searched for a world without a path.
 _MAX_DIRECTORIES = 2000
@@ -57,7 +60,7 @@ def check(context: Context) -> Findings:
 
 
 def _image(context: Context, file: FileUse) -> Findings:
-    """The image of a map that does not exist: map_server stops."""
+    """A missing image of a map, at which map_server stops."""
     try:
         image = mapping(load(context.resolver.read(file.path))).get("image")
     except UnreadableFile:
@@ -71,13 +74,13 @@ def _image(context: Context, file: FileUse) -> Findings:
             yield Finding(Location(image.span), f"image of the map not found: {path}", hint)
 
 
-def _outside(what: str, span: Span) -> Finding:
+def _outside(subject: str, span: Span) -> Finding:
     help = "move it into the package, or pass --trust"
-    return Finding(Location(span), f"{what} {OUTSIDE}: not read", help)
+    return Finding(Location(span), f"{subject} {OUTSIDE}: not read", help)
 
 
 def _worlds(context: Context) -> Findings:
-    """The worlds that Gazebo is to find by their paths, and misspelt ones of its own."""
+    """Missing world files, and misspelt names of Gazebo's own worlds."""
     packages = context.resolver.packages
     for started in worlds(context.launch):
         name = started.name
@@ -88,17 +91,18 @@ def _worlds(context: Context) -> Findings:
         if started.span.source is not context.source or name.startswith(UNKNOWN):
             continue
         if os.path.isabs(name):
-            there = disk.exists(name) or context.resolver.installed(name)
+            exists = disk.exists(name) or context.resolver.installed(name)
             if disk.is_file(name) and not context.resolver.admits(name):
                 yield _outside(f"world {name}", started.span)
-            elif not there and not _may_come_from_elsewhere(context, name):
+            elif not exists and not _may_come_from_elsewhere(context, name):
                 suggested = nearest_file(name)
                 hint = f"did you mean '{suggested}'?" if suggested else ""
                 yield Finding(Location(started.span), f"world not found: {name}", hint)
         elif started.generation == GZ and name and not started.is_shipped:
             other = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
             suggested = next(
-                (one for one in shipped_worlds() if is_typo(name, one) or one == other), None
+                (world for world in shipped_worlds() if is_typo(name, world) or world == other),
+                None,
             )
             root = packages.workspace(context.source.path)
             files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)

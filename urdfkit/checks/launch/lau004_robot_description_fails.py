@@ -1,13 +1,13 @@
-"""The robot description of a launch file does not expand, or is no text.
+"""The robot description of a launch file does not expand, or is not read as text.
 
 The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are
-reported at their places in the xacro. If all that it lacks is a package that is not on this
-machine, that is reported there alone.
+reported in the xacro file. If the only error is a package that is missing on this machine, it is
+reported only there.
 
-In Python, the output of a `Command` that is a parameter by itself is read as YAML. A `: ` in a
-comment of the robot is enough for "Unable to parse the value of parameter robot_description as
-yaml"; `ParameterValue(Command(...), value_type=str)` takes it as it is. The same holds in XML for a
-`<param>` without `type="str"`. Where the robot has no such text yet, it is an info.
+In Python, a `Command` that is passed as a parameter directly is read as YAML. A `: ` in a comment
+of the robot is enough for "Unable to parse the value of parameter robot_description as yaml";
+`ParameterValue(Command(...), value_type=str)` is read as text. In XML, a `<param>` needs
+`type="str"`. An info if the current robot description is valid YAML text.
 
 Sources:
     launch_ros, evaluate_parameters.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/utilities/evaluate_parameters.py
@@ -60,24 +60,24 @@ def check(context: Context) -> Findings:
 
 
 def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
-    """True if it is given arguments whose values are not known here.
+    """True if arguments have unknown values, or the only errors are missing packages.
 
-    Or if it lacks packages only that this machine does not have: that is reported where they are
-    needed, as are the errors that it has with its defaults. Macros that call each other for ever
-    may get others of their names from these packages.
+    Missing packages are reported where they are referenced, and errors with the default arguments
+    in the xacro. Endless recursion of macros (XAC013) may end with macros of a missing package.
     """
     codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
     return codes in ({"XAC011"}, {"XAC011", "XAC013"}) or not description.is_whole
 
 
 def _errors(robot: Context) -> list[Problem]:
-    """The errors of an expansion, a package that is not on this machine last."""
-    found = [one for one in robot.reading.problems if get(one.code).severity is Severity.ERROR]
-    return sorted(found, key=lambda problem: problem.code == "XAC011")
+    """The errors of an expansion, missing packages last."""
+    problems = robot.reading.problems
+    errors = [problem for problem in problems if get(problem.code).severity is Severity.ERROR]
+    return sorted(errors, key=lambda problem: problem.code == "XAC011")
 
 
 def _why_no_text(robot: Context) -> str:
-    """Why YAML finds no text in an expanded robot; empty if it does, or the robot is broken."""
+    """Why an expanded robot is not a YAML string; empty if it is, or if the robot has problems."""
     if robot.reading.document is None or robot.reading.problems:
         return ""
     import yaml  # 15 ms, and most descriptions have a type
@@ -87,12 +87,12 @@ def _why_no_text(robot: Context) -> str:
         for event in yaml.parse(robot.text, loader):
             if isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
                 mark: Any = event.start_mark
-                return f"which finds no text in line {mark.line + 1} of it"
+                return f"which finds a mapping or list, not text, in line {mark.line + 1}"
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         lines = robot.text.decode("utf-8", "replace").split("\n")[mark.line :]
         shown = lines[0].strip()[:_LONGEST] if lines else ""
-        return f"which fails in line {mark.line + 1} of it, '{shown}': {error.problem}"
+        return f"which fails in line {mark.line + 1}, '{shown}': {error.problem}"
     except yaml.YAMLError as error:
         return f"which fails: {error}"
     return ""

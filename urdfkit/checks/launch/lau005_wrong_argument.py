@@ -1,11 +1,10 @@
-"""A launch file passes an argument that a file does not have, or leaves out a required one.
+"""A launch file passes an argument that a file does not have, or omits a required one.
 
-- An argument that the xacro or the included launch file does not have (warning): xacro uses its
-  default, so the robot has no camera, or the hardware of the simulator. `roslaunch` stops with
-  "unused args"; in ROS 2 the included file goes on with its default. The name differs, or the
-  argument was removed.
-- An included launch file has an argument without a default, and none is passed. `roslaunch` stops
-  with "requires the 'x' arg to be set", `ros2 launch` with "missing required argument".
+- The xacro or the included launch file does not have the argument (warning): xacro and ROS 2
+  silently use the defaults, so that the robot lacks a camera or uses the simulator's hardware;
+  `roslaunch` stops with "unused args".
+- An argument of an included launch file has no default, and is not passed. `roslaunch` stops with
+  "requires the 'x' arg to be set", `ros2 launch` with "missing required argument".
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -40,14 +39,14 @@ def check(context: Context) -> Findings:
     for finding in reported(context, "LAU005"):
         _, _, argument = finding.message.partition("': ")
         yield finding._replace(group_key=argument)
-    for description, robot in context.described_robots:  # for the others LAU004
+    for description, robot in context.described_robots:  # LAU004 reports the others
         xacro = robot.reading.xacro
         if xacro is None:
             continue
-        # One that the xacro uses and does not declare must be passed.
+        # An argument that the xacro uses but does not declare must be passed.
         known = xacro.usage.arguments.union(xacro.defaults)
         call = description.frame.call.span
-        # A launch file for any robot passes what some of them have.
+        # A launch file for several robots passes arguments that only some of them have.
         is_for_any = os.path.basename(description.path).encode() not in call.source.data
         for name in description.arguments:
             if name not in known:

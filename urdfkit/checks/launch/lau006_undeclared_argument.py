@@ -2,10 +2,10 @@
 
 `roslaunch` stops with "requires the 'x' arg to be set", `ros2 launch` with "launch configuration
 'x' does not exist". The name is misspelt, or the declaration is missing or comes too late. A name
-that is not like a declared one is a warning in ROS 2: the file works if the caller sets the
-argument, although a list of the file's arguments does not show it. It is an info in ROS 1, where
-`roslaunch` names what is not set. Declare it, without a default if it must be set. A file that
-others include may get its arguments there, and is not reported.
+that does not resemble a declared one is a warning in ROS 2, where the file works if the caller sets
+the argument, although `--show-args` does not list it, and an info in ROS 1, where `roslaunch`
+reports missing arguments. Declare the argument, without a default if it must be set. A launch file
+that other files include is not reported: they may set its arguments.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML/arg

@@ -2,34 +2,34 @@
 
 - A required attribute is missing (error). `roslaunch` stops: "<node> tag is missing required
   attribute"; `ros2 launch`, too: "Attribute 'exec' not found".
-- An attribute is unknown, or its value is not one of those allowed. `ros2 launch` stops at it:
-  "Unexpected attribute(s) found"; `roslaunch` ignores it. Many are typos, others belong to the
-  other ROS, which calls the executable of a node `type` (ROS 1) or `exec` (ROS 2).
-- A substitution is that of the other ROS (error): `$(find x)` and `$(arg x)` are
+- An attribute is unknown, or its value is not allowed. `ros2 launch` stops: "Unexpected
+  attribute(s) found"; `roslaunch` ignores it. Many are typos; others belong to the other version
+  of ROS: the executable of a node is `type` in ROS 1 and `exec` in ROS 2.
+- A substitution belongs to the other version of ROS (error): `$(find x)` and `$(arg x)` are
   `$(find-pkg-share x)` and `$(var x)` in ROS 2.
 - A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
-- A tag is misspelt. Packages may bring tags of their own, so only typos of known tags are reported.
-- The pieces of a `Command` have no space between them (error). launch joins them as they are:
+- A tag is misspelt. Packages may define their own tags, so only typos of known tags are reported.
+- The parts of a `Command` have no space between them (error). launch concatenates them:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
-- A call in Python has a value of another type than launch takes (error): a dictionary where a list
-  of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
-  among `arguments`, a plain text as a condition, a single node as the `actions` of a timer, a list
-  among the actions, the source of another format than the file has, the document of
+- A call in Python has a value of the wrong type (error): a dictionary instead of a list for
+  `parameters`, `launch_arguments` without `.items()`, `default_value=True`, a number in
+  `arguments`, a string as a condition, a single node as the `actions` of a timer, a list among the
+  actions, a launch description source of another format than the file, the document of
   `xacro.process_file` without `.toxml()`.
-- A command line of `ExecuteProcess` is one text (error): launch looks for a program that is called
-  `ros2 topic list`.
-- A text and a substitution have a plus between them (error): "can only concatenate str (not
+- The command line of `ExecuteProcess` is one string (error): launch looks for a program that is
+  called `ros2 topic list`.
+- A string and a substitution are joined by a plus (error): "can only concatenate str (not
   LaunchConfiguration) to str"; or a substitution is in `os.path.join`: "expected str, bytes or
-  os.PathLike object". A path follows the directory of a package without a slash.
-- In ROS 1 an argument has a value and a default, and in both a condition compares (error):
-  `if="$(arg gui) == true"` is no boolean. Write `$(eval ...)`.
+  os.PathLike object". The directory of a package and a path are joined without a slash.
+- In ROS 1, an argument has both a value and a default. In both versions, a condition is a
+  comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).
-- One action is in the launch description and in an event handler of it (error): launch starts it
-  once and stops at the second time. An action waits for the exit of a node that runs until the end,
-  such as robot_state_publisher, and is never started.
-- An action is made and never added to the launch description, so nothing starts it (info: many are
-  left over on purpose).
+- An action is both in the launch description and in an event handler of it (error): launch starts
+  it once and stops at the second start. An action waits for the exit of a node that does not exit,
+  such as robot_state_publisher, and never starts.
+- An action is created but not added to the launch description, so it is never started (info: often
+  intended).
 
 Sources:
     launch, type_utils.py: https://github.com/ros2/launch/blob/rolling/launch/launch/utilities/normalize_to_list_of_substitutions_impl.py

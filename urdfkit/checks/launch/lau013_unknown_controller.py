@@ -1,10 +1,10 @@
 """A launch file starts a controller that no parameter file defines.
 
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
-differs from the one in the YAML file, or the controller is missing there. The YAML files of the
-package and of the packages that the launch file names are searched; where one of these is not
-found, only typos of known names are reported, and nothing is where the launch file itself names
-parameters, as by the `ns` of a `<rosparam>`.
+differs from the name in the YAML file, or the file does not define the controller. The YAML files
+of the package and of the packages that the launch file references are searched. If one of these
+packages is not found, only typos of known names are reported. A launch file that names parameters
+itself, for example with the `ns` of a `<rosparam>`, is not checked.
 
 Sources:
     ros_control, spawner: https://github.com/ros-controls/ros_control/blob/noetic-devel/controller_manager/scripts/spawner
@@ -45,18 +45,18 @@ _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
     help="fix the name, or define the controller in the YAML file",
 )
 def check(context: Context) -> Findings:
-    wanted = [(word, s.frame) for s in context.launch.started for word in controllers(s)]
-    if not wanted or context.launch.names_parameters:
+    spawned = [(word, s.frame) for s in context.launch.started for word in controllers(s)]
+    if not spawned or context.launch.names_parameters:
         return
     loaded = _loaded(context)
     known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
-    # Names may be put together when the launch file is run.
+    # A name with a substitution is known only when the launch file runs.
     is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
     suggester = Suggester({name for name in known if "$" not in name})
-    for word, frame in wanted:
+    for word, frame in spawned:
         name = (word.text or "").strip("/").rpartition("/")[2]
         suggested = suggester.suggested(name)
-        # Most end in ``_controller``, which makes ``hand_controller`` much like that of a head.
+        # The common ending makes ``hand_controller`` resemble ``head_controller``.
         is_misspelt = bool(suggested) and is_typo(name, suggested)
         if name not in known and (is_whole or is_misspelt):
             yield Finding(
@@ -67,23 +67,23 @@ def check(context: Context) -> Findings:
 
 def _loaded(context: Context) -> set[str]:
     """The controllers in the files that the launch file or its robots load."""
-    found: set[str] = set()
+    names: set[str] = set()
     for file in context.launch.parameters:
-        found |= _defined(context, file.path)
+        names |= _defined(context, file.path)
     for _, robot in context.described_robots:
-        found.update(one.name for _, one in in_files(robot))
-    return found
+        names.update(controller.name for _, controller in in_files(robot))
+    return names
 
 
 def _is_whole(context: Context) -> bool:
-    """True if nothing that is not at hand may define controllers."""
+    """True if all packages and files that may define controllers are available."""
     launch = context.launch
     is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
     return all(file.exists for file in launch.parameters) and all(is_known)
 
 
 def _package_files(context: Context) -> Iterator[str]:
-    """The YAML files of the packages that the launch file is in and names."""
+    """YAML files of the package of the launch file and of the packages that it references."""
     home = context.resolver.packages.enclosing(context.source.path)
     directories = {home[1]} if home else set()
     for package in context.launch.packages:
@@ -95,7 +95,6 @@ def _package_files(context: Context) -> Iterator[str]:
 
 
 def _defined(context: Context, path: str) -> set[str]:
-    """The controllers of a YAML file."""
     try:
         source = context.resolver.read(path)
     except UrdfkitError:

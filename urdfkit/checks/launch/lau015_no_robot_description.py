@@ -1,10 +1,10 @@
 """The robot_state_publisher is started without a robot description.
 
-In ROS 2 it takes the robot from its parameter `robot_description` and stops without it: "parameter
-must not be empty". A misspelt name of the parameter does the same, the path of a file in place of
-its text, and the text of a xacro file that nothing expands: `open(path).read()`, and `textfile` in
-ROS 1. It still takes the path of a URDF as its argument; a xacro there is not expanded, and is no
-robot.
+In ROS 2, the node reads the robot from its parameter `robot_description` and stops without it:
+"parameter must not be empty". The same happens if the parameter is misspelt, contains the path of a
+file instead of its text, or the text of an unexpanded xacro file (`open(path).read()`, or
+`textfile` in ROS 1). The node also accepts the path of a URDF as an argument, but does not expand a
+xacro file there.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
@@ -36,25 +36,26 @@ _EXPANDED = 'write ParameterValue(Command(["xacro ", path]), value_type=str)'
 def check(context: Context) -> Findings:
     yield from reported(context, "LAU015")
     for node in context.launch.started:
-        given = node.parameters.every
-        if node.package != "robot_state_publisher" or given is None:
+        parameters = node.parameters.every
+        if node.package != "robot_state_publisher" or parameters is None:
             continue
         if node.words:
-            yield from _unexpanded(node, given)
+            yield from _unexpanded(node, parameters)
             continue
-        if (given.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
+        if (parameters.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
             message = f"{_PARAMETER} is the path of a file: the node takes the text of the robot"
             yield Finding(Location(node.span, node.frame), message, _EXPANDED)
-        if _PARAMETER not in given:
-            mistake = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
+        if _PARAMETER not in parameters:
+            names = sorted(parameters)
+            mistake = next((name for name in names if nearest(name, [_PARAMETER], 0.8)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
             yield Finding(Location(node.span, node.frame), message)
 
 
-def _unexpanded(node: StartedProgram, given: Mapping[str, str | None]) -> Findings:
-    """A xacro file among the words of the command line, which the node reads as a URDF."""
-    for word in node.words if _PARAMETER not in given else ():
+def _unexpanded(node: StartedProgram, parameters: Mapping[str, str | None]) -> Findings:
+    """A xacro file in the arguments of the node, which reads it as a URDF."""
+    for word in node.words if _PARAMETER not in parameters else ():
         if (word.text or "").endswith(".xacro"):
             file = (word.text or "").rpartition("/")[2]
             message = f"robot_state_publisher reads '{file}' as a URDF: nothing expands it"

@@ -1,11 +1,12 @@
 """The node that spawns the robot in Gazebo has invalid arguments, or gets no robot.
 
-The scripts of gazebo_ros stop at an unknown option: the name of the robot is `-entity` in
-`spawn_entity.py`, and `-model` in ROS 1's `spawn_model`. `create` of ros_gz_sim, where it is
-`-name`, ignores an unknown option with its value (warning). All stop where a required option is
-missing. A file that does not exist, or a xacro, which is not expanded there, gives no robot; with a
-misspelt topic they wait for ever. A missing file outside the workspace is a warning, as it may be
-on the robot's computer, and one in `/tmp` is not reported: the launch file may write it.
+- An unknown option stops `spawn_entity.py` and ROS 1's `spawn_model` of gazebo_ros; `create` of
+  ros_gz_sim ignores it with its value (warning). The name of the robot is `-entity`, `-model` and
+  `-name`, respectively.
+- A required option is missing: the program stops.
+- The file does not exist, or is a xacro file, which is not expanded. A missing file outside the
+  workspace is a warning: the robot may have it. A file in `/tmp` is not reported.
+- The topic is misspelt: the program waits for ever.
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -34,7 +35,7 @@ spawn = Node(
 """
 GOOD = BAD.replace("-name", "-entity")
 
-#: The option for the name of the robot, in other programs.
+#: Help for the options of other programs for the name of the robot.
 _NAMED = {
     "entity": "write -model in ROS 1, -name for create",
     "model": "write -entity for spawn_entity.py, -name for create",
@@ -49,33 +50,33 @@ def check(context: Context) -> Findings:
         spawner = spawner_of(started)
         if spawner is None:
             continue
-        given, is_known = options(started, spawner)
-        for option, word in given.items():
+        arguments, is_known = options(started, spawner)
+        for option, word in arguments.items():
             place = Location(word.span, started.frame)
             if option not in spawner.known:
-                meant = nearest(option, spawner.known)
-                hint = f"; did you mean '-{meant}'?" if meant else ""
+                suggested = nearest(option, spawner.known)
+                hint = f"; did you mean '-{suggested}'?" if suggested else ""
                 ignored = "" if spawner.is_strict else " (ignored)"
                 yield Finding(
                     place,
                     f"{started.executable} has no option '-{option}'{ignored}{hint}",
-                    _NAMED.get(option, f"write -{meant}" if meant else "remove it"),
+                    _NAMED.get(option, f"write -{suggested}" if suggested else "remove it"),
                     severity=None if spawner.is_strict else Severity.WARNING,
                 )
             else:
                 yield from _value(context, option, word, place)
         if is_known and started.words and not started.parameters.values:
-            yield from _missing(started, spawner, given)
+            yield from _missing(started, spawner, arguments)
 
 
 def _value(context: Context, option: str, word: Word, place: Location) -> Findings:
-    """The value of an option, if it is invalid."""
+    """The invalid value of an option."""
     text = word.text or ""
     if option == "file" and text.endswith(".xacro") and not _is_expanded(context, text):
         message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif option == "string" and text.endswith((".urdf", ".xacro", ".sdf")):
-        message = f"-string is the text of a robot, and '{os.path.basename(text)}' the path of one"
+        message = f"-string takes the text of a robot, but '{os.path.basename(text)}' is a path"
         yield Finding(place, message, f"spawn -topic {_TOPIC}, or an expanded -file")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
         is_inside = context.resolver.allows(text, context.source.path)
@@ -102,9 +103,9 @@ def _is_expanded(context: Context, path: str) -> bool:
     return not any(mark in data for mark in (b"<xacro:", b"${", b"$("))
 
 
-def _missing(started: StartedProgram, spawner: Spawner, given: dict[str, Word]) -> Findings:
+def _missing(started: StartedProgram, spawner: Spawner, arguments: dict[str, Word]) -> Findings:
     for group in spawner.required:
-        if not any(option in given for option in group):
+        if not any(option in arguments for option in group):
             required = " or ".join(f"-{option}" for option in group)
             message = f"{started.executable} requires {required}"
             yield Finding(Location(started.span, started.frame), message, f"add {required}")

@@ -1,7 +1,7 @@
 """A YAML file has a substitution that the launch file does not resolve.
 
-`$(arg prefix)` or `$(find-pkg-share pkg)` stays as it is written: nothing of that name exists.
-roslaunch resolves it with `subst_value="true"`, launch of ROS 2 with `allow_substs="true"`.
+The node gets `$(arg prefix)` or `$(find-pkg-share pkg)` literally. roslaunch resolves substitutions
+with `subst_value="true"`, launch of ROS 2 with `allow_substs="true"`.
 
 Sources:
     roslaunch, rosparam: https://wiki.ros.org/roslaunch/XML/rosparam

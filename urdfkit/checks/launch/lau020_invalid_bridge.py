@@ -1,19 +1,21 @@
-"""The bridge between Gazebo and ROS cannot pass on a topic.
+"""The bridge between Gazebo and ROS cannot forward a topic.
 
-`ros_gz_bridge` knows pairs of messages. For another pair it prints "Failed to create a bridge for
-topic" and goes on with the rest, so that the topic is there on one side and silent on the other.
-The same happens to an entry of its YAML file without both types or with another direction than
-`GZ_TO_ROS`, `ROS_TO_GZ` or `BIDIRECTIONAL`. A word of its command line that is no
-`topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. So does a name
-that ROS rejects: Gazebo's `/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit.
-Messages that are not in the table of urdfkit are not reported, for later releases add some.
+`ros_gz_bridge` converts fixed pairs of message types. For another pair it prints "Failed to create
+a bridge for topic" and continues, so that the topic has no messages on the other side. The same
+happens to an entry of its YAML file that lacks a type, or has another direction than `GZ_TO_ROS`,
+`ROS_TO_GZ` or `BIDIRECTIONAL`. An argument that is not `topic@ros_type@gz_type`, with `[` from
+Gazebo and `]` to Gazebo, stops the program. So does a name that ROS rejects: Gazebo's
+`/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. Message types that urdfkit
+does not know are not reported: later releases may support them.
 
-A topic that no sensor or system of the robot publishes or reads, while one with that message has
-another topic that is not passed on, is a warning; the topics of `image_bridge` of ros_gz_image are
-images. A sensor without `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the
-`camera_info` of a camera is next to its images. A topic that is passed on in the wrong direction
-only, such as `/clock` to Gazebo, is a warning, too. So is one of a message that no sensor and no
-system of the robot has, where the world is known to hold no other one.
+Warnings:
+- No sensor or system of the robot uses the topic, while another topic with the same message type
+  is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
+  `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next
+  to its images.
+- The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
+- No sensor or system of the robot uses the message type, and the world contains no other model
+  that may.
 
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
@@ -58,9 +60,9 @@ bridge = Node(
 """
 GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
-#: The time of the simulation, which Gazebo itself publishes.
+#: Topics that Gazebo itself publishes: the simulation time.
 _OF_GAZEBO = tuple(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock"))
-#: Messages that a robot alone publishes or reads, but for models of the world.
+#: Message types that only robots and models of the world publish or read.
 _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
     "Twist",
@@ -79,15 +81,15 @@ def check(context: Context) -> Findings:
             key, message, help = mistake
             yield Finding(Location(topic.at(key), frame), message, help)
         for key, span in topic.unknown:
-            if meant := nearest(key, KEYS, 0.6):
-                message = f"the bridge does not read '{key}'; did you mean '{meant}'?"
+            if suggested := nearest(key, KEYS, 0.6):
+                message = f"the bridge does not read '{key}'; did you mean '{suggested}'?"
                 at = Location(span, frame)
-                yield Finding(at, message, f"write {meant}", severity=Severity.WARNING)
+                yield Finding(at, message, f"write {suggested}", severity=Severity.WARNING)
     yield from _silent(context, bridged)
 
 
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
-    """Why the bridge does not pass a topic on: the key, the reason, and what to write."""
+    """Reasons why the bridge does not forward a topic: key, message and help."""
     if not topic.ros_type or not topic.gz_type:
         yield (
             "ros_type_name" if topic.ros_type else "gz_type_name",
@@ -101,7 +103,7 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
             f"unknown direction '{topic.direction}'{hint}",
             f"write one of {', '.join(DIRECTIONS)}",
         )
-    part = next((one for one in topic.ros_topic.split("/") if re.match(r"\d", one)), "")
+    part = next((part for part in topic.ros_topic.split("/") if re.match(r"\d", part)), "")
     if part:
         yield (
             "ros_topic_name" if "ros_topic_name" in topic.places else "topic_name",
@@ -113,7 +115,7 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
         right = f"{package}/msg/{name}"
         yield (
             "ros_type_name",
-            f"the bridge knows no message '{topic.ros_type}'; did you mean '{right}'?",
+            f"unknown message type '{topic.ros_type}'; did you mean '{right}'?",
             f"write {right}",
         )
     prefix, _, message = topic.gz_type.rpartition(".")
@@ -122,11 +124,11 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
         return
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):
-        yield "gz_type_name", f"'{topic.gz_type}' is no message of Gazebo", right
+        yield "gz_type_name", f"'{topic.gz_type}' is not a Gazebo message type", right
     elif message not in known and (message in all_messages() or nearest(message, known, 0.7)):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
-        both = [f"{prefix}.{one} for {topic.ros_type}" for one in known]
-        both += [f"{one} for {topic.gz_type}" for one in ros_messages(message)]
+        both = [f"{prefix}.{name} for {topic.ros_type}" for name in known]
+        both += [f"{name} for {topic.gz_type}" for name in ros_messages(message)]
         help = f"write {' or '.join(both)}" if message in all_messages() else right
         yield "gz_type_name", f"the bridge cannot convert {pair}", help
 
@@ -136,31 +138,31 @@ def _lacking(topic: BridgedTopic) -> str:
 
 
 def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
-    """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
+    """Bridged topics without messages: unused in Gazebo, or bridged in the wrong direction."""
     of_robot = list(_topics(context))
     passed = {topic.topic for topic, _ in bridged}
     is_known = _is_known(context)
     unnamed: set[str] = set()
-    unbridged = [one for one in of_robot if not any(map(one.is_called, passed))]
+    unbridged = [gz for gz in of_robot if not any(map(gz.is_called, passed))]
     for topic, frame in bridged:
-        own = [one for one in (*of_robot, *_OF_GAZEBO) if one.is_called(topic.topic)]
+        own = [known for known in (*of_robot, *_OF_GAZEBO) if known.is_called(topic.topic)]
         only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
-        if only is not None and own and all(one.is_read is only for one in own):
+        if only is not None and own and all(gz.is_read is only for gz in own):
             verb, right = ("reads", TO_GAZEBO) if only else ("publishes", FROM_GAZEBO)
-            message = f"{topic.direction} passes nothing on: {own[0].who} {verb} '{topic.topic}'"
+            message = f"wrong direction {topic.direction}: {own[0].who} {verb} '{topic.topic}'"
             at = Location(topic.at("direction"), frame)
             help = f"write {right if topic.places else SIGNS[right]}"
             yield Finding(at, message, help, severity=Severity.WARNING)
-        wanted = topic.gz_type.rpartition(".")[2]
-        waiting = [one for one in unbridged if one.message == wanted and one.is_read is not only]
+        kind = topic.gz_type.rpartition(".")[2]
+        waiting = [gz for gz in unbridged if gz.message == kind and gz.is_read is not only]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
         if not own and waiting:
             other = _nearest(topic.topic, waiting)
             if other.is_unnamed and other.who in unnamed:
-                continue  # the same <topic> gives it this one, too
+                continue  # a <topic> in this sensor names both topics
             unnamed.add(other.who)
             yield Finding(at, *_unknown(topic.topic, other), severity=Severity.WARNING)
-        elif not own and is_known and wanted in _OF_ROBOTS:
+        elif not own and is_known and kind in _OF_ROBOTS:
             verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
             message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
             message += f"system with {topic.gz_type}"
@@ -169,7 +171,7 @@ def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
 
 
 def _is_known(context: Context) -> bool:
-    """True if all that publishes or reads such messages in Gazebo is in the one robot."""
+    """True if the robot alone publishes and reads topics in Gazebo."""
     robots, started = list(context.described_robots), list(worlds(context.launch))
     return (
         len(robots) == len(started) == 1
@@ -180,39 +182,39 @@ def _is_known(context: Context) -> bool:
 
 
 def _is_bare(path: str, context: Context) -> bool:
-    """True for a world in whose models there is no sensor and no system."""
+    """True for a world whose models have no sensors and no systems."""
     try:
         world, _ = read_world(path, context.resolver) if os.path.isabs(path) else (None, ())
     except UnreadableFile:
         return False
-    every = list(world.at.walk()) if world else []
-    plugins = [one for one in every if one.tag == "plugin"]
-    is_foreign = any(one.tag in ("sensor", "include", "population") for one in every)
+    elements = list(world.at.walk()) if world else []
+    plugins = [element for element in elements if element.tag == "plugin"]
+    is_foreign = any(element.tag in ("sensor", "include", "population") for element in elements)
     return world is not None and not is_foreign and len(plugins) == len(world.plugins)
 
 
 def _nearest(topic: str, waiting: list[GazeboTopic]) -> GazeboTopic:
-    known = {one.name: one for one in waiting}
+    known = {gz.name: gz for gz in waiting}
     return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
 
 
 def _unknown(topic: str, other: GazeboTopic) -> tuple[str, str]:
-    """Message and help for a topic that the robot does not have, by one that it has."""
-    nothing = f"nothing in the robot has the topic '{topic}'"
+    """Message and help for a topic that the robot does not have; ``other`` is the nearest."""
+    nothing = f"no sensor or system of the robot has the topic '{topic}'"
     if other.is_unnamed:
         place = "plugin" if other.is_system else "sensor"
         return (
             f"{nothing}: {other.who} has no <{other.tag}>",
             f"write <{other.tag}>{other.named(topic)}</{other.tag}> into the {place}",
         )
-    message = f"{nothing}; that of {other.who} is '/{other.name}', which is not bridged"
+    message = f"{nothing}; the topic '/{other.name}' of {other.who} is not bridged"
     if other.name.strip("'\"") != other.name:
         return f"{message}: the quotes are part of it", "remove the quotes in the robot's <topic>"
     return message, f"write /{other.name}"
 
 
 def _topics(context: Context) -> Iterator[GazeboTopic]:
-    """The topics of the robots that are described; none if not all of them are known."""
+    """Topics of the robots whose descriptions are fully known."""
     for description, robot in context.described_robots:
         if description.is_whole:
             yield from topics(robot.model)

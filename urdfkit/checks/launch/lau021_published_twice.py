@@ -1,21 +1,21 @@
 """Two programs of a launch file do what only one may do.
 
-- A static_transform_publisher publishes the transform of a link that has a joint above it, beside
-  the robot_state_publisher: tf keeps what came last, and the robot flickers where the two differ.
-- joint_state_publisher and the joint_state_broadcaster of ros2_control, joint_state_controller in
-  ROS 1, publish on the same `joint_states`: the model jumps between the real positions and those of
-  the sliders. The same holds for joint states that the bridge passes on from Gazebo.
-- Two controllers that one controller manager starts claim the same command interface of a joint:
-  the second does not become active. Load it with `--inactive`.
-- robot_localization and diff_drive_controller both publish the transform from odom to the robot:
-  it jumps between the two. Write `enable_odom_tf: false`. Or the `base_link_frame` of
-  robot_localization is a link with a joint above it, which gives the link two parents. The same
-  holds for the transform of gz-sim's drives and OdometryPublisher, where the bridge passes it on.
+- A static_transform_publisher and robot_state_publisher both publish the transform of a link: tf
+  keeps the last one, and the robot flickers if the two differ.
+- joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
+  ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
+  the sliders. The same holds for joint states that are bridged from Gazebo.
+- Two active controllers of one controller manager claim the same command interface of a joint: the
+  second fails to activate. Load it with `--inactive`.
+- robot_localization and diff_drive_controller both publish the transform from odom to the robot,
+  which jumps between the two: write `enable_odom_tf: false`. Or the `base_link_frame` of
+  robot_localization is the child of a joint, which gives the link two parents. The same holds for
+  the transforms of gz-sim's drives and OdometryPublisher if they are bridged.
 - AMCL and slam_toolbox both publish the transform from map to odom.
-- `ros2_control_node` beside Gazebo's plugin, which runs a controller manager of its own: which one
-  a spawner reaches is chance. Two robot_state_publishers of one robot.
+- `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
+  may reach either. Or there are two robot_state_publishers of one robot.
 
-Programs behind a condition that is known at run time only are left out.
+Programs with a condition that is known only at run time are ignored.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/README.md
@@ -57,14 +57,14 @@ GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
 _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
 _TOPIC = "joint_states"
 _BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
-#: Positions in m that count as equal.
+#: In m: positions that are closer are equal.
 _NEAR = 1e-3
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    started = [one for one in (*launch.started, *launch.included) if one.is_sure]
+    started = [node for node in (*launch.started, *launch.included) if node.is_sure]
     yield from _transforms(context, started)
     if not launch.has_scopes:  # which give them namespaces
         yield from _joint_states(context, started)
@@ -77,18 +77,18 @@ def check(context: Context) -> Findings:
 
 
 def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
-    published = [(one, found) for one in started if (found := static_transform(one))]
-    if not published or all(one.package != "robot_state_publisher" for one in started):
+    published = [(node, transform) for node in started if (transform := static_transform(node))]
+    if not published or all(node.package != "robot_state_publisher" for node in started):
         return
     joints: dict[str, Joint] = {}
     for _, robot in context.described_robots:
         joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
-    for one, transform in published:
+    for node, transform in published:
         child = transform.child
         joint = joints.get(_frame(child))
-        if joint and not _says_the_same(transform, joint):
+        if joint and not _repeats_joint(transform, joint):
             yield Finding(
-                Location(child.span, one.frame),
+                Location(child.span, node.frame),
                 f"the transform of '{_frame(child)}' is published twice: by this node, and by "
                 f"robot_state_publisher for joint '{joint.name}'",
                 "remove the static_transform_publisher, or the joint",
@@ -96,8 +96,8 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
             )
 
 
-def _says_the_same(transform: StaticTransform, joint: Joint) -> bool:
-    """True if it repeats a fixed joint, which harms nobody."""
+def _repeats_joint(transform: StaticTransform, joint: Joint) -> bool:
+    """True if the transform repeats a fixed joint, which is harmless."""
     is_parent = joint.parent_name == _frame(transform.parent)
     distance = dist(transform.position, joint.origin.position)
     return joint.kind == "fixed" and is_parent and distance < _NEAR
@@ -108,41 +108,41 @@ def _frame(word: Word) -> str:
 
 
 def _joint_states(context: Context, started: list[StartedProgram]) -> Findings:
-    """A joint_state_publisher on the topic of a broadcaster of ros2_control, or of the bridge."""
+    """A joint_state_publisher on the topic of a joint_state_broadcaster or of the bridge."""
     publishers = [
         (f"{name.rpartition('/')[0]}/{_TOPIC}", f"controller {word.text}", word.span)
-        for word, one in _activated(started)
-        if word.text in _BROADCASTERS and (name := manager_name(one))
+        for word, node in _activated(started)
+        if word.text in _BROADCASTERS and (name := manager_name(node))
     ]
     publishers += [
         (name, "the bridge", topic.span)
-        for one in started
-        for topic in bridged_topics(one, context.resolver)
+        for node in started
+        for topic in bridged_topics(node, context.resolver)
         if topic.ros_type == "sensor_msgs/msg/JointState" and topic.direction != TO_GAZEBO
-        if (name := topic_name(topic.ros_topic, one))
+        if (name := topic_name(topic.ros_topic, node))
     ]
     others = {name: (who, span) for name, who, span in reversed(publishers)}
-    for one in started:
-        other = others.get(topic_name(_TOPIC, one) or "") if one.package in _PUBLISHERS else None
-        if other and b"source_list" not in one.span.source.data:
+    for node in started:
+        other = others.get(topic_name(_TOPIC, node) or "") if node.package in _PUBLISHERS else None
+        if other and b"source_list" not in node.span.source.data:
             yield Finding(
-                Location(one.span, one.frame),
-                f"{one.package} and {other[0]} both publish the joint states",
-                f"remove {one.package}",
-                related=(Related(other[1], "the other one"),),
+                Location(node.span, node.frame),
+                f"{node.package} and {other[0]} both publish the joint states",
+                f"remove {node.package}",
+                related=(Related(other[1], "the other publisher"),),
             )
 
 
 def _claims(context: Context, started: list[StartedProgram]) -> Findings:
     defined = defined_controllers(context)
     owners: dict[tuple[str | None, str, str], Word] = {}
-    for word, one in _activated(started):
+    for word, node in _activated(started):
         controller = defined.get((word.text or "").strip("/"))
         for joint, interface in _claimed(controller) if controller else ():
-            owner = owners.setdefault((manager_name(one), joint, interface), word)
+            owner = owners.setdefault((manager_name(node), joint, interface), word)
             if owner.text != word.text:
                 yield Finding(
-                    Location(word.span, one.frame),
+                    Location(word.span, node.frame),
                     f"controllers '{owner.text}' and '{word.text}' are both started and claim "
                     f"the command interface '{interface}' of joint '{joint}'",
                     "start one of them with --inactive",
@@ -152,13 +152,13 @@ def _claims(context: Context, started: list[StartedProgram]) -> Findings:
 
 
 def _activated(started: list[StartedProgram]) -> Iterator[tuple[Word, StartedProgram]]:
-    for one in started:
-        if activates(one):
-            yield from ((word, one) for word in controllers(one))
+    for node in started:
+        if activates(node):
+            yield from ((word, node) for word in controllers(node))
 
 
 def _claimed(controller: Controller) -> list[tuple[str, str]]:
-    """The joints and command interfaces that a controller of ROS 2 claims."""
+    """The joints and command interfaces that a ROS 2 controller claims."""
     if controller.ros != 2:
         return []
     joints = [value.text for value in commanded_joints(controller)]

@@ -1,31 +1,30 @@
-"""What a launch file starts waits for something that it does not start.
+"""A program of a launch file waits for something that the launch file does not start.
 
-- Controllers and a robot_state_publisher, but nothing that publishes the joint states: the links
-  behind moving joints have no transform, and RViz shows them at the origin. Spawn
+- Controllers and robot_state_publisher are started, but no publisher of joint states: the links
+  of moving joints have no transform, and RViz shows them at the origin. Spawn
   `joint_state_broadcaster`.
-- A filter or a planner by the wall clock, with Gazebo and nodes with `use_sim_time`: its transforms
-  are years newer than their data. A robot_state_publisher is an info: it passes on the stamps of
-  the joint states.
-- Nodes with `use_sim_time`, and no bridge that passes Gazebo's `/clock` on: their time stands still
-  at zero.
-- A `ros2_control_node` without a parameter file, whose spawners know no type of their controllers.
-- Controllers in a gz sim that is started without `-r`: it waits for its button to be pressed, and
-  the spawners for the controllers to become active. Without controllers it is an info.
-- A robot in Gazebo whose `<ros2_control>` is `mock_components/GenericSystem`: Gazebo's plugin does
-  not load it. Or `ros2_control_node` for hardware of Gazebo, where no robot is put into Gazebo:
-  "class gz_ros2_control/GazeboSimSystem does not exist".
-- `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
+- A filter or a planner uses the wall clock, while Gazebo and other nodes use simulation time
+  (`use_sim_time`): its transforms are years newer than the data. An info for
+  robot_state_publisher, which keeps the stamps of the joint states.
+- Nodes use `use_sim_time`, but no bridge forwards Gazebo's `/clock`: their time stays zero.
+- `ros2_control_node` has no parameter file, so the types of the controllers are unknown.
+- Controllers are spawned in a gz sim that is started without `-r`: the simulation is paused, and
+  no controller becomes active. An info without controllers.
+- The `<ros2_control>` of a robot in Gazebo is `mock_components/GenericSystem`, which Gazebo's
+  plugin does not load. Or `ros2_control_node` runs hardware of Gazebo, but no robot is spawned in
+  Gazebo: "class gz_ros2_control/GazeboSimSystem does not exist".
+- No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
-- A spawner that looks for the controller manager in another namespace: "Could not contact service
+- A spawner looks for the controller manager in another namespace: "Could not contact service
   /controller_manager/list_controllers". A relative name is in the namespace of the spawner; in
   ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
-- A filter, a costmap or all displays of RViz that read odometry, an IMU, images or a scan from a
-  topic that nothing publishes, while such messages are published under another name. All that the
-  workspace starts must be known. So must be the publishers of the robot that RViz shows.
-- twist_mux or a node for teleoperation whose velocity commands nothing reads, while a drive reads
-  them on another topic; all that the workspace starts must be known.
+- A filter, a costmap or all displays of RViz read odometry, an IMU, images or a scan from a topic
+  that nothing publishes, while such messages are published on another topic. Reported only if all
+  programs of the workspace, and the publishers of the robot in RViz, are known.
+- Nothing reads the velocity commands of twist_mux or a teleoperation node, while a drive reads them
+  on another topic. Reported only if all programs of the workspace are known.
 
-A file is left out that includes what is not at hand, unless that is part of ROS.
+A launch file is not checked if it includes unavailable files that are not part of ROS.
 
 Sources:
     ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
@@ -42,8 +41,13 @@ from urdfkit.checks.launch.meeting_points import (
     unpublished_description,
     without_types,
 )
-from urdfkit.checks.launch.simulated_hardware import mock_hardware, without_simulator
-from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
+from urdfkit.checks.launch.simulation import (
+    by_wall_clock,
+    mock_hardware,
+    paused,
+    without_clock,
+    without_simulator,
+)
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.checks.launch.unread_commands import is_of_ros, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
@@ -84,9 +88,9 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 def check(context: Context) -> Findings:
     launch = context.launch
     started = (*launch.started, *launch.included)
-    if not _is_whole(launch) or not all(one.is_sure for one in started):
+    if not _is_whole(launch) or not all(node.is_sure for node in started):
         return
-    if any(one.package == _PUBLISHER for one in started):
+    if any(node.package == _PUBLISHER for node in started):
         yield from _without_joint_states(context, started)
     yield from without_types(started)
     yield from by_wall_clock(context, started)
@@ -102,27 +106,28 @@ def check(context: Context) -> Findings:
 
 
 def _is_whole(launch: Launch) -> bool:
-    """True if all is known that is started, but for what is part of ROS."""
-    packages = (one.searched is None or comes_with_ros(one.name) for one in launch.packages)
-    files = (one.exists or one.path.startswith(f"{UNKNOWN}/") for one in launch.files)
+    """True if all referenced packages and files exist, or are part of ROS."""
+    packages = (item.searched is None or comes_with_ros(item.name) for item in launch.packages)
+    files = (item.exists or item.path.startswith(f"{UNKNOWN}/") for item in launch.files)
     return all(packages) and all(files)
 
 
 def _without_joint_states(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
-    spawned = [(word, one) for one in started for word in controllers(one)]
-    types = {name: one.type for name, one in defined_controllers(context).items() if one.ros == 2}
+    spawned = [(word, node) for node in started for word in controllers(node)]
+    defined = defined_controllers(context)
+    types = {name: defined[name].type for name in defined if defined[name].ros == 2}
     known = [types.get((word.text or "").strip("/"), "") for word, _ in spawned]
-    bridged = (topic for one in started for topic in bridged_topics(one, context.resolver))
+    bridged = (topic for node in started for topic in bridged_topics(node, context.resolver))
     if (
         not all(known)
         or any(kind.endswith("JointStateBroadcaster") for kind in known)
-        or any(one.package in _JOINT_STATES for one in started)
+        or any(node.package in _JOINT_STATES for node in started)
         or any(topic.ros_type.endswith("/JointState") for topic in bridged)
     ):
         return
-    for word, one in spawned[:1]:
+    for word, node in spawned[:1]:
         yield Finding(
-            Location(word.span, one.frame),
+            Location(word.span, node.frame),
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )

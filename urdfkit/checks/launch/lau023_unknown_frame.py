@@ -1,21 +1,25 @@
 """A parameter file, RViz or a static transform names a frame that nothing publishes.
 
-tf has the links of the robot, which robot_state_publisher publishes, the children of static
-transforms, and `map`, `odom` and `world`, which localization and odometry publish. With any other
-name robot_localization, Nav2 and slam_toolbox wait for ever: "Could not find a connection between
-'odom' and 'base'", "Timed out waiting for transform from base to map". RViz shows nothing: "Fixed
-Frame [base] does not exist". A static transform with such a parent makes a second tree.
+tf has the links of the robot from robot_state_publisher, the children of static transforms, and
+`map`, `odom` and `world` from localization and odometry. With any other name robot_localization,
+Nav2 and slam_toolbox wait for ever: "Could not find a connection between 'odom' and 'base'", "Timed
+out waiting for transform from base to map". RViz shows nothing: "Fixed Frame [base] does not
+exist". A static transform with such a parent creates a second tree.
 
-Checked are `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`,
-`base_frame_id` and `sensor_frame`, RViz's fixed frame and the frames of its displays, and the
-parents of static transforms, unless the launch file starts drivers that are not in the workspace,
-which publish frames of their own. The robot is that of the launch file, else those that the other
-launch files of the workspace start. A frame that a program of the workspace names is left out. So
-is the `global_frame` of a costmap, the frame of a map or of odometry, unless it is a typo of `map`
-or `odom`. `map`, `odom` and `world` as the fixed frame are reported where a launch file starts RViz
-with joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is
-neither its `odom_frame` nor its `map_frame`, at which the filter stops, and an `odom_frame` that is
-one of the others ("Invalid frame configuration!").
+Checked are:
+
+- `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and
+  `sensor_frame`.
+- RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
+  are reported if a launch file starts only RViz with joint_state_publisher.
+- Parents of static transforms, unless the launch file starts drivers that are not in the workspace,
+  which may publish other frames.
+- The `global_frame` of a costmap, only for typos of `map` or `odom`.
+- A `world_frame` of robot_localization that is neither its `odom_frame` nor its `map_frame`, and an
+  `odom_frame` that equals another frame: the filter stops ("Invalid frame configuration!").
+
+The robots are those of the launch file, otherwise those of the other launch files of the workspace.
+Frames that a program of the workspace names are not reported.
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
@@ -62,17 +66,17 @@ FILES = {
 }
 
 _WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
-#: What a costmap may be in, and the similarity of a typo.
+#: Usual global frames of a costmap, and the least similarity of a typo.
 _GLOBAL = ("map", "odom")
 _TYPO = 0.6
 _PUBLISHER = "robot_state_publisher"
 _RVIZ = ("rviz", "rviz2")
 _SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
-#: What starts nothing that localizes the robot.
+#: Packages that do not localize the robot.
 _VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
-#: Packages of ROS whose nodes publish frames of their own: of a sensor, or what was recorded.
+#: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
-#: Robots of a workspace that are expanded, to know their links.
+#: Most robots of a workspace that are expanded for their links.
 _MAX_ROBOTS = 8
 _NAMED = 4
 
@@ -80,113 +84,113 @@ _NAMED = 4
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    named = list(named_frames(launch, context.resolver))
-    if not named and not any(True for _ in _transforms(launch)):
+    frames = list(named_frames(launch, context.resolver))
+    if not frames and not any(True for _ in _transforms(launch)):
         return
-    known = _published(context)
+    known = _published_frames(context)
     if known:
-        known |= _of_filters(launch, named)
-        given = {key for one in _started(launch) for key in one.parameters.values}
+        known |= _frames_of_filters(launch, frames)
+        overridden = {key for node in _started(launch) for key in node.parameters.values}
         last_words = {name.rpartition("/")[2] for name in known}
-        of_others = _of_drivers(launch)
+        frames_of_drivers = _frames_of_drivers(launch)
         unknown = [
-            one
-            for one in named
-            if one.name not in known
-            and one.key not in given
-            and (one.key or one.name not in of_others)
-            and not _is_in_namespace(one, launch, last_words)
-            and (one.key != GLOBAL or _is_typo(one, named))
+            frame
+            for frame in frames
+            if frame.name not in known
+            and frame.key not in overridden
+            and (frame.key or frame.name not in frames_of_drivers)
+            and not _is_in_namespace(frame, launch, last_words)
+            and (frame.key != GLOBAL or _is_typo(frame, frames))
         ]
         parents = {}
         if not _has_foreign_publishers(context):
-            parents = dict(_unknown_parents(launch, known, _of_robots(context, (launch,))))
-        words = {one.name for one in unknown} | parents.keys()
+            parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
+        words = {frame.name for frame in unknown} | parents.keys()
         elsewhere = strings_in_programs(words, context.source.path, context.resolver)
-        yield from (_unknown(one, known) for one in unknown if one.name not in elsewhere)
-        yield from (found for name, found in parents.items() if name not in elsewhere)
-    yield from _other_world(context)
+        yield from (_unknown(frame, known) for frame in unknown if frame.name not in elsewhere)
+        yield from (finding for name, finding in parents.items() if name not in elsewhere)
+    yield from _wrong_filter_frames(context)
 
 
 def _is_in_namespace(frame: NamedFrame, launch: Launch, last_words: set[str]) -> bool:
-    """True for a frame that a robot may publish if another launch file starts it in a namespace."""
+    """True for a frame that a robot may publish in the namespace of another launch file."""
     _, namespace, last = frame.name.rpartition("/")
     if frame.key:
         return bool(namespace and not launch.descriptions)
     return bool(namespace and last in last_words)
 
 
-def _is_typo(frame: NamedFrame, named: list[NamedFrame]) -> bool:
-    """True for a frame that no other one is called like, and that is like that of a map."""
-    uses = [one.name for one in named].count(frame.name)
+def _is_typo(frame: NamedFrame, frames: list[NamedFrame]) -> bool:
+    """True for a frame that is named once and resembles ``map`` or ``odom``."""
+    uses = sum(other.name == frame.name for other in frames)
     return uses == 1 and nearest(frame.name, _GLOBAL, _TYPO) is not None
 
 
-def _of_drivers(launch: Launch) -> frozenset[str]:
-    """The frames with which nodes stamp their messages, by their parameters; RViz shows these."""
+def _frames_of_drivers(launch: Launch) -> frozenset[str]:
+    """Values of frame parameters: nodes stamp messages with them, and RViz shows these."""
     return frozenset(
         value.lstrip("/")
-        for one in _started(launch)
-        for key, value in one.parameters.values.items()
+        for node in _started(launch)
+        for key, value in node.parameters.values.items()
         if value and "frame" in key
     )
 
 
 def _has_foreign_publishers(context: Context) -> bool:
-    """True if nodes that are not at hand may publish frames: drivers, or what a bag plays back."""
+    """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
     started = _started(context.launch)
-    if any(_is_foreign(context, one.package) for one in started if one.package):
+    if any(_is_foreign(context, node.package) for node in started if node.package):
         return True
-    if any("bag" in (word.text for word in one.words) for one in started if not one.package):
+    if any("bag" in (word.text for word in node.words) for node in started if not node.package):
         return True
     return _includes_foreign(context)
 
 
 def _includes_foreign(context: Context) -> bool:
-    """True if it includes launch files of packages that are not at hand and not of ROS itself."""
+    """True if the launch file includes files of unavailable packages that are not part of ROS."""
     packages = (path.removeprefix(UNKNOWN) for path in context.launch.unread)
     return any(_is_foreign(context, path.strip("/").partition("/")[0]) for path in packages if path)
 
 
 def _is_foreign(context: Context, package: str) -> bool:
     if package in _PUBLISHERS_OF_ROS:
-        return True  # a copy in the workspace, too: it computes the names of its frames
+        return True  # even if the package is in the workspace: it computes its frame names
     if comes_with_ros(package):
         return False
     packages = context.resolver.packages
     return not any(True for _ in packages.candidates(package, context.source.path))
 
 
-def _of_filters(launch: Launch, named: list[NamedFrame]) -> frozenset[str]:
-    """The frames that a filter publishes beside the robot, for the static transforms on them."""
-    parents = {(one.parent.text or "").lstrip("/") for one in _transforms(launch)}
-    return frozenset(one.name for one in named if one.key == "base_link_frame") & parents
+def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[str]:
+    """Base frames of filters that are parents of static transforms."""
+    parents = {(frame.parent.text or "").lstrip("/") for frame in _transforms(launch)}
+    return frozenset(frame.name for frame in frames if frame.key == "base_link_frame") & parents
 
 
 def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
     published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
     return Finding(
         Location(frame.span),
-        f"{frame.who} '{frame.name}' is no link of the robot and no static transform"
+        f"{frame.who} '{frame.name}' is neither a link of the robot nor a static transform"
         f"{did_you_mean(frame.name, published)}",
         f"name a frame that is published: {few(published, _NAMED)}",
         related=(Related(frame.named_at, "the file is named here"),),
     )
 
 
-def _published(context: Context) -> frozenset[str]:
-    """The frames that are known to be published; none if not all of the robots are known."""
+def _published_frames(context: Context) -> frozenset[str]:
+    """The published frames; empty if not all robots are known."""
     launch = context.launch
-    links = _of_robots(context, (launch,))
+    links = _links_of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
     if not launch.descriptions and (_includes_foreign(context) or _publishes(launch)):
-        return frozenset()  # one of these may start another robot
+        return frozenset()  # an included file may start another robot
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
-        links = _of_robots(context, launches)
+        links = _links_of_robots(context, launches)
     if not links or any(map(_renames_frames, launches)):
         return frozenset()
-    transforms = [transform for one in launches for transform in _transforms(one)]
+    transforms = [transform for launch_file in launches for transform in _transforms(launch_file)]
     children = [(transform.child.text or "").lstrip("/") for transform in transforms]
     parents = [(transform.parent.text or "").lstrip("/") for transform in transforms]
     above = (parent for parent, child in zip(parents, children, strict=True) if child in links)
@@ -195,42 +199,41 @@ def _published(context: Context) -> frozenset[str]:
     return links.union(children, above, well_known)
 
 
-def _of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
-    """The links of the robots that are started; none if one of them cannot be expanded."""
-    found: set[str] = set()
-    descriptions = [one for launch in launches for one in launch.descriptions]
-    distinct = {(one.path, *sorted(one.arguments.items())): one for one in descriptions}
+def _links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
+    """Links of the robots that are started; empty if a robot cannot be expanded."""
+    links: set[str] = set()
+    descriptions = [description for launch in launches for description in launch.descriptions]
+    distinct = {(each.path, *sorted(each.arguments.items())): each for each in descriptions}
     if len(distinct) > _MAX_ROBOTS:
         return frozenset()
     for description in distinct.values():
         robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is None or not description.is_whole:
             return frozenset()
-        found.update(name.lstrip("/") for name in robot.model.links_by_name)
-    return frozenset(found)
+        links.update(name.lstrip("/") for name in robot.model.links_by_name)
+    return frozenset(links)
 
 
 def _renames_frames(launch: Launch) -> bool:
-    """True if links may be published under other names, or nothing of ROS publishes them."""
+    """True if links may be published under other names, or without robot_state_publisher."""
     started = _started(launch)
-    publishers = [one for one in started if one.package == _PUBLISHER]
+    publishers = [node for node in started if node.package == _PUBLISHER]
     renaming = (
-        "frame_prefix" in one.parameters.values or one.parameters.every is None
-        for one in publishers
+        "frame_prefix" in node.parameters.values or node.parameters.every is None
+        for node in publishers
     )
     return any(renaming) or (bool(launch.descriptions) and not publishers)
 
 
 def _publishes(launch: Launch) -> bool:
-    """True if it starts robot_state_publisher."""
-    return any(one.package == _PUBLISHER for one in _started(launch))
+    return any(node.package == _PUBLISHER for node in _started(launch))
 
 
 def _is_viewer(launch: Launch) -> bool:
-    """True if it starts the publishers of a robot and RViz, and nothing else."""
+    """True if the launch file starts only the publishers of a robot and RViz."""
     started = _started(launch)
-    is_whole = not launch.unread and all(one.package in _VIEWERS for one in started)
-    packages = {one.package for one in started}
+    is_whole = not launch.unread and all(node.package in _VIEWERS for node in started)
+    packages = {node.package for node in started}
     return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
 
 
@@ -239,41 +242,46 @@ def _started(launch: Launch) -> tuple[StartedProgram, ...]:
 
 
 def _transforms(launch: Launch) -> Iterator[StaticTransform]:
-    for one in _started(launch):
-        if found := static_transform(one):
-            yield found
+    for node in _started(launch):
+        if transform := static_transform(node):
+            yield transform
 
 
 def _unknown_parents(
     launch: Launch, known: frozenset[str], of_robot: frozenset[str]
 ) -> Iterator[tuple[str, Finding]]:
-    """The parents that make a second tree; a parent of the robot's root is one above it."""
-    for one in launch.started:
-        found = static_transform(one)
-        if found is None:
+    """Parents of static transforms that create a second tree.
+
+    The parent of the robot's root is not reported.
+    """
+    for node in launch.started:
+        transform = static_transform(node)
+        if transform is None:
             continue
-        name, child = ((word.text or "").lstrip("/") for word in (found.parent, found.child))
+        name, child = (
+            (word.text or "").lstrip("/") for word in (transform.parent, transform.child)
+        )
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             yield (
                 name,
                 Finding(
-                    Location(found.parent.span, one.frame),
-                    f"parent '{name}' of the static transform is no link of the robot"
+                    Location(transform.parent.span, node.frame),
+                    f"parent '{name}' of the static transform is not a link of the robot"
                     f"{did_you_mean(name, known)}",
                     f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}",
                 ),
             )
 
 
-def _other_world(context: Context) -> Findings:
-    """A world frame of robot_localization that is neither of its two."""
+def _wrong_filter_frames(context: Context) -> Findings:
+    """Invalid combinations of the frames of robot_localization."""
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
         for section in _sections(load(source)) if source else ():
             world, base = section.get("world_frame"), section.get("base_link_frame")
             others = [section.get(key) for key in ("odom_frame", "map_frame")]
-            names = [one.text for one in others if isinstance(one, Value)]
+            names = [frame.text for frame in others if isinstance(frame, Value)]
             if not isinstance(base, Value) or len(names) < len(others):
                 continue
             odom = section["odom_frame"]
@@ -281,7 +289,7 @@ def _other_world(context: Context) -> Findings:
                 key = "base_link_frame" if odom.text == base.text else "map_frame"
                 yield Finding(
                     Location(odom.span),
-                    f"odom_frame and {key} are both '{odom.text}': robot_localization asks for "
+                    f"odom_frame and {key} are both '{odom.text}': robot_localization requires "
                     "three different frames",
                     "write odom_frame: odom, map_frame: map and the robot's link",
                 )
@@ -290,12 +298,12 @@ def _other_world(context: Context) -> Findings:
                     Location(world.span),
                     f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "
                     f"map_frame '{names[1]}'",
-                    f"write {names[0]}, or {names[1]} for the filter that takes in GPS",
+                    f"write {names[0]}, or {names[1]} for the filter that uses GPS",
                 )
 
 
 def _sections(root: Node) -> Iterator[dict[str, Node]]:
     """The parameters of each node."""
     for node in mapping(root).values():
-        if inside := mapping(node, "ros__parameters"):
-            yield inside
+        if parameters := mapping(node, "ros__parameters"):
+            yield parameters

@@ -1,31 +1,31 @@
-"""Parameters of a node are not read, or it stops at them.
+"""Parameters of a node are not read, or stop it.
 
-- A file of parameters names another node than the one that gets it (warning). ROS 2 reads what is
-  below the name of the node, or below `/**`; the rest is ignored in silence, and the node runs by
-  its defaults. The name is that which the launch file gives, and in the namespace that it gives.
-- `odom0_config` and its like have not 15 values: robot_localization reads five rows of three.
-- A costmap names a plugin in `plugins` or `filters` for which there are no parameters: "Can not get
-  'plugin' param value for voxel_layer". The same holds for `controller_plugins` and
-  `planner_plugins`.
-- A costmap's layer has a class that Nav2 does not have, or a `data_type` that it does not take.
+- The node of a parameter file has another name or namespace than the node in the launch file
+  (warning). ROS 2 reads only the parameters below the name of the node or below `/**`, silently
+  ignores all others, and uses the node's defaults.
+- `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
+  robot_localization requires.
+- A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
+  value for voxel_layer". The same holds for `controller_plugins` and `planner_plugins`.
+- A costmap layer has an unknown class or an unsupported `data_type`.
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
-- A whole number stands for a fraction, or the reverse: "expected [double] got [integer]". A list
-  is in a list. A planner or controller of Nav2 is misspelt (warning).
-- `observation_sources` names a source without parameters (warning): the layer then listens to a
-  topic of that name.
-- A lifecycle manager waits for a node that nothing starts, or a node of Nav2 is started that no
-  lifecycle manager activates (warning): it stays unconfigured.
-- A configuration of RViz has a display of a class that RViz 2 does not have, such as
-  `rviz/LaserScan` of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes
-  have relative names, or Gazebo's `model://`: "Could not load resource" (warning).
+- An integer is written where a double is declared, or the reverse: "expected [double] got
+  [integer]". A list contains lists. A planner or controller of Nav2 is misspelt (warning).
+- A source in `observation_sources` has no parameters (warning): the layer subscribes to a topic of
+  that name.
+- A lifecycle manager waits for a node that nothing starts, or no lifecycle manager activates a node
+  of Nav2, which stays unconfigured (warning).
+- An RViz configuration has a display of a class that RViz 2 does not have, such as `rviz/LaserScan`
+  of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have relative paths
+  or Gazebo's `model://`: "Could not load resource" (warning).
 - A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
-  nor in the dictionaries that the launch file hands to move_group
-  ("Planning plugin name is empty or not defined in namespace 'ompl'"). Or
-  `default_planning_pipeline` is none of `planning_pipelines` (warning; the builder stops). Or
-  the solvers are not below `robot_description_kinematics` (warning).
+  nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
+  or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
+  `planning_pipelines` (warning; the builder stops). Or the solvers are not below
+  `robot_description_kinematics` (warning).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
-- static_transform_publisher gets an option that it does not have, or another number of words: a
-  period behind the frames belongs to ROS 1.
+- static_transform_publisher has an unknown option or a wrong number of arguments: a period after
+  the frames belongs to ROS 1.
 
 Sources:
     ROS 2, parameter files: https://docs.ros.org/en/rolling/How-To-Guides/Node-arguments.html
@@ -35,6 +35,7 @@ Sources:
 """
 
 import re
+from itertools import chain
 
 from urdfkit.checks.launch.costmap_parameters import (
     COSTMAPS,
@@ -90,7 +91,7 @@ FILES = {
 #: Values of a row of robot_localization: position, angles, velocities, rates, accelerations.
 _STATES = 15
 _CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
-#: Programs that hold nodes of other names.
+#: Programs that contain nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
 
 
@@ -98,19 +99,19 @@ _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node",
 def check(context: Context) -> Findings:
     paths = dict.fromkeys(file.path for file in context.launch.parameters if file.exists)
     sources = filter(None, map(context.resolver.readable, paths))
-    found = {source.path: list(node_parameters(source)) for source in sources}
-    names = [one.name for several in found.values() for one in several]
-    for several in found.values():
-        for one in several:
-            yield from _configurations(one)
-            yield from wrong_types(one)
-            yield from old_model(one)
-            yield from wrong_sizes(one)
-            yield from misspelt_servers(one)
-            if names.count(one.name) == 1:  # others would complete it
-                yield from plugins(one)
-                yield from misplaced(one)
-    yield from _of_others(context, found)
+    files = {source.path: list(node_parameters(source)) for source in sources}
+    sections = list(chain.from_iterable(files.values()))
+    names = [section.name for section in sections]
+    for section in sections:
+        yield from _configurations(section)
+        yield from wrong_types(section)
+        yield from old_model(section)
+        yield from wrong_sizes(section)
+        yield from misspelt_servers(section)
+        if names.count(section.name) == 1:  # otherwise another section may complete it
+            yield from plugins(section)
+            yield from misplaced(section)
+    yield from _of_other_nodes(context, files)
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from relative_meshes(context)
@@ -123,10 +124,10 @@ def check(context: Context) -> Findings:
 
 
 def _other_pipeline(started: StartedProgram) -> Findings:
-    """A default of MoveIt's planning pipelines that is none of them."""
+    """A default planning pipeline of MoveIt that is not loaded."""
     name = started.parameters.values.get("default_planning_pipeline")
     loaded = started.parameters.lists.get("planning_pipelines", ())
-    names = [one for one in loaded if one]
+    names = [pipeline for pipeline in loaded if pipeline]
     if name and names and len(names) == len(loaded) and name not in names:
         yield Finding(
             Location(started.span, started.frame),
@@ -148,77 +149,82 @@ def _configurations(node: NodeParameters) -> Findings:
             )
 
 
-def _of_others(context: Context, found: dict[str, list[NodeParameters]]) -> Findings:
-    """The files whose parameters are those of another node than the one that gets them."""
+def _of_other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
+    """Parameter files that a node loads, but whose sections belong to other nodes."""
     launch = context.launch
     started = (*launch.started, *launch.included)
-    for path, several in found.items():
-        users = [one for one in started if path in one.parameters.files]
-        names = {one.name for one in several}
-        yield from _misnamed(several, users)
+    for path, sections in files.items():
+        users = [program for program in started if path in program.parameters.files]
+        names = {section.name for section in sections}
+        yield from _misnamed(sections, users)
         if not launch.has_scopes:
-            yield from _outside_namespace(several, users)
+            yield from _outside_namespace(sections, users)
         is_known = users and all(map(_is_named, users)) and not launch.has_scopes
         if not names or not is_known or any("*" in name for name in names):
             continue
-        if names.isdisjoint(one.name for one in users) and names.isdisjoint(COSTMAPS):
+        if names.isdisjoint(user.name for user in users) and names.isdisjoint(COSTMAPS):
             who = users[0]
             likely = who.executable if who.executable in names else nearest(who.name, names)
-            section = next((one for one in several if one.name == likely), several[0])
+            section = next((each for each in sections if each.name == likely), sections[0])
             yield Finding(
                 Location(section.at),
-                f"parameters of '{section.name}' are not read: the node is called '{who.name}'",
+                f"parameters of '{section.name}' are not read: the node is '{who.name}'",
                 f"write {who.name}, or name the node {section.name}",
-                related=(Related(who.span, "the node that gets the file"),),
+                related=(Related(who.span, "the node that loads the file"),),
                 severity=Severity.WARNING,
             )
 
 
-def _outside_namespace(several: list[NodeParameters], users: list[StartedProgram]) -> Findings:
-    """The sections of nodes that are started in a namespace, which the file does not write."""
-    if any("*" in f"{one.namespace}/{one.name}" for one in several):
-        return
-    for one in several:
-        owners = [user for user in users if _node_name(user) == one.name]
-        written = {section.namespace.strip("/") for section in several if section.name == one.name}
+def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """Sections without the namespace in which their node is started."""
+    namespaces: dict[str, set[str]] = {}
+    for section in sections:
+        if "*" in f"{section.namespace}/{section.name}":
+            return
+        namespaces.setdefault(section.name, set()).add(section.namespace.strip("/"))
+    for section in sections:
+        owners = [user for user in users if _node_name(user) == section.name]
+        written = namespaces[section.name]
         if owners and all(user.namespace and user.namespace not in written for user in owners):
             who = owners[0]
             yield Finding(
-                Location(one.at),
-                f"parameters of '{one.name}' are not read: the node is "
-                f"'/{who.namespace}/{one.name}'",
+                Location(section.at),
+                f"parameters of '{section.name}' are not read: the node is "
+                f"'/{who.namespace}/{section.name}'",
                 f"write the section below {who.namespace}:, or below /**:",
-                related=(Related(who.span, "the node that gets the file"),),
+                related=(Related(who.span, "the node that loads the file"),),
                 severity=Severity.WARNING,
             )
 
 
 def _node_name(started: StartedProgram) -> str:
-    """The name that a node has, or that it most likely gives itself."""
+    """The name of a node, or its likely default name."""
     is_manager = started.executable == "ros2_control_node"
     return started.name or ("controller_manager" if is_manager else started.executable)
 
 
-def _misnamed(several: list[NodeParameters], users: list[StartedProgram]) -> Findings:
-    """The sections that are meant for servers of Nav2 of similar names, which have none."""
-    servers = {one.executable: one for one in users if one.executable in MANAGED and not one.name}
-    lacking = servers.keys() - {one.name for one in several}
-    for one in several:
-        meant = nearest(one.name, lacking) if one.name not in servers else None
-        if meant and meant.startswith(one.name.partition("_")[0]):
+def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """Misspelt sections of servers of Nav2."""
+    servers = {
+        user.executable: user for user in users if user.executable in MANAGED and not user.name
+    }
+    lacking = servers.keys() - {section.name for section in sections}
+    for section in sections:
+        suggested = nearest(section.name, lacking) if section.name not in servers else None
+        if suggested and suggested.startswith(section.name.partition("_")[0]):
             yield Finding(
-                Location(one.at),
-                f"parameters of '{one.name}' are not read: the node is called '{meant}'",
-                f"write {meant}",
-                related=(Related(servers[meant].span, "the node that gets the file"),),
+                Location(section.at),
+                f"parameters of '{section.name}' are not read: the node is '{suggested}'",
+                f"write {suggested}",
+                related=(Related(servers[suggested].span, "the node that loads the file"),),
                 severity=Severity.WARNING,
             )
 
 
 def _is_named(started: StartedProgram) -> bool:
-    """True for one node of a known name."""
+    """True for a single node with a known name."""
     return (
         bool(started.name)
         and started.namespace == ""
-        and not any(started.executable.startswith(one) for one in _CONTAINERS)
+        and not any(started.executable.startswith(name) for name in _CONTAINERS)
     )

@@ -15,33 +15,33 @@ _NAMED = 4
 
 
 def not_activated(context: Context) -> Findings:
-    """Names of a lifecycle manager that nothing starts, and nodes that none names."""
+    """Managed nodes that are not started, and started nodes that are not managed."""
     launch = context.launch
     started = (*launch.started, *launch.included)
-    managers = [one for one in started if one.package == _MANAGER]
-    listed = [one.parameters.lists.get(_NAMES) for one in managers]
-    is_whole = not launch.unread and all(one.is_sure for one in started)
+    managers = [node for node in started if node.package == _MANAGER]
+    listed = [node.parameters.lists.get(_NAMES) for node in managers]
+    is_whole = not launch.unread and all(node.is_sure for node in started)
     if not managers or not is_whole or b"omposable" in context.source.data:
         return
     if any(names is None or None in names for names in listed):
         return
-    names = {name for several in listed for name in several or () if name}
-    nodes = {one.name or one.executable: one for one in started}
-    managed = {name: one for name, one in nodes.items() if one.executable in MANAGED}
+    names = {name for listed_names in listed for name in listed_names or () if name}
+    nodes = {node.name or node.executable: node for node in started}
+    managed = {name: node for name, node in nodes.items() if node.executable in MANAGED}
     if names.isdisjoint(nodes) or is_included(context.source.path, context.resolver):
         return
-    for name, one in managed.items():
-        if name not in names and one.package.startswith("nav2_"):
+    for name, node in managed.items():
+        if name not in names and node.package.startswith("nav2_"):
             yield Finding(
-                Location(one.span, one.frame),
+                Location(node.span, node.frame),
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
                 f"add it to {_NAMES} of the lifecycle manager",
                 severity=Severity.WARNING,
             )
-    if lost := sorted(names.difference(nodes)):
+    if missing := sorted(names.difference(nodes)):
         yield Finding(
             Location(managers[0].span, managers[0].frame),
-            f"the lifecycle manager waits for {few(lost, _NAMED)}, which nothing starts",
+            f"the lifecycle manager waits for {few(missing, _NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
             severity=Severity.WARNING,
         )

@@ -1,4 +1,4 @@
-"""Values of parameters that a node of ROS 2 does not take.
+"""Parameters whose type a node of ROS 2 rejects.
 
 Sources: rcl_yaml_param_parser (no lists in lists); the declarations of Nav2 and robot_localization;
 rst-tu-dortmund/teb_local_planner#202 ("expected [double] got [integer]").
@@ -13,7 +13,7 @@ from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value
 
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
-#: Parameters that are declared with a fraction, by the node; in a filter, all of these.
+#: Parameters that are declared as double, by node.
 _OF_COSTMAP = frozenset(
     "cost_scaling_factor footprint_padding inflation_radius obstacle_max_range obstacle_min_range "
     "publish_frequency raytrace_max_range raytrace_min_range resolution robot_radius "
@@ -27,7 +27,7 @@ _FRACTIONS = {
     "global_costmap": _OF_COSTMAP,
 }
 _OF_FILTER = frozenset(("frequency", "sensor_timeout"))
-#: What AMCL loads instead of the names of ROS 1.
+#: Motion models of AMCL, by their names in ROS 1.
 _MODELS = {
     "differential": "nav2_amcl::DifferentialMotionModel",
     "omnidirectional": "nav2_amcl::OmniMotionModel",
@@ -36,13 +36,13 @@ _FILTERED = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 
 def wrong_types(node: NodeParameters) -> Findings:
-    """Whole numbers for fractions, at which the node stops, and lists in lists."""
+    """Integers for doubles, which stop the node, and lists of lists."""
     fractions = _FRACTIONS.get(node.name, frozenset())
     if any(map(_FILTERED.fullmatch, node.values)):
         fractions |= _OF_FILTER
-    for key, value in _all(node.values):
-        # The end of an inner list ends the outer one, too: one alone is read as if it were flat.
-        if isinstance(value, list) and sum(isinstance(one, list) for one in value) > 1:
+    for key, value in _nested_parameters(node.values):
+        # The end of an inner list ends the outer list: a single inner list is read as flat.
+        if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
             yield Finding(
                 Location(key.span),
                 f"'{node.name}': {key} is a list of lists, which ROS 2 does not read",
@@ -58,7 +58,7 @@ def wrong_types(node: NodeParameters) -> Findings:
 
 
 def wrong_sizes(node: NodeParameters) -> Findings:
-    """Fractions for the sizes of a costmap, which are whole metres."""
+    """Doubles for the sizes of a costmap, which are integers in m."""
     for key in ("width", "height") if node.name.endswith("_costmap") else ():
         value = node.values.get(key)
         if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
@@ -67,7 +67,7 @@ def wrong_sizes(node: NodeParameters) -> Findings:
 
 
 def whole_frequency(started: StartedProgram) -> Findings:
-    """A frequency of robot_state_publisher in a launch file of ROS 2; ROS 1 takes any number."""
+    """An integer frequency of robot_state_publisher, which ROS 1 accepts and ROS 2 rejects."""
     value = started.parameters.values.get(FREQUENCY) or ""
     is_ros2 = started.span.source.path.endswith(".py")
     if started.package == PUBLISHER and is_ros2 and re.fullmatch(r"\d+", value):
@@ -78,7 +78,7 @@ def whole_frequency(started: StartedProgram) -> Findings:
 
 
 def old_model(node: NodeParameters) -> Findings:
-    """A model of AMCL's motion as ROS 1 and Foxy call it."""
+    """A motion model of AMCL with its name in ROS 1 and Foxy."""
     model = node.values.get("robot_model_type")
     name = _MODELS.get(model.text) if isinstance(model, Value) and node.name == "amcl" else None
     if name and isinstance(model, Value):
@@ -90,12 +90,12 @@ def old_model(node: NodeParameters) -> Findings:
         )
 
 
-def _all(values: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
+def _nested_parameters(values: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
     for key, value in values.items():
         if isinstance(key, Key):
             yield key, value
         if isinstance(value, dict):
-            yield from _all(value)
+            yield from _nested_parameters(value)
 
 
 def _is_whole(value: Value) -> bool:

@@ -1,4 +1,4 @@
-"""Displays of RViz that stay empty: of a class that it does not have, or of a silent topic.
+"""Displays of RViz that stay empty: unknown classes, unpublished topics, missing meshes.
 
 Sources: plugins_description.xml of rviz_default_plugins, Humble to Rolling.
 """
@@ -16,13 +16,13 @@ from urdfkit.text.located_yaml import Node, Value
 from urdfkit.text.source import Span
 
 _PLUGINS = "rviz_default_plugins"
-#: What a misspelt class resembles a known one by.
+#: Least similarity of a misspelt class.
 _TYPO = 0.8
 
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
     """The displays in the configurations of RViz in ROS 2: the file, the display, its class."""
-    if not any(one.package == "rviz2" for one in context.launch.started):
+    if not any(node.package == "rviz2" for node in context.launch.started):
         return
     seen: set[str] = set()
     for file in context.launch.files:
@@ -31,32 +31,32 @@ def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], s
         seen.add(file.path)
         source = context.resolver.readable(file.path)
         for display in displays(source) if source else ():
-            written = display.get("Class")
-            if isinstance(written, Value):
-                yield file, display, written.text
+            kind = display.get("Class")
+            if isinstance(kind, Value):
+                yield file, display, kind.text
 
 
 def has_other_topics(context: Context) -> bool:
-    """True if RViz has a namespace or remappings, so that it reads other topics than it names."""
+    """True if RViz has a namespace or remappings, which change the names of its topics."""
     return any(
-        one.package == "rviz2" and (one.is_remapped or one.namespace != "")
-        for one in context.launch.started
+        node.package == "rviz2" and (node.is_remapped or node.namespace != "")
+        for node in context.launch.started
     )
 
 
 def unknown_classes(context: Context) -> Findings:
-    """The classes of RViz in ROS 1, and misspelt ones."""
+    """Display classes of RViz in ROS 1, and misspelt classes."""
     reported: set[str] = set()
     for file, display, name in read_by_rviz(context):
         package, _, kind = name.partition("/")
         suggested = kind if kind in DISPLAYS else nearest(kind, DISPLAYS, _TYPO)
         is_known = package not in ("rviz", _PLUGINS) or name == f"{_PLUGINS}/{suggested}"
-        written = display["Class"]
-        if is_known or not suggested or name in reported or not isinstance(written, Value):
+        class_name = display["Class"]
+        if is_known or not suggested or name in reported or not isinstance(class_name, Value):
             continue
         reported.add(name)
         yield _finding(
-            written.span,
+            class_name.span,
             f"RViz has no display '{name}'",
             f"write {_PLUGINS}/{suggested}",
             file,
@@ -67,7 +67,7 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
     """RobotModel displays that read the robot from a topic on which nothing publishes it.
 
     Args:
-        published: the topics of the robots, and what publishes them.
+        published: the topics of the robots, and their publishers.
     """
     if has_other_topics(context):
         return
@@ -83,43 +83,43 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
             is_shared = _is_shown_elsewhere(context, file.path, read)
             yield _finding(
                 topic.span,
-                f"RobotModel of RViz reads '{topic.text}', on which nothing publishes a robot",
+                f"RobotModel of RViz reads '{topic.text}', but nothing publishes a robot there",
                 f"remap {read} to {other} for RViz" if is_shared else f"write {other}",
                 file,
             )
 
 
 def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
-    """True if another launch file shows a robot on a topic by the same configuration of RViz."""
+    """True if another launch file publishes the topic for the same RViz configuration."""
     for launch in launches_of_workspace(context.source.path, context.resolver):
         names = any(file.path == path for file in launch.files)
-        for one in (*launch.started, *launch.included) if names else ():
-            is_known = one.namespace is not None and not one.is_remapped and not launch.has_scopes
-            published = resolve_name("robot_description", one.namespace)
-            if one.package == "robot_state_publisher" and (published == topic or not is_known):
+        for node in (*launch.started, *launch.included) if names else ():
+            is_known = node.namespace is not None and not node.is_remapped and not launch.has_scopes
+            published = resolve_name("robot_description", node.namespace)
+            if node.package == "robot_state_publisher" and (published == topic or not is_known):
                 return True
     return False
 
 
 def relative_meshes(context: Context) -> Findings:
-    """The meshes of a robot whose names are relative, or of Gazebo's ``model://``."""
-    if all(one.package not in ("rviz", "rviz2") for one in context.launch.started):
+    """Meshes with relative paths or Gazebo's ``model://``."""
+    if all(node.package not in ("rviz", "rviz2") for node in context.launch.started):
         return
     reported: set[str] = set()
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
         for mesh in robot.files.meshes if robot.reading.document else ():
             path = mesh.located.path
-            home = context.resolver.packages.enclosing(path) if path else None
+            package = context.resolver.packages.enclosing(path) if path else None
             is_lost = mesh.located.scheme in ("relative", "model")
-            if path is None or home is None or not is_lost or description.path in reported:
+            if path is None or package is None or not is_lost or description.path in reported:
                 continue
             reported.add(description.path)
-            relative = os.path.relpath(path, home[1]).replace(os.sep, "/")
+            relative = os.path.relpath(path, package[1]).replace(os.sep, "/")
             yield Finding(
                 mesh.at,
-                f"{mesh.who} is not found by RViz, which reads package:// and file:// alone",
-                f"write package://{home[0]}/{relative}",
+                f"{mesh.who} is not found by RViz, which reads only package:// and file://",
+                f"write package://{package[0]}/{relative}",
                 related=(Related(description.frame.call.span, "the robot is started here"),),
                 severity=Severity.WARNING,
             )

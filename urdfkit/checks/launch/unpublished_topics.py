@@ -1,7 +1,6 @@
 """Topics that a filter, a costmap or RViz reads and nothing publishes.
 
-Reported only where all that runs is known, and some of it publishes such messages under another
-name.
+Reported only if all programs are known, and such messages are published on another topic.
 
 Sources: ``ros_filter.cpp`` of robot_localization, ``obstacle_layer.cpp`` of nav2_costmap_2d, the
 publishers of ros2_controllers (all of humble to rolling).
@@ -26,13 +25,13 @@ from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.text.located_yaml import Node, Value, mapping
 
-#: Packages whose programs publish none of these messages.
+#: Packages whose programs do not publish these messages.
 _SILENT = re.compile(
     r"robot_state_publisher|joint_state_publisher(_gui)?|ros_gz_(sim|image)|rviz2|tf2_ros"
     r"|moveit_ros_move_group|slam_toolbox|nav2_(?!costmap_2d)\w+"
 )
 _CONTROLLERS = "controller_manager"
-#: What robot_localization publishes itself.
+#: robot_localization, and the topic that it publishes.
 _FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _INPUT = re.compile(r"(odom|imu)\d+")
@@ -43,9 +42,9 @@ _NAMED = {
     ("slam_toolbox", "scan_topic"): "LaserScan",
 }
 _READ = {"odom": "Odometry", "imu": "Imu"}
-#: The displays of RViz that have the name of their message.
+#: The displays of RViz that are named after their message.
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
-#: Of controllers, by the end of their type, the messages that they publish and the topic.
+#: Message and topic that controllers publish, by class.
 _PUBLISHED = {
     "DiffDriveController": ("Odometry", "odom"),
     "MecanumDriveController": ("Odometry", "odometry"),
@@ -63,26 +62,26 @@ class _Read(Record):
     topic: Value
     message: str  # without its package
     who: str
-    others: tuple[str, ...] = ()  # topics of the same message, of which one is enough
+    others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
 
 
 def unpublished_inputs(context: Context) -> Findings:
-    every = (*_read(context), *_shown(context))
-    wanted = [one for one in every if not one.topic.text.startswith(("$", "~"))]
-    if not wanted or is_included(context.source.path, context.resolver):
+    topics = (*_read(context), *_shown(context))
+    inputs = [read for read in topics if not read.topic.text.startswith(("$", "~"))]
+    if not inputs or is_included(context.source.path, context.resolver):
         return
     others = launches_of_workspace(context.source.path, context.resolver)
-    for one in wanted:
-        # Where a launch file starts no publisher of such messages, another one does.
+    for read in inputs:
+        # If this launch file starts no publisher of such messages, another may.
         for launches in ((context.launch,), others):
-            started = [x for launch in launches for x in (*launch.started, *launch.included)]
-            published = dict(_published(context, started, one.message))
+            started = [node for launch in launches for node in (*launch.started, *launch.included)]
+            published = dict(_published(context, started, read.message))
             if published:
                 break
-        is_known = all(_is_known(x, one.message) for x in started)
-        name = "/" + one.topic.text.strip("/")
-        names = {name, *(f"/{topic.strip('/')}" for topic in one.others)}
-        if any(x.package == _FILTER for launch in others for x in launch.started):
+        is_known = all(_is_known(node, read.message) for node in started)
+        name = "/" + read.topic.text.strip("/")
+        names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
+        if any(node.package == _FILTER for launch in others for node in launch.started):
             names.discard(_FILTERED)
         if not published or not is_known or not names or not names.isdisjoint(published):
             continue
@@ -90,16 +89,16 @@ def unpublished_inputs(context: Context) -> Findings:
             continue
         other = nearest(name, published, 0) or next(iter(published))
         yield Finding(
-            Location(one.topic.span),
-            f"'{one.who}' waits for '{name}', which nothing publishes; {one.message} messages are "
-            f"on '{other}'",
+            Location(read.topic.span),
+            f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
+            f"are on '{other}'",
             f"write {other}",
-            related=(Related(published[other].span, "their publisher is started here"),),
+            related=(Related(published[other].span, "the publisher is started here"),),
         )
 
 
 def _is_known(started: StartedProgram, message: str) -> bool:
-    """True for a program of which it is known what it publishes of a message, and where."""
+    """True if the topics on which a program publishes a message are known."""
     package = started.package
     is_other = package == _CONTROLLERS and message not in _READ.values()
     if is_other or _SILENT.fullmatch(package):
@@ -109,13 +108,13 @@ def _is_known(started: StartedProgram, message: str) -> bool:
 
 
 def _shown(context: Context) -> Iterator[_Read]:
-    """What RViz shows; of several displays for one message, some may be for other robots."""
-    found: dict[str, list[Value]] = {}
+    """Topics of RViz's displays, by message; some displays may be for other robots."""
+    topics_by_message: dict[str, list[Value]] = {}
     for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
         message = name.rpartition("/")[2]
         if message in _SHOWN and (topic := topic_of(display)):
-            found.setdefault(message, []).append(topic)
-    for message, topics in found.items():
+            topics_by_message.setdefault(message, []).append(topic)
+    for message, topics in topics_by_message.items():
         yield _Read(topics[0], message, "RViz", tuple(topic.text for topic in topics))
 
 
@@ -124,16 +123,16 @@ def _read(context: Context) -> Iterator[_Read]:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
             for key, value in node.values.items():
-                found = _INPUT.fullmatch(key)
-                if found and isinstance(value, Value) and f"{key}_config" in node.values:
-                    yield _Read(value, _READ[found.group(1)], node.name)
+                match = _INPUT.fullmatch(key)
+                if match and isinstance(value, Value) and f"{key}_config" in node.values:
+                    yield _Read(value, _READ[match.group(1)], node.name)
                 elif (message := _NAMED.get((node.name, key))) and isinstance(value, Value):
                     yield _Read(value, message, node.name)
                 elif isinstance(value, dict):
-                    yield from _of_layer(value, node.name)
+                    yield from _read_by_layer(value, node.name)
 
 
-def _of_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
+def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
     for source in layer.values() if "observation_sources" in layer else ():
         topic, message = mapping(source).get("topic"), mapping(source).get("data_type")
         if isinstance(topic, Value) and isinstance(message, Value):
@@ -143,14 +142,14 @@ def _of_layer(layer: dict[str, Node], who: str) -> Iterator[_Read]:
 def _published(
     context: Context, started: list[StartedProgram], message: str
 ) -> Iterator[tuple[str, StartedProgram]]:
-    """The topics on which some messages are known to be published, and by what."""
-    types = {name: one.type for name, one in defined_controllers(context).items()}
-    for one in started:
-        for topic in bridged_topics(one, context.resolver):
+    """Topics on which a message is published, and their publishers."""
+    types = {name: node.type for name, node in defined_controllers(context).items()}
+    for node in started:
+        for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
-                yield "/" + topic.ros_topic.strip("/"), one
-        for word in controllers(one):
+                yield "/" + topic.ros_topic.strip("/"), node
+        for word in controllers(node):
             name = (word.text or "").strip("/")
             kind = types.get(name, "").rpartition("/")[2]
             if _PUBLISHED.get(kind, ("", ""))[0] == message:
-                yield f"/{name}/{_PUBLISHED[kind][1]}", one
+                yield f"/{name}/{_PUBLISHED[kind][1]}", node

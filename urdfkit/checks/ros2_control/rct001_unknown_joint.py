@@ -1,14 +1,14 @@
 """A transmission, `<ros2_control>` or a controller names a joint that the robot does not have.
 
-- `<ros2_control>`: from ROS 2 Jazzy on the controller manager stops with an exception; the
-  simulators of Humble leave the joint out. Its `<param name="mimic">` names another joint of the
+- `<ros2_control>`: from ROS 2 Jazzy on, the controller manager stops with an exception; the
+  simulators of Humble ignore the joint. `<param name="mimic">` must name another joint of the
   block.
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
-- A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
-  in the list of available interfaces"). A controller none of whose joints is in the robot is taken
-  for one of another variant, if other controllers fit, or if the names differ in a prefix only.
-  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware and
-  the controller has other joints of the robot, or a misspelt one.
+- A controller in a parameter file: it cannot be activated ("not in the list of available
+  interfaces"). A controller without any joint of the robot is assumed to belong to another variant
+  if other controllers fit, or if the names differ only in a prefix. A warning in ROS 1, where
+  hardware may use other names, unless the hardware is a Gazebo plugin and the controller has other
+  joints of the robot or a misspelt one.
 
 Correct the name.
 
@@ -38,7 +38,7 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
 
-#: What ``mimic`` may be besides the name of a joint, since ROS 2 Iron.
+#: Values of ``mimic`` since ROS 2 Iron; before, it is the name of a joint.
 _SWITCH = ("true", "false")
 
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
@@ -53,7 +53,7 @@ FIXED = GOOD = BAD.replace("sholder", "shoulder")
 )
 def check(context: Context) -> Findings:
     known = context.model.joints_by_name
-    # Without joints it is a description of the hardware alone: Webots has them in its world.
+    # A robot without joints describes only the hardware: the joints are in the world of Webots.
     if known and not context.is_part:
         yield from _of_robot(context, Suggester(known))
     yield from _not_in_block(context)
@@ -76,7 +76,7 @@ def _of_robot(context: Context, suggester: Suggester) -> Findings:
 
 
 def _not_in_block(context: Context) -> Findings:
-    """A transmission of ROS 2 finds the joints of its own block only."""
+    """Joints of ROS 2 transmissions that are not in the same block."""
     for component in components(context.model):
         listed = {joint.name for joint in component.joints}
         for joint, transmission in driven_joints(component.at.all("transmission")):
@@ -90,7 +90,7 @@ def _not_in_block(context: Context) -> Findings:
 
 
 def _mimicked(context: Context) -> Findings:
-    """The parameter ``mimic`` of ROS 2 Humble names a joint of the same block."""
+    """Parameters ``mimic`` of ROS 2 Humble that name no joint of the block."""
     for component in components(context.model):
         listed = [joint.name for joint in component.joints]
         for joint in component.joints:
@@ -104,13 +104,13 @@ def _mimicked(context: Context) -> Findings:
 
 def _of_controllers(context: Context) -> Findings:
     known = set(context.model.joints_by_name)
-    for component in components(context.model):  # a controller may command a GPIO, too
+    for component in components(context.model):  # a controller may also command a GPIO
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
     in_gazebo = bool(control_plugins(context.model))
-    named = [(file, one, _joints(one)) for file, one in context.controllers]
-    fitting = {file.path for file, _, values in named if _has_any(values, known)}
-    for file, controller, values in named:
+    joints = [(file, controller, _joints(controller)) for file, controller in context.controllers]
+    fitting = {file.path for file, _, values in joints if _has_any(values, known)}
+    for file, controller, values in joints:
         is_of_robot = _has_any(values, known)
         for value in values:
             if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
@@ -133,12 +133,12 @@ def _has_any(values: list[Value], names: set[str]) -> bool:
 
 
 def _is_prefixed(name: str, known: set[str]) -> bool:
-    """True if the model has that joint with another prefix: the file is for another variant."""
+    """True if the model has the joint with another prefix: the file is for another variant."""
     return any(joint.endswith(name) or name.endswith(joint) for joint in known if joint)
 
 
 def _joints(controller: Controller) -> list[Value]:
-    """The names of joints; those with a slash are interfaces of other controllers."""
+    """The joints of a controller; names with a slash are interfaces of other controllers."""
     kind = controller.kind
     values = controller.values(kind.joints) if kind else []
     return [v for v in values if v.text and "/" not in v.text and not is_expression(v.text)]

@@ -1,10 +1,9 @@
 """`<ros2_control>` or a transmission drives a joint that cannot be driven: fixed, or a mimic joint.
 
-- A fixed joint cannot move. From ROS 2 Jazzy on the controller manager throws an exception; in
-  Gazebo the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then
-  drives no joint at all. Transmissions with a vendor's interface may drive nothing; they are not
-  reported.
-- A mimic joint with a command interface of its own stops the controller manager from Jazzy on:
+- A fixed joint cannot move. From ROS 2 Jazzy on, the controller manager throws an exception. In
+  Gazebo the joint does not exist, because its links are merged, and gazebo_ros_control of ROS 1
+  drives no joint at all. Transmissions with a vendor's interface are not reported.
+- A mimic joint with its own command interface stops the controller manager from Jazzy on:
   "Activated mimic joints cannot have command interfaces". Humble does not read `<mimic>` here, and
   a controller moves the joint independently. Keep only state interfaces, or write `mimic="false"`
   in this joint of `<ros2_control>` if it has its own motor.
@@ -74,14 +73,14 @@ def _fixed(context: Context) -> Findings:
 
 
 def _is_of_a_vendor(joint: Element) -> bool:
-    """True if a transmission gives a joint interfaces, and ROS has none of them."""
+    """True if a transmission has only hardware interfaces that are unknown to ROS."""
     known = {name.rpartition("/")[2] for name in ros_control.words("transmission", "interfaces")}
-    named = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}
-    return bool(named) and named.isdisjoint(known)
+    names = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}
+    return bool(names) and names.isdisjoint(known)
 
 
 def _commanded_mimic(part: ControlPart, leader: str, humble: tuple[str, ...]) -> Findings:
-    """A mimic joint with a command interface; one with Humble's parameters is written for it."""
+    """A mimic joint with a command interface, unless it has Humble's ``mimic`` parameter."""
     commands = part.of("command")
     has_motor = (part.at.get("mimic") or "").lower() == "false"
     if commands and not has_motor and not parameter(part.at, "mimic"):

@@ -1,14 +1,13 @@
 """A `<ros2_control>` block has no hardware plugin, or one that cannot be loaded.
 
 - Without a plugin the parser throws an exception and the controller manager does not start. Name
-  the hardware class; `mock_components/GenericSystem` is one for tests without hardware. A block
-  that leaves the choice to xacro arguments is not reported.
-- A misspelt class is not found, and the controller manager starts without hardware. Classes that
-  urdfkit does not know are assumed to be the robot's own. Nor is one found with a space or a line
-  break next to it: the text is taken as it stands.
-- Each control plugin of a simulator loads only its own hardware and ignores any other, so that no
-  controller can be activated: Gazebo Classic's needs `gazebo_ros2_control/GazeboSystem`, that of
-  Gazebo Sim `gz_ros2_control/GazeboSimSystem`.
+  the hardware class, or `mock_components/GenericSystem` for tests without hardware. A block whose
+  plugin depends on xacro arguments is not reported.
+- A misspelt class, or one with white space around it, is not found, and the controller manager
+  starts without hardware. Classes that urdfkit does not know are assumed to belong to the robot.
+- A control plugin of a simulator loads only its own hardware and ignores any other, so that no
+  controller can be activated: Gazebo Classic needs `gazebo_ros2_control/GazeboSystem`, Gazebo Sim
+  `gz_ros2_control/GazeboSimSystem`.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -32,11 +31,11 @@ from urdfkit.text.editing.edits import fix_value
 BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
 FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
-#: A plugin, or all of the hardware, within a condition.
+#: A condition with a plugin or the whole hardware in it.
 _CONDITIONAL = re.compile(
     r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
 )
-#: Of ros2_control itself, and of a package that many simulators are driven through.
+#: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
 #: Similarity from which an unknown class is a typo.
 _TYPO = 0.9
@@ -72,7 +71,7 @@ def _missing(component: Component) -> Findings:
 
 
 def _padded(component: Component) -> Findings:
-    """White space around the class: ros2_control looks for the text as it stands."""
+    """White space around the class, which ros2_control does not remove."""
     name = component.hardware
     if name and component.plugin is not None and component.plugin.text != name:
         message = f"{component.called}: white space around hardware '{name}', which is not removed"
@@ -80,19 +79,19 @@ def _padded(component: Component) -> Findings:
 
 
 def _is_left_to_arguments(component: Element) -> bool:
-    """True if the block names a plugin behind a condition that does not hold here.
+    """True if the plugin is in a condition that is false with the default arguments.
 
-    Such a robot is started with other arguments, and without them it is only displayed.
+    Without arguments, such a robot is only displayed.
     """
     return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
 
 
 def _misspelt(component: Component) -> Findings:
-    """A class that is nearly a known one, or a known one without its package."""
+    """A misspelt class, or a known class without its package."""
     name, known = component.hardware, (*_COMMON, *simulated_hardware())
     if component.plugin is None or not name or name in known or name.startswith("fake_"):
         return
-    full = next((one for one in known if one.endswith(f"/{name}")), None)
+    full = next((hardware for hardware in known if hardware.endswith(f"/{name}")), None)
     if suggested := full or nearest(name, known, _TYPO):
         fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
@@ -102,12 +101,12 @@ def _misspelt(component: Component) -> Findings:
 def _of_other_simulator(component: Component, plugins: list[ControlPlugin]) -> Findings:
     kinds = {plugin.kind for plugin in plugins}
     known = simulated_hardware()
-    found = known.get(component.hardware)
-    if found and found.control not in kinds and component.plugin:
-        suitable = " or ".join(one.name for one in known.values() if one.control in kinds)
+    hardware = known.get(component.hardware)
+    if hardware and hardware.control not in kinds and component.plugin:
+        suitable = " or ".join(each.name for each in known.values() if each.control in kinds)
         yield Finding(
             component.plugin,
-            f"{component.called}: {plugins[0].filename} does not load hardware {found.name}",
+            f"{component.called}: {plugins[0].filename} does not load hardware {hardware.name}",
             f"use {suitable}" if suitable else "use the control plugin of the same simulator",
             related=(Related(plugins[0].at.span, "control plugin"),),
         )

@@ -1,12 +1,13 @@
 """An interface of a joint, or the name of a `<ros2_control>` block, is declared twice.
 
-From ROS 2 Jazzy on the controller manager stops at the second interface: "Tried to insert
-CommandInterface with already existing key". In Humble one of the two wins. Usually the block for
-the real hardware and the one for the simulation are both active: choose one by a xacro argument.
+From ROS 2 Jazzy on, the controller manager stops at the second interface: "Tried to insert
+CommandInterface with already existing key". In Humble only one of the two is used. Usually the
+blocks for the real hardware and for the simulation are both active: choose one with a xacro
+argument.
 
-Of two blocks with one name (warning) the controller manager reports "Hardware name is duplicated"
-and starts without the second; only the control plugins of Gazebo do not check this. A macro that is
-called for two arms must use its prefix in the name of the block, too.
+Two blocks have the same name (warning): the controller manager reports "Hardware name is
+duplicated" and starts without the second; the control plugins of Gazebo do not check this. A macro
+that is called for two arms must also add its prefix to the name of the block.
 
 Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
@@ -33,7 +34,7 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 _NAMED = 3
 
 
-@rule(Severity.ERROR, help="keep one of them")
+@rule(Severity.ERROR, help="keep one of the two")
 def check(context: Context) -> Findings:
     blocks = components(context.model)
     yield from _duplicate_names(blocks)
@@ -57,23 +58,23 @@ def _duplicate_names(blocks: list[Component]) -> Findings:
 
 
 def _duplicate_interfaces(blocks: list[Component]) -> Findings:
-    """One finding for two blocks, or for each joint that has an interface twice in one block."""
+    """One finding for two blocks, or for each joint with a duplicate interface in one block."""
     first: dict[tuple[str, ...], tuple[int, Interface]] = {}
-    again: dict[tuple[int, int], dict[str, _Duplicate]] = {}
+    duplicates: dict[tuple[int, int], dict[str, _Duplicate]] = {}
     for number, component in enumerate(blocks):
         for part in component.parts:
             for interface in part.interfaces if part.name else ():
-                # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
+                # Drivers distinguish a <sensor> and a <gpio> of the same name.
                 key = (part.kind, part.name, interface.direction, interface.name)
                 before, known = first.setdefault(key, (number, interface))
                 if interface.name and known is not interface:
-                    found = _Duplicate(part, interface, known)
-                    again.setdefault((number, before), {}).setdefault(part.name, found)
-    for (number, before), parts in again.items():
+                    duplicate = _Duplicate(part, interface, known)
+                    duplicates.setdefault((number, before), {}).setdefault(part.name, duplicate)
+    for (number, before), parts in duplicates.items():
         if number != before and len(parts) > 1:
             yield _of_blocks(blocks[number], blocks[before], list(parts))
         else:
-            yield from (_of_part(one, blocks[before]) for one in parts.values())
+            yield from (_of_part(duplicate, blocks[before]) for duplicate in parts.values())
 
 
 class _Duplicate(Record):
@@ -86,17 +87,18 @@ def _of_blocks(block: Component, first: Component, names: list[str]) -> Finding:
     shown = few([f"'{name}'" for name in names], _NAMED)
     return Finding(
         block.at,
-        f"{block.called} declares interfaces of {shown} that another block has already",
+        f"{block.called} declares interfaces of {shown} that are already declared",
         "keep one of the two blocks, chosen by a xacro argument",
         related=(Related(first.at.span, f"first declared here, in {first.called}"),),
     )
 
 
-def _of_part(one: _Duplicate, first: Component) -> Finding:
+def _of_part(duplicate: _Duplicate, first: Component) -> Finding:
+    part, interface = duplicate.part, duplicate.interface
     return Finding(
-        one.interface.at,
-        f"{one.part.kind} '{one.part.name}': {one.interface.direction} interface "
-        f"'{one.interface.name}' is declared twice",
-        related=(Related(one.first.at.span, f"first declared here, in {first.called}"),),
+        interface.at,
+        f"{part.kind} '{part.name}': {interface.direction} interface '{interface.name}' is "
+        "declared twice",
+        related=(Related(duplicate.first.at.span, f"first declared here, in {first.called}"),),
         group_key=first.called,
     )

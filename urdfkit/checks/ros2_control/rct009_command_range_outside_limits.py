@@ -1,13 +1,13 @@
 """A command range or initial value in `<ros2_control>` does not fit the limits of its joint.
 
-- The range of a command interface exceeds the joint limit. From ROS 2 Jazzy on the narrower of the
-  two counts; in Humble the hardware sees only `min` and `max`, and may drive the joint past its
-  limit. Usually the limits were changed and `<ros2_control>` was not.
-- The range is empty: `min` is above `max` (error), or equal to it. From Jazzy on the resource
-  manager clamps commands into it.
+- The range of a command interface exceeds the joint limit. From ROS 2 Jazzy on, the narrower range
+  applies; in Humble the hardware reads only `min` and `max`, and may drive the joint past its
+  limit. Usually the limits were changed but `<ros2_control>` was not.
+- The range is empty: `min` is greater than `max` (error), or equal to it. From Jazzy on, the
+  resource manager clamps commands to it.
 - `initial_value`, at which simulated and mock hardware start, is outside the joint limits. The
-  first command makes the joint jump, MoveIt does not plan from there ("start state out of bounds"),
-  and Gazebo pushes the joint back with all its force.
+  first command makes the joint jump, MoveIt rejects the start state ("start state out of bounds"),
+  and Gazebo pushes the joint back with full force.
 
 Sources:
     ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
@@ -32,9 +32,9 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("1.5", "0.9")
 
-#: Relative; people round radians to three digits.
+#: Tolerance of a range, relative: radians are often rounded to three digits.
 TOLERANCE = 0.01
-#: Of an initial value, in rad or m.
+#: Tolerance of an initial value, in rad or m.
 ROUNDING = 1e-3
 #: Places that a finding lists after the first.
 _MAX_RELATED = 20
@@ -56,11 +56,11 @@ def check(context: Context) -> Findings:
 def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Findings:
     """One finding for each block: usually all of its ranges are out of date."""
     wider = [
-        found
+        bound
         for part in component.joints
         if (joint := joints.get(part.name))
         for interface in part.of("command")
-        if (found := _wider(joint, interface))
+        if (bound := _wider(joint, interface))
     ]
     if wider:
         (at, message), *others = wider
@@ -76,37 +76,37 @@ def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Findings:
 def _wider(joint: Joint, interface: Interface) -> tuple[Element, str] | None:
     """The bound of an interface that is outside the joint's limit, and the message."""
     limits = _limits(joint, interface.name)
-    if limits is None or _is_empty(interface):  # of which there is an error
+    if limits is None or _is_empty(interface):  # an empty range is reported separately
         return None
-    lower, upper, of = limits
-    slack = TOLERANCE * max(abs(lower), abs(upper))
-    bounds_of = {name: interface.bound(name) for name in ("min", "max")}
+    lower, upper, unit_name = limits
+    tolerance = TOLERANCE * max(abs(lower), abs(upper))
+    values = {name: interface.bound(name) for name in ("min", "max")}
     outside = [
         name
-        for name, value in bounds_of.items()
-        if value is not None and not lower - slack <= value <= upper + slack
+        for name, value in values.items()
+        if value is not None and not lower - tolerance <= value <= upper + tolerance
     ]
     at = interface.parameter(outside[0]) if outside else None
     if at is None:
         return None
-    range_ = ", ".join("..." if value is None else f"{value:g}" for value in bounds_of.values())
+    range_ = ", ".join("..." if value is None else f"{value:g}" for value in values.values())
     return at, (
         f"joint '{joint.name}': the range of command_interface '{interface.name}', [{range_}] "
-        f"{of}, exceeds the joint limit [{lower:g}, {upper:g}] {of}"
+        f"{unit_name}, exceeds the joint limit [{lower:g}, {upper:g}] {unit_name}"
     )
 
 
 def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
-    """The least and greatest value that the joint allows, and the unit; None without a range."""
+    """Lower limit, upper limit and unit of a joint; None without limits."""
     if interface == "position":
-        found = bounds(joint)
-        return (*found, unit(joint)) if found and found[0] < found[1] else None
+        limits = bounds(joint)
+        return (*limits, unit(joint)) if limits and limits[0] < limits[1] else None
     limit = joint.limit
-    placed = {"velocity": limit.velocity, "effort": limit.effort}.get(interface) if limit else None
-    if placed is None or placed.value <= 0:
+    most = {"velocity": limit.velocity, "effort": limit.effort}.get(interface) if limit else None
+    if most is None or most.value <= 0:
         return None
-    of = f"{unit(joint)}/s" if interface == "velocity" else effort_unit(joint)
-    return -placed.value, placed.value, of
+    unit_name = f"{unit(joint)}/s" if interface == "velocity" else effort_unit(joint)
+    return -most.value, most.value, unit_name
 
 
 def _is_empty(interface: Interface) -> bool:
@@ -121,12 +121,12 @@ def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     if at is None or not _is_empty(interface):
         return
     least, greatest = interface.bound("min"), interface.bound("max")
-    of = f"{part.kind} '{part.name}', {interface.name}"
+    who = f"{part.kind} '{part.name}', {interface.name}"
     if least == greatest:
-        message = f"{of}: min and max are both {least:g}"
+        message = f"{who}: min and max are both {least:g}"
         yield Finding(at, message, "write the least value as min and the greatest as max")
     else:
-        message = f"{of}: min {least:g} > max {greatest:g}"
+        message = f"{who}: min {least:g} > max {greatest:g}"
         yield Finding(at, message, "swap min and max", severity=Severity.ERROR)
 
 
@@ -135,11 +135,11 @@ def _initial_value(joint: Joint, interface: Interface) -> Findings:
     value, at = interface.bound("initial_value"), interface.parameter("initial_value")
     if limits is None or value is None or at is None:
         return
-    lower, upper, of = limits
+    lower, upper, unit_name = limits
     if not lower - ROUNDING <= value <= upper + ROUNDING:
         yield Finding(
             at,
-            f"joint '{joint.name}': initial_value {value:g} {of} is outside the joint limit "
-            f"[{lower:g}, {upper:g}] {of}",
+            f"joint '{joint.name}': initial_value {value:g} {unit_name} is outside the joint limit "
+            f"[{lower:g}, {upper:g}] {unit_name}",
             "write a value within the limits, or correct the limits",
         )

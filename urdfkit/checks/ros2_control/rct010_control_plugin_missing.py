@@ -1,8 +1,8 @@
-"""The Gazebo plugin that runs the controllers is missing, or is there twice.
+"""The Gazebo plugin that runs the controllers is missing or duplicated.
 
 Without the plugin nothing loads the hardware: the joints are not actuated and the controller
-manager does not answer. Two of them in one namespace start two controller managers of one name,
-and both drive the joints. A misspelt `<robotSimType>` of gazebo_ros_control is reported, too:
+manager does not answer. Two plugins in one namespace start two controller managers of the same
+name, and both drive the joints. A misspelt `<robotSimType>` of gazebo_ros_control is also reported:
 "Failed to create robot simulation interface loader".
 
 Sources:
@@ -25,14 +25,14 @@ FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
 }
 
-#: What gazebo_ros_control simulates the hardware with, and the similarity of a typo.
+#: The hardware simulation of gazebo_ros_control, and the least similarity of a typo.
 _DEFAULT = "gazebo_ros_control/DefaultRobotHWSim"
 _TYPO = 0.9
 
 
 @rule(
     Severity.WARNING,
-    help="have the control plugin of the simulator once, in a <gazebo> block without reference",
+    help="add the control plugin of the simulator once, in a <gazebo> block without reference",
     depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
@@ -62,22 +62,22 @@ def _twice(plugins: list[ControlPlugin]) -> Findings:
 
 
 def _namespace(plugin: Element) -> str:
-    """Of the controller manager that a plugin starts."""
+    """Namespace and name of the controller manager that a plugin starts."""
     tags = ("namespace", "robotNamespace", "controller_manager_name")
-    return " ".join(found.text.strip() for found in plugin.walk() if found.tag in tags)
+    return " ".join(element.text.strip() for element in plugin.walk() if element.tag in tags)
 
 
 def _missing(context: Context) -> Findings:
     for component in components(context.model):
-        found = simulated_hardware().get(component.hardware)
-        if found and component.plugin:
+        hardware = simulated_hardware().get(component.hardware)
+        if hardware and component.plugin:
             yield Finding(
                 component.plugin,
-                f"{component.called} is for {found.simulator}, but no plugin in <gazebo> "
-                f"loads it ({control_plugin_libraries()[found.control]})",
+                f"{component.called} is for {hardware.simulator}, but no plugin in <gazebo> "
+                f"loads it ({control_plugin_libraries()[hardware.control]})",
             )
-            return  # one plugin serves all
-    transmissions = [one for one in context.model.transmissions if not is_of_pr2(one)]
+            return  # one plugin loads all blocks
+    transmissions = [each for each in context.model.transmissions if not is_of_pr2(each)]
     may_load = any(use.plugin is None for use in context.plugins)
     if (
         transmissions
@@ -93,7 +93,7 @@ def _missing(context: Context) -> Findings:
 
 
 def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
-    """A typo of the class that moves the joints of transmissions."""
+    """A misspelt class of the hardware simulation."""
     kind = plugin.at.child("robotSimType")
     text = kind.text.strip() if kind else ""
     if kind is not None and text != _DEFAULT and nearest(text, (_DEFAULT,), _TYPO):
@@ -102,10 +102,10 @@ def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
 
 
 def _without_transmission(context: Context, plugin: ControlPlugin) -> Findings:
-    """The plugin of ROS 1 moves the joints of transmissions, and of nothing else."""
+    """A plugin of ROS 1, which moves only joints with transmissions, in a robot without any."""
     if any(not is_of_pr2(transmission) for transmission in context.model.transmissions):
         return
     if plugin.at.child("robotSimType") is None:
         yield Finding(
-            plugin.at, f"plugin {plugin.filename}: no transmission, so it drives no joint"
+            plugin.at, f"plugin {plugin.filename} drives no joint: there are no transmissions"
         )

@@ -2,19 +2,18 @@
 
 The parser of ros2_control throws an exception and the controller manager does not start, if
 
-- the block holds an unknown element: "invalid tag name";
-- a name is missing: "no attribute name in tag", or the `role` of a joint in a transmission;
-- `rw_rate` is not a positive integer, nor the `size` of an interface of a GPIO;
-- the type is missing or is not `system`, `actuator` or `sensor`; capital letters count. An
-  `actuator` has one joint.
+- the block contains an unknown element: "invalid tag name";
+- a name is missing ("no attribute name in tag"), or the `role` of a joint in a transmission;
+- `rw_rate`, or the `size` of an interface of a GPIO, is not a positive integer;
+- the type is missing or is not `system`, `actuator` or `sensor` (case-sensitive), or an `actuator`
+  has more than one joint.
 
-Reported as a warning are unknown elements in a joint, sensor or GPIO, which are ignored; an
-interface whose name is nearly a standard one, or that the simulator does not offer; a misspelt
-`initial_value`, or one outside of a state interface; values of `min`, `max` and `initial_value`
-that are not numbers; a misspelt `data_type`; and an `is_async` that is neither true nor false.
-Interfaces with other names are legal, since hardware and controller agree on them. `<ec_module>` is
-read by the EtherCAT driver. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the
-same way.
+Warnings are unknown elements in a joint, sensor or GPIO, which are ignored; an interface whose name
+is misspelt, or that the simulator does not offer; a misspelt `initial_value`, or one outside of a
+state interface; values of `min`, `max` and `initial_value` that are not numbers; a misspelt
+`data_type`; and an `is_async` that is neither true nor false. Other names of interfaces are valid:
+hardware and controller define them. `<ec_module>` is read by the EtherCAT driver. The
+`<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -26,11 +25,11 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
-from urdfkit.checks.ros2_control.parameters import invalid_values
+from urdfkit.checks.ros2_control.interface_names import invalid_interfaces
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import component_types, grammar
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
@@ -42,10 +41,18 @@ _JOINT = driven_xml("shoulder").replace("joint", "joints")
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", _JOINT))
 FIXED = GOOD = BAD.replace("joints", "joint")
 
-#: Similarity from which an unknown tag is a typo.
-_TYPO = 0.8
-#: A tag with a prefix, such as a call that nothing expands, is reported elsewhere.
+#: Similarity from which an unknown tag or data type, or an unknown parameter, is a typo.
+_TYPO, _PARAMETER_TYPO = 0.8, 0.85
+#: A tag with a prefix, such as an unexpanded macro call, is reported by other rules.
 _PREFIX = ":"
+_NUMBERS = ("min", "max", "initial_value")
+#: Packages of hardware that does not read an initial value of a joint.
+_KNOWN = (
+    "fake_components", "gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control",
+    "mock_components",
+)  # fmt: skip
+#: The usual types of interfaces.
+_DATA_TYPES = ("double", "bool")
 
 
 @rule(
@@ -59,7 +66,7 @@ def check(context: Context) -> Findings:
         yield from _type(component)
         for transmission in block.all("transmission"):
             yield from _roles(transmission)
-        yield from invalid_values(component)
+        yield from _invalid_values(component)
     for finding in invalid_interfaces(context):
         yield finding._replace(severity=finding.severity or Severity.WARNING)
 
@@ -99,12 +106,12 @@ def _elements(block: Element) -> Findings:
                     fix_tag(child, nearest(child.tag, known, _TYPO)),
                     severity=Severity.WARNING,
                 )
-        if element.tag != "transmission":  # it has joints and actuators of its own
+        if element.tag != "transmission":  # which has other joints and actuators
             stack += [child for child in reversed(element.children) if child.tag in tags]
 
 
 def _named(block: Element) -> Iterator[Element]:
-    """What needs a name: the block, its parts, their interfaces and parameters."""
+    """Elements that require a name: the block, its parts, their interfaces and parameters."""
     yield block
     tags = grammar()
     for child in block.children:
@@ -129,3 +136,86 @@ def _type(component: Component) -> Findings:
     elif kind.value == "actuator" and len(component.joints) > 1:
         message = f"{component.called}: type actuator with {len(component.joints)} joints, not 1"
         yield Finding(kind, message, 'write type="system"')
+
+
+def _invalid_values(component: Component) -> Findings:
+    """Invalid attributes of a block, and attributes and parameters of its interfaces."""
+    rate = component.at.attributes.get("rw_rate")
+    if rate is not None and not _is_count(rate.value, least=0):
+        message = f"{component.called}: rw_rate is '{rate.value}', not a positive integer"
+        yield Finding(rate, message, "write the rate in Hz, or remove it")
+    is_async = component.at.attributes.get("is_async")
+    if is_async is not None and not _is_boolean(is_async.value):
+        message = f"{component.called}: is_async is '{is_async.value}', which is read as false"
+        yield Finding(is_async, message, "write true or false", severity=Severity.WARNING)
+    is_known = component.hardware.partition("/")[0] in _KNOWN
+    for part in component.parts:
+        for element in part.at.all("param") if is_known else ():
+            if element.get("name") == "initial_value":
+                message = f"{part.kind} '{part.name}': initial_value is not read here, only in a "
+                message += "state_interface"
+                help = "move it into its <state_interface>"
+                yield Finding(element, message, help, severity=Severity.WARNING)
+        for interface in part.interfaces:
+            who = f"{part.kind} '{part.name}', {interface.name}"
+            yield from _size(part.kind, who, interface.at)
+            yield from _data_type(who, interface.at)
+            for element in interface.at.all("param"):
+                yield from _parameter(who, element)
+
+
+def _size(kind: str, who: str, interface: Element) -> Findings:
+    """Only the parser of a GPIO reads the size, and rejects the robot if it is invalid."""
+    size = interface.attributes.get("size")
+    if size is not None and not _is_count(size.value, least=1):
+        message = f"{who}: size is '{size.value}', not a positive integer"
+        severity = None if kind == "gpio" else Severity.WARNING
+        yield Finding(size, message, "write the number of values", severity=severity)
+
+
+def _data_type(who: str, interface: Element) -> Findings:
+    """Misspelt data types only: hardware may define other types."""
+    kind = interface.attributes.get("data_type")
+    if kind is None or kind.value in _DATA_TYPES or is_expression(kind.value):
+        return
+    if suggested := nearest(kind.value, _DATA_TYPES, _TYPO):
+        message = f"{who}: unknown data_type '{kind.value}'; did you mean '{suggested}'?"
+        fix = fix_value(kind, suggested)
+        yield Finding(kind, message, f"write {suggested}", fix, severity=Severity.WARNING)
+
+
+def _is_boolean(text: str) -> bool:
+    return is_expression(text) or text.lower() == "false" or text in ("true", "True")
+
+
+def _is_count(text: str, least: int) -> bool:
+    return is_expression(text) or (text.isascii() and text.isdigit() and int(text) >= least)
+
+
+def _parameter(who: str, element: Element) -> Findings:
+    name, text = element.attributes.get("name"), element.text.strip()
+    if name is None:
+        return
+    if name.value in _NUMBERS:
+        if number(text) is None and not is_expression(text):
+            shown = f"'{text}'" if text else "empty"
+            message = f"{who}: parameter '{name.value}' is {shown}, not a number"
+            lacks_dollar = text[:1] == "{" and text[-1:] == "}" and _is_python(text[1:-1])
+            help = f"write ${text}: xacro needs the dollar" if lacks_dollar else "write a number"
+            yield Finding(
+                element, message, help, group_key="not a number", severity=Severity.WARNING
+            )
+    elif suggested := nearest(name.value, ("initial_value",), _PARAMETER_TYPO):
+        fix = fix_value(name, suggested)
+        message = f"{who}: unknown parameter '{name.value}'; did you mean '{suggested}'?"
+        yield Finding(name, message, f"write {suggested}", fix, severity=Severity.WARNING)
+
+
+def _is_python(text: str) -> bool:
+    from urdfkit.text import python_source  # rarely needed
+
+    try:
+        python_source.parse(text.strip())
+    except SyntaxError:
+        return False
+    return True

@@ -1,16 +1,17 @@
 """A controller needs an interface that the robot's joints do not offer.
 
 The controller manager cannot activate the controller: "not in the list of available interfaces".
-Add the command or state interface to the joint, if the hardware has it, or configure the
-controller without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
-`state_interfaces` of a trajectory controller. A joint with command interfaces and without any
-state interface is reported even without a controller (warning): most controllers do not start, and
-the joint is missing in the joint states. Joints without any `<ros2_control>` are not reported here.
-Where several controllers of a file are for one joint, one that fits is enough: a launch file starts
-some of them. In ROS 1 Gazebo offers the `<hardwareInterface>` of the joint's transmission.
+Add the command or state interface to the joint if the hardware has it, or configure the controller
+without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
+`state_interfaces` of a trajectory controller. A joint with command interfaces but no state
+interface is reported even without a controller (warning): most controllers do not start, and the
+joint is missing in the joint states. Joints without any `<ros2_control>` are not reported. If a
+file defines several controllers of a joint, one with available interfaces is enough: a launch file
+starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of the joint's
+transmission.
 
-Simulators and mock hardware offer what is listed. Other hardware may offer more by itself: that is
-a warning, and an info if the joint lists no interface of that kind.
+Simulators and mock hardware offer exactly the listed interfaces. Other hardware may offer more: a
+warning, or an info if the joint lists no interface of that kind.
 
 Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
@@ -53,7 +54,7 @@ _INTERFACES = {
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 
-#: They have no interface but those that are written, as the hardware of simulators.
+#: Hardware that offers only the listed interfaces, as the hardware of simulators does.
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 
 #: The interfaces of joints, by the names of the joints.
@@ -76,17 +77,17 @@ def check(context: Context) -> Findings:
 def _without_command(context: Context) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
     free = _free(context)
-    every = [(file, one, *claim) for file, one in context.controllers for claim in claims(one)]
-    served = {  # another controller of the file is for these joints as they are
+    claimed = [(file, user, *claim) for file, user in context.controllers for claim in claims(user)]
+    served = {  # another controller of the file has all of its interfaces of these joints
         (file.path, value.text)
-        for file, one, needed, joints in every
+        for file, user, needed, joints in claimed
         for value in joints
-        if needed and by_ros[one.ros].get(value.text, set()).issuperset(needed)
+        if needed and by_ros[user.ros].get(value.text, set()).issuperset(needed)
     }
-    for file, one, needed, every_joint in every:
-        joints = [value for value in every_joint if (file.path, value.text) not in served]
-        by_itself = free if one.ros == 2 else frozenset()
-        yield from _lacking(one, file, joints, needed, by_ros[one.ros], by_itself, "command")
+    for file, user, needed, all_joints in claimed:
+        joints = [value for value in all_joints if (file.path, value.text) not in served]
+        free_joints = free if user.ros == 2 else frozenset()
+        yield from _lacking(user, file, joints, needed, by_ros[user.ros], free_joints, "command")
 
 
 def _lacking(
@@ -114,12 +115,12 @@ def _lacking(
 
 
 def _severity(listed: Collection[str]) -> Severity:
-    """For a joint of hardware that may export interfaces by itself."""
+    """Severity for a joint of hardware that may export unlisted interfaces."""
     return Severity.WARNING if listed else Severity.INFO
 
 
 def _free(context: Context) -> frozenset[str]:
-    """The joints of hardware that may export interfaces that are not listed."""
+    """The joints of hardware that may export unlisted interfaces."""
     return frozenset(
         part.name
         for component in components(context.model)
@@ -144,25 +145,22 @@ def _without_state(context: Context) -> Findings:
 
 
 def _offered(context: Context, direction: str) -> _Offered:
-    """The interfaces of one direction of the joints in all ``<ros2_control>``.
+    """The listed interfaces of a direction, by joint.
 
-    A hardware component may export others than these by itself. One that has none here does.
+    Joints without interfaces are omitted if their hardware may export unlisted interfaces.
     """
     offered: _Offered = {}
     for component in components(context.model):
         for part in component.joints:
             if part.interfaces or _offers_what_is_listed(component):
-                # gazebo_ros2_control offers position_pid as position, with a PID of its own.
+                # gazebo_ros2_control offers position_pid as position, with its own PID.
                 names = {interface.name.removesuffix("_pid") for interface in part.of(direction)}
                 offered.setdefault(part.name, set()).update(names)
     return offered
 
 
 def _transmitted(context: Context) -> _Offered:
-    """The command interfaces that Gazebo offers in ROS 1; real hardware may offer more.
-
-    Files of ROS 1 often hold controllers for each interface, of which a launch file starts some.
-    """
+    """Command interfaces that Gazebo offers in ROS 1, by joint; hardware may offer more."""
     if not any(plugin.kind == _OF_ROS1 for plugin in control_plugins(context.model)):
         return {}
     offered: _Offered = {}
@@ -175,7 +173,7 @@ def _transmitted(context: Context) -> _Offered:
 
 
 def _states(controller: Controller) -> list[str]:
-    """The state interfaces that it needs of each joint; empty if that is not known."""
+    """State interfaces that a controller requires of each joint; empty if unknown."""
     if controller.type == _DRIVE:
         if _is(controller, "open_loop", "true"):
             return []

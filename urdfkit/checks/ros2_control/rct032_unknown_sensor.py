@@ -1,9 +1,8 @@
 """A sensor of `<ros2_control>` has no counterpart in Gazebo, or a broadcaster names an unknown one.
 
-Sensors are found by name. A `<sensor>` in `<ros2_control>` without a `<sensor>` of the same name in
-`<gazebo>` has no data in the simulator. A broadcaster whose `sensor_name` is not a `<sensor>` in
-`<ros2_control>` cannot be activated, unless the driver of the hardware exports sensors that the
-description does not name.
+Sensors are matched by name. A `<sensor>` in `<ros2_control>` without a `<sensor>` of the same name
+in `<gazebo>` has no data in the simulator. A broadcaster whose `sensor_name` is not a `<sensor>` in
+`<ros2_control>` cannot be activated, unless the hardware driver exports unlisted sensors.
 
 Sources:
     gazebo_ros2_control, gazebo_system.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_system.cpp
@@ -67,7 +66,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
     parts = [part for component in blocks for part in component.parts]
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:
-        return  # the file may be for another robot, too, and nothing start the broadcaster
+        return  # the broadcaster may be for another robot, and not be started
     exported = {part.name for part in parts}
     for file, controller in context.controllers:
         values = controller.values(["sensor_name"]) if controller.type in _BROADCASTERS else []

@@ -5,9 +5,7 @@ from urdfkit.workspace.srdf_files import other_srdf_files, srdf_files
 
 
 def applies(context: Context) -> bool:
-    """True if an SRDF of this robot is near it."""
-    path = context.source.path
-    is_there = srdf_files(path, context.resolver) or other_srdf_files(
-        path, context.model.name, context.resolver
-    )
-    return bool(is_there) and not context.other_variant
+    """True if there is an SRDF of this robot in its package or next to it."""
+    path, resolver = context.source.path, context.resolver
+    files = srdf_files(path, resolver) or other_srdf_files(path, context.model.name, resolver)
+    return bool(files) and not context.other_variant

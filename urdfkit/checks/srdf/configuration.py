@@ -1,4 +1,4 @@
-"""Names in MoveIt's YAML files that neither the robot nor the SRDF has."""
+"""Unknown names in MoveIt's YAML files."""
 
 import os
 from collections.abc import Iterable
@@ -51,7 +51,7 @@ _PLANNERS = (
     "pilz_industrial_motion_planner/CommandPlanner",
     "stomp_moveit/StompPlanner",
 )
-#: The adapters of Jazzy and later, by their package and the key that lists them.
+#: The adapters of Jazzy and later: package and classes, by the key that lists them.
 _ADAPTERS = {
     "request_adapters": ("default_planning_request_adapters", (
         "CheckForStackedConstraints", "CheckStartStateBounds", "CheckStartStateCollision",
@@ -62,7 +62,7 @@ _ADAPTERS = {
         "ValidateSolution",
     )),
 }  # fmt: skip
-#: The planners of OMPL for which MoveIt brings a configuration, NAMEkConfigDefault.
+#: The planners of OMPL for which MoveIt has a configuration, NAMEkConfigDefault.
 _OF_OMPL = (
     "BFMT", "BKPIECE", "BiEST", "BiTRRT", "EST", "FMT", "KPIECE", "LBKPIECE", "LBTRRT", "LazyPRM",
     "LazyPRMstar", "PDST", "PRM", "PRMstar", "ProjEST", "RRT", "RRTConnect", "RRTstar", "SBL",
@@ -73,7 +73,7 @@ _OF_ROBOTS = "IKFast"
 _SOLVER_TYPO = 0.93
 _PLANNER_TYPO = 0.8
 
-#: Groups that a help names.
+#: Most groups that a help names.
 _NAMED = 8
 
 
@@ -93,7 +93,7 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
     others = names_of_other_robots(context, srdf, {limit.joint for limit in unknown})
     unknown = [limit for limit in unknown if limit.joint not in others]
     if len(unknown) == len(planned) > 1:
-        unknown = unknown[:1]  # of another robot altogether
+        unknown = unknown[:1]  # the file is for another robot
     for limit in unknown:
         message = f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}"
         help = "fix the name, or remove the entry"
@@ -105,7 +105,7 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
     entries = list(group_entries(srdf, context.resolver))
     others = names_of_other_robots(context, srdf, {str(entry.name) for entry in entries} - known)
     for entry in entries:
-        # Several groups none of which is there are those of another robot.
+        # If all of several groups are unknown, the file is for another robot.
         is_ours = entry.is_alone or any(other.name in known for other in entries)
         if known and entry.name not in known | others and is_ours:
             yield Finding(
@@ -118,21 +118,20 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
 
 
 def _few(names: Iterable[str]) -> str:
-    """Some names; the first ones of many."""
-    every = [f"'{name}'" for name in sorted(names)]
-    more = [f"{len(every) - _NAMED} more"] if len(every) > _NAMED else []
-    return ", ".join([*every[:_NAMED], *more])
+    quoted = [f"'{name}'" for name in sorted(names)]
+    more = [f"{len(quoted) - _NAMED} more"] if len(quoted) > _NAMED else []
+    return ", ".join([*quoted[:_NAMED], *more])
 
 
 def _solvers(context: Context, srdf: Srdf) -> Findings:
-    """Solvers that urdfkit does not know are assumed to be in the workspace, but for typos."""
+    """Misspelt solvers; other unknown solvers are assumed to be in the workspace."""
     for entry in group_entries(srdf, context.resolver):
         solver = entry.values.get("kinematics_solver")
         if entry.name not in srdf.known("group") or not isinstance(solver, Value):
             continue
         if solver.text in _SOLVERS or _OF_ROBOTS in solver.text:
             continue
-        with_package = (one for one in _SOLVERS if one.endswith(f"/{solver.text}"))
+        with_package = (known for known in _SOLVERS if known.endswith(f"/{solver.text}"))
         suggested = next(with_package, None) or nearest(solver.text, _SOLVERS, _SOLVER_TYPO)
         if suggested:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
@@ -141,37 +140,37 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
 
 
 def _planners(context: Context, srdf: Srdf) -> Findings:
-    """Planners of a group that are misspelt, and misspelt plugins of a planning pipeline."""
+    """Misspelt planners of groups, plugins of planning pipelines, and adapters."""
     for name, defined in planner_entries(srdf, context.resolver):
-        known = {*defined, *(f"{one}kConfigDefault" for one in _OF_OMPL)}
-        meant = None if name.text in known else nearest(name.text, sorted(known), _PLANNER_TYPO)
-        if meant:
-            message = f"planner '{name.text}' is not in planner_configs; did you mean '{meant}'?"
-            yield Finding(Location(name.span), message, f"write {meant}", severity=Severity.WARNING)
+        known = {*defined, *(f"{planner}kConfigDefault" for planner in _OF_OMPL)}
+        match = None if name.text in known else nearest(name.text, sorted(known), _PLANNER_TYPO)
+        if match:
+            message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
+            yield Finding(Location(name.span), message, f"write {match}", severity=Severity.WARNING)
     for plugin in planning_plugins(srdf, context.resolver):
-        meant = nearest(plugin.text, _PLANNERS, _PLANNER_TYPO)
-        if meant and plugin.text != meant:
-            message = f"unknown planning plugin '{plugin.text}'; did you mean '{meant}'?"
-            yield Finding(Location(plugin.span), message, f"write {meant}")
+        match = nearest(plugin.text, _PLANNERS, _PLANNER_TYPO)
+        if match and plugin.text != match:
+            message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
+            yield Finding(Location(plugin.span), message, f"write {match}")
     packages = [package for package, _ in _ADAPTERS.values()]
-    every = {f"{package}/{one}": key for key, (package, ones) in _ADAPTERS.items() for one in ones}
+    keys = {f"{path}/{name}": key for key, (path, names) in _ADAPTERS.items() for name in names}
     for key, adapter, place in adapters(srdf, context.resolver):
-        package, _, last = adapter.partition("/")
-        if package in packages and every.get(adapter) != key:
-            like = next((one for one in every if one.endswith(f"/{last}")), None)
-            meant = like or nearest(adapter, every, _PLANNER_TYPO)
-            message = f"{key}: MoveIt has no such adapter '{adapter}'"
-            help = f"write {meant} in {every[meant]}" if meant else f"remove it from {key}"
+        package, _, class_name = adapter.partition("/")
+        if package in packages and keys.get(adapter) != key:
+            same = next((name for name in keys if name.endswith(f"/{class_name}")), None)
+            match = same or nearest(adapter, keys, _PLANNER_TYPO)
+            message = f"{key}: unknown adapter '{adapter}'"
+            help = f"write {match} in {keys[match]}" if match else f"remove it from {key}"
             yield Finding(Location(place.span), message, help)
 
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
-    named = list(joint_entries(srdf, context.resolver))
-    of_others = names_of_other_robots(context, srdf, {joint.text for _, joint in named} - known)
-    unknown = [(who, joint) for who, joint in named if joint.text not in known | of_others]
-    if 2 * len(unknown) > len(named) > 2:
-        unknown = []  # of another robot, or of another variant of this one
+    joints = list(joint_entries(srdf, context.resolver))
+    of_others = names_of_other_robots(context, srdf, {joint.text for _, joint in joints} - known)
+    unknown = [(who, joint) for who, joint in joints if joint.text not in known | of_others]
+    if 2 * len(unknown) > len(joints) > 2:
+        unknown = []  # the file is for another robot or variant
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(Location(joint.span), message, "fix the name")
@@ -179,27 +178,27 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     for name, others, is_outside in names_without_settings(srdf, context.resolver):
         hint = did_you_mean(name.text, others)
         if is_outside:
-            hint = f" in {MANAGER}: they stand at the top level of the file"
+            hint = f" in {MANAGER}: they are at the top level of the file"
         message = f"controller '{name.text}' has no settings{hint}"
         help = "indent the settings" if is_outside else "fix the name"
         yield Finding(Location(name.span), message, help)
 
 
 def _manager(context: Context, srdf: Srdf) -> Findings:
-    """A misspelt plugin, a section that it does not read, and controllers without joints."""
+    """A misspelt controller manager, sections that it ignores, controllers without joints."""
     plugin = controller_manager(srdf, context.resolver)
     if plugin is None:
         return
-    meant = nearest(plugin.text, _MANAGERS, _SOLVER_TYPO)
-    if meant and plugin.text != meant:
-        hint = f"unknown controller manager '{plugin.text}'; did you mean '{meant}'?"
-        yield Finding(Location(plugin.span), hint, f"write {meant}")
-    if meant != _MANAGERS[-1]:
+    match = nearest(plugin.text, _MANAGERS, _SOLVER_TYPO)
+    if match and plugin.text != match:
+        hint = f"unknown controller manager '{plugin.text}'; did you mean '{match}'?"
+        yield Finding(Location(plugin.span), hint, f"write {match}")
+    if match != _MANAGERS[-1]:
         return
     for key, section in misplaced_controllers(srdf, context.resolver):
         message = f"MoveIt reads its controllers below {section}, not below '{key}'"
         yield Finding(Location(key.span), message, f"write {section}")
     for key, entry in controller_entries(srdf, context.resolver):
         if "type" in entry and "joints" not in entry:
-            message = f"controller '{key}' has no joints, so MoveIt leaves it out"
+            message = f"controller '{key}' has no joints, so MoveIt ignores it"
             yield Finding(Location(key.span), message, "list the joints that it moves")

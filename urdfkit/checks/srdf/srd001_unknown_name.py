@@ -1,28 +1,28 @@
-"""The SRDF, or a MoveIt configuration file with it, names what the robot or the SRDF does not have.
+"""The SRDF or a MoveIt configuration file contains an unknown name.
 
 - An unknown link, joint or group in a group, state, end effector, virtual or passive joint: MoveIt
   drops the group or state, and planning fails with "group not found" or with joints that never
   move.
 - An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
   collisions"; the entry has no effect.
-- A state that sets a joint which is not in its group (warning): MoveIt ignores the value.
-- `joint_limits.yaml` for an unknown joint (warning): MoveIt ignores the entry, and plans with the
-  limits of the URDF and no bound on acceleration.
-- `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
+- A state that sets a joint outside its group (warning): MoveIt ignores the value.
+- An unknown joint in `joint_limits.yaml` (warning): MoveIt ignores the entry, and plans with the
+  limits of the URDF and without acceleration limits.
+- An unknown group in `kinematics.yaml` or `ompl_planning.yaml` (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
-- `ompl_planning.yaml` with a misspelt planner of a group (warning): "Could not find the planner
-  configuration"; or a misspelt planning plugin: "Exception while loading planner"; or an adapter
-  that MoveIt does not have, or has for responses and not for requests.
-- `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
+- In `ompl_planning.yaml`, a misspelt planner of a group (warning): "Could not find the planner
+  configuration"; a misspelt planning plugin: "Exception while loading planner"; an unknown adapter,
+  or one for responses among those for requests.
+- A misspelt solver in `kinematics.yaml`: "The kinematics plugin (arm) failed to load", and the
   group cannot be moved to a pose.
-- `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
-  joint, or with a controller that has no settings: "Unable to identify any set of controllers that
-  can actuate the specified joints".
-- `moveit_controllers.yaml` of ROS 2 with a controller that no parameter file of ros2_control in the
-  workspace defines, while another one commands its joints; or that has other joints there, so that
-  it rejects each trajectory ("Joints on incoming trajectory don't match the controller joints"),
-  where fixed, mimic, passive and virtual joints do not count, which are in no trajectory; or with
-  another type or action than the controller has ("Action client not connected").
+- In `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml`, an unknown
+  joint, or a controller without settings: "Unable to identify any set of controllers that can
+  actuate the specified joints".
+- In `moveit_controllers.yaml` of ROS 2, a controller that no parameter file of ros2_control in the
+  workspace defines, while another controller commands its joints; or a controller with other joints
+  than in ros2_control, which rejects each trajectory ("Joints on incoming trajectory don't match
+  the controller joints"; fixed, mimic, passive and virtual joints are ignored); or with another
+  type or action ("Action client not connected").
 
 The SRDF is out of date, or the name is misspelt.
 
@@ -63,9 +63,9 @@ FILES = srdf_files(
 )
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
-#: Similarity from which another name is suggested: "amr" is like "arm".
-_LIKE = 0.66
-#: Robots of launch files that are looked at.
+#: Similarity from which a name is suggested: "arm" for "amr".
+_SIMILAR = 0.66
+#: Most robots of launch files that are expanded.
 _MAX_STARTED = 32
 
 
@@ -99,15 +99,15 @@ def check(context: Context) -> Findings:
 
 
 def _of_other_arguments(context: Context, srdf: Srdf) -> set[str]:
-    """The links and joints that launch files of the workspace start a robot of this name with."""
+    """Links and joints of robots of the same name in launch files of the workspace."""
     launches = launches_of_workspace(context.source.path, context.resolver)
-    described = (one for launch in launches for one in launch.descriptions)
-    found: set[str] = set()
-    for one in islice(described, _MAX_STARTED):
-        robot = context.other_robot(one.path, one.arguments)
+    descriptions = (description for launch in launches for description in launch.descriptions)
+    names: set[str] = set()
+    for description in islice(descriptions, _MAX_STARTED):
+        robot = context.other_robot(description.path, description.arguments)
         if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
-            found |= {*robot.model.links_by_name, *robot.model.joints_by_name}
-    return found
+            names |= {*robot.model.links_by_name, *robot.model.joints_by_name}
+    return names
 
 
 def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> Finding:
@@ -117,17 +117,17 @@ def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> F
     defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
     fix = corrected_definition(context, defined, name.value) if kind != "group" else None
     fix = fix or fix_value(name, suggested)
-    message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
-    given = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
+    message = f"unknown {kind} '{name.value}'{Suggester(known, _SIMILAR).hint(name.value)}"
+    arguments = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
     related = Related(
-        context.document.root.span, f"compared with this robot{given and ', '}{given}"
+        context.document.root.span, f"compared with this robot{arguments and ', '}{arguments}"
     )
     key = name.value if fix else kind
     return Finding(name, message, fix=fix, group_key=key, related=(related,))
 
 
 def _siblings(name: Attribute) -> set[str]:
-    """The names that a group or a state has already; none of them is meant once more."""
+    """The other names in a group or a state, which are not suggested again."""
     parent = name.element.parent
     if parent is None or parent.tag not in ("group", "group_state"):
         return set()
@@ -135,7 +135,7 @@ def _siblings(name: Attribute) -> set[str]:
 
 
 def _is_free_flyer(attribute: Attribute) -> bool:
-    """True for Pinocchio's floating base, which no URDF has: a position and a quaternion."""
+    """True for Pinocchio's floating base, which is not in the URDF: position and quaternion."""
     value = attribute.element.get("value") or ""
     return attribute.value == "root_joint" and len(value.split()) == 7
 

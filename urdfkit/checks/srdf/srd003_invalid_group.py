@@ -1,12 +1,11 @@
-"""A planning group is empty or no chain, or groups contain one another in a cycle.
+"""A planning group is empty or not a chain, or groups contain one another in a cycle.
 
-- MoveIt prints "Group is empty" and ignores the group (warning), so that whatever refers to it
-  fails.
+- MoveIt prints "Group is empty" and ignores the group (warning), so that references to it fail.
 - A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
   group has no joints. Base and tip are swapped, or one of them is on another branch.
-- `kinematics.yaml` gives KDL, LMA or TRAC-IK to a group whose joints do not follow one another:
-  "Group 'arm' is not a chain", and the group cannot be moved to a pose.
-- MoveIt cannot resolve groups that contain one another, and ignores all of them.
+- The solver in `kinematics.yaml` is KDL, LMA or TRAC-IK, but the joints of the group are not a
+  chain: "Group 'arm' is not a chain", and the group cannot be moved to a pose.
+- Groups contain one another in a cycle: MoveIt ignores all of them.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
@@ -15,17 +14,26 @@ Sources:
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
-from urdfkit.checks.srdf.solvable_groups import unsolvable_groups
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.tree import closed_loops
+from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Value
 
 BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = srdf_files('<group name="g"/>', '<group name="g"><link name="arm"/></group>')
+
+#: Prefixes of solvers that reject a group that is not a chain.
+_FOR_CHAINS = (
+    "kdl_kinematics_plugin/", "lma_kinematics_plugin/", "trac_ik_kinematics_plugin/",
+    "cached_ik_kinematics_plugin/CachedKDL", "cached_ik_kinematics_plugin/CachedTRAC",
+)  # fmt: skip
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
@@ -41,7 +49,7 @@ def check(context: Context) -> Findings:
         place = srdf.groups_by_name[cycle[0]][0]
         yield Finding(place, message, "remove one of the subgroups")
     yield from _chains(srdf)
-    yield from unsolvable_groups(context, srdf)
+    yield from _unsolvable(context, srdf)
 
 
 def _chains(srdf: Srdf) -> Findings:
@@ -56,7 +64,7 @@ def _chains(srdf: Srdf) -> Findings:
 
 
 def _cycles(srdf: Srdf) -> Iterator[list[str]]:
-    """The groups of each cycle from the first name on; one cycle for each first name."""
+    """The groups of each cycle, from the first by name on; one cycle for each first group."""
     reported: set[str] = set()
     for cycle in closed_loops(srdf.groups_by_name, lambda name: _subgroups(name, srdf)):
         first = min(cycle)
@@ -67,8 +75,41 @@ def _cycles(srdf: Srdf) -> Iterator[list[str]]:
 
 
 def _subgroups(name: str, srdf: Srdf) -> Iterator[tuple[str, str]]:
-    """The subgroups of a group, each also as the edge of the graph that leads to it."""
+    """The subgroups of a group, each as edge and node of the graph."""
     for element in srdf.groups_by_name.get(name, ()):
         for child in element.all("group"):
             inner = child.get("name") or ""
             yield inner, inner
+
+
+def _unsolvable(context: Context, srdf: Srdf) -> Findings:
+    """Groups that are not a chain, with a solver that requires one."""
+    for entry in group_entries(srdf, context.resolver):
+        solver = entry.values.get("kinematics_solver")
+        if not isinstance(solver, Value) or not solver.text.startswith(_FOR_CHAINS):
+            continue
+        group = srdf.groups_by_name.get(entry.name)
+        if group and (joints := _branch(context, srdf.links_of(entry.name))):
+            first, other = joints
+            yield Finding(
+                Location(entry.name.span),
+                f"group '{entry.name}' is not a chain, which solver '{solver.text}' requires: "
+                f"joint '{other.name}' does not follow joint '{first.name}'",
+                "define the group by one <chain>, or remove its solver",
+                related=(Related(group[0].span, f"group '{entry.name}'"),),
+                severity=Severity.WARNING,
+            )
+
+
+def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
+    """Two moving joints of a group on different branches; None if the group is a chain."""
+    paths: list[list[Joint]] = []
+    for joint in context.model.joints:
+        if joint.kind != "fixed" and joint.child_name in links:
+            above = context.tree.path(joint.child_name)
+            paths.append([each for each in above if each.kind != "fixed"])
+    paths.sort(key=len)
+    for before, path in pairwise(paths):
+        if path[:-1] != before:
+            return before[-1], path[-1]
+    return None

@@ -1,10 +1,10 @@
-"""A named state sets a joint outside its limits or a fixed joint, or has the name of another one.
+"""A named state sets a joint outside its limits or a fixed joint, or has a duplicate name.
 
 - MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
   changed after the state was written, or the value is in degrees.
-- A fixed joint has no position: MoveIt ignores the value or rejects the state. A mimic joint may be
-  set, to the value that it has anyway; maintained robots do so.
-- Of two states of one group with the same name MoveIt keeps the last, without a message (warning).
+- A fixed joint has no position: MoveIt ignores the value or rejects the state. Mimic joints are not
+  reported: a state may repeat their values.
+- If two states of a group have the same name, MoveIt silently keeps the last (warning).
 
 Sources:
     SRDF: https://wiki.ros.org/srdf

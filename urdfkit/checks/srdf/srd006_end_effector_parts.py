@@ -1,8 +1,8 @@
-"""An end effector and the group that carries it do not fit together.
+"""The group of an end effector and its parent group do not match.
 
-The links of the end effector's group must not be in the parent group, and the parent link must be
-in it. MoveIt loads the robot all the same, but takes the hand for a part of the arm, attaches it
-to another group that has the parent link, or to none.
+The links of the end effector's group must not be in the parent group, and the parent link must be.
+MoveIt loads the robot, but handles the hand as a part of the arm, or attaches it to another group
+with the parent link, or to none.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -25,7 +25,7 @@ FILES = srdf_files(_GROUPS.replace("</group>", '<link name="arm"/></group>', 1),
 @rule(
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
-    help="let the groups share no link, and let the parent link be one of the parent group",
+    help="use groups without common links, and a parent link in the parent group",
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf

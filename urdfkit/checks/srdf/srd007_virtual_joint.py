@@ -1,8 +1,8 @@
 """A virtual joint does not fit the robot.
 
-It joins the root of the robot to a frame of the world, and is `fixed`, `planar` or `floating`.
-MoveIt writes a warning about one of another type or on another link and takes the root as fixed:
-the robot is planned for, but cannot be placed or driven.
+A virtual joint connects the root of the robot to a frame of the world, and is `fixed`, `planar` or
+`floating`. If its type or link is invalid, MoveIt prints a warning and treats the root as fixed:
+planning works, but the robot cannot be placed or driven.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
                 joint, f"virtual joint '{name}' has type '{kind}', which is not one of {types}"
             )
         elif kind == "fixed" and _is_empty(roots.get("world")):
-            continue  # robots for Gazebo have this root, and MoveIt makes the joint all the same
+            continue  # robots for Gazebo have this root; MoveIt creates the joint nevertheless
         elif child in context.model.links_by_name and child not in roots:
             message = f"virtual joint '{name}' is attached to '{child}', which is not the root link"
             yield Finding(joint, message)

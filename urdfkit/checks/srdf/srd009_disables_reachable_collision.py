@@ -1,11 +1,11 @@
 """The collision matrix disables a pair as "Never" that can collide.
 
-MoveIt does not check the pair, and may drive the one link into the other. A pose in which they
-overlap was found among some thousand samples within the joint limits, with the collision geometry
-as MoveIt reads it, and no pair that MoveIt checks overlaps in that pose: it would have been avoided
-otherwise. The matrix is of an older robot, or was computed from too few samples. `urdfkit
-collisions --srdf` computes it again and keeps the rest of the file. Pairs with another reason, such
-as "User", are a decision and not reported; nor are adjacent links, which MoveIt always disables.
+MoveIt does not check the pair, and may drive one link into the other. A pose in which they overlap
+was found among some thousand samples within the joint limits, with the collision geometry as MoveIt
+reads it. In that pose no pair that MoveIt checks overlaps, so MoveIt would not avoid it. The matrix
+is of an older robot, or was computed from too few samples. `urdfkit collisions --srdf` computes it
+again and keeps the rest of the file. Pairs with another reason, such as "User", are intended and
+not reported; nor are adjacent links, which MoveIt always disables.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -35,11 +35,11 @@ FILES = srdf_files(
     '<disable_collisions link1="base" link2="hand" reason="User"/>',
 )
 
-#: In m: less may be a matter of rounding.
+#: In m: a smaller overlap may be due to rounding.
 _DEEP = 1e-3
 _SAMPLES = 2000
-#: Pairs times samples: all samples up to 200 pairs. A humanoid with hands lists
-#: 2000 pairs, which would take a minute; what is wrong with its matrix shows in fewer.
+#: Most pairs times samples: all samples up to 200 pairs. A humanoid with hands has 2000 pairs,
+#: which would take a minute; fewer samples are enough to find mistakes.
 _WORK = 400_000
 
 
@@ -51,31 +51,27 @@ _WORK = 400_000
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
     adjacency = Adjacency(context.tree)
-    every = srdf.root.all("disable_collisions")
-    decided = {pair_of(element) for element in every if not _is_never(element)}
+    disabled = srdf.root.all("disable_collisions")
+    intended = {pair_of(element) for element in disabled if not _is_never(element)}
     known = context.model.links_by_name
-    said = [
+    never = [
         (element, first, second)
-        for element in every
-        if pair_of(element) not in decided
+        for element in disabled
+        if pair_of(element) not in intended
         and (first := element.get("link1") or "") in known
         and (second := element.get("link2") or "") in known
         and first != second
         and not adjacency.is_adjacent(first, second)
     ]
-    if not said:
+    if not never:
         return
     configurations = context.collisions.sampled_in_moveit
-    said = [
-        one
-        for one in said
-        if configurations.has_bodies(one[1]) and configurations.has_bodies(one[2])
-    ]
-    samples = min(_SAMPLES, _WORK // max(len(said), 1))
+    never = [entry for entry in never if all(map(configurations.has_bodies, entry[1:]))]
+    samples = min(_SAMPLES, _WORK // max(len(never), 1))
     disables = srdf.disables
-    pairs = [(one[1], one[2]) for one in said]
-    found = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
-    for (element, first, second), collision in zip(said, found, strict=True):
+    pairs = [(first, second) for _, first, second in never]
+    collisions = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
+    for (element, first, second), collision in zip(never, collisions, strict=True):
         if collision and collision.depth > _DEEP:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
             message = (

@@ -1,11 +1,10 @@
-"""The collision matrix does not fit the links that joints connect.
+"""The collision matrix does not match the links that joints connect.
 
-- A pair is disabled as "Adjacent" although no joint connects the two links (warning; an info if
-  only fixed joints lie between them). The pair is never checked for collisions. Links with only
-  links without collision geometry between them count as adjacent, as do all links around one
-  without collision geometry.
+- A pair is disabled as "Adjacent", but no joint connects the two links (warning; an info if only
+  fixed joints are between them). The pair is never checked for collisions. Links are also adjacent
+  if only links without collision geometry are between them.
 - A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
-  the collision in every pose, and plans nothing. An SRDF without any matrix is not reported.
+  the collision in every pose, and cannot plan. An SRDF without any matrix is not reported.
 
 The matrix is older than the links, or was edited by hand; `urdfkit collisions --srdf` updates it.
 
@@ -36,7 +35,7 @@ FILES = srdf_files(
     _PAIR, _PAIR + '<disable_collisions link1="arm" link2="hand" reason="Adjacent"/>'
 )
 
-#: In m: bodies that touch do not count.
+#: In m: bodies that only touch are not reported.
 _DEEP = 1e-4
 
 

@@ -1,7 +1,7 @@
-"""The SRDF has another robot name than the URDF.
+"""The robot name in the SRDF differs from the name in the URDF.
 
 MoveIt compares the names and logs an error, "Semantic description is not specified for the same
-robot as the URDF", but plans all the same. Give both the same name.
+robot as the URDF", but planning works. Use the same name in both files.
 
 Sources:
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp

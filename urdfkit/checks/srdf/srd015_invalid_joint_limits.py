@@ -1,14 +1,14 @@
-"""A limit in MoveIt's joint_limits.yaml is invalid, missing, or wider than that of the robot.
+"""A limit in MoveIt's joint_limits.yaml is invalid, missing, or wider than the robot's limit.
 
-- The values override those of the URDF. With wider ones MoveIt plans motions that the robot cannot
-  follow: controllers abort with a path tolerance violation, or the hardware stops (warning).
+- The values override those of the URDF. With wider limits, MoveIt plans motions that the robot
+  cannot follow: controllers abort with a path tolerance violation, or the hardware stops (warning).
 - Parameters of ROS 2 are typed, and the limits are declared as `double`: an integer stops
-  move_group ("parameter ... has invalid type: expected [double] got [integer]"). A decimal comma
-  makes a string.
-- A joint of a planning group without a limit of its acceleration, in ROS 2. The Setup Assistant
-  writes `has_acceleration_limits: false`. Time parameterization and the Pilz planner stop at it:
-  "No acceleration limit was defined for joint shoulder"; up to Humble it is 1 rad/s².
-- A maximum velocity, acceleration or jerk that is not above zero leaves nothing to plan with.
+  move_group ("parameter ... has invalid type: expected [double] got [integer]"). A number with a
+  decimal comma is a string.
+- A joint of a planning group has no acceleration limit, in ROS 2. The Setup Assistant writes
+  `has_acceleration_limits: false`. Time parameterization and the Pilz planner fail: "No
+  acceleration limit was defined for joint shoulder"; up to Humble the default is 1 rad/s².
+- A maximum velocity, acceleration or jerk is not greater than zero, so that planning fails.
 
 Sources:
     MoveIt, joint limits: https://moveit.picknik.ai/main/doc/examples/time_parameterization/time_parameterization_tutorial.html
@@ -37,9 +37,9 @@ FILES = {
     b"    max_velocity: 0.2\n",
 }
 
-#: Relative; people round to three digits.
+#: Relative: limits are often rounded to three digits.
 TOLERANCE = 0.01
-#: Limits, each with the switch that turns it on.
+#: Limits, each with the parameter that enables it.
 _LIMITS = {
     "min_position": "has_position_limits",
     "max_position": "has_position_limits",
@@ -57,11 +57,11 @@ def check(context: Context) -> Findings:
         if joint := context.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, context))
             yield from invalid.values()
-            yield from (found for name, found in _wider(planned, joint) if name not in invalid)
+            yield from (finding for name, finding in _wider(planned, joint) if name not in invalid)
 
 
 def _without_acceleration(context: Context) -> Findings:
-    """The joints of groups that MoveIt cannot time, in a file that limits others or velocities."""
+    """Joints of groups without an acceleration limit, if the file contains limits."""
     srdf, planned = context.srdf, {limit.joint: limit for limit in planned_limits(context)}
     if srdf is None or not planned or _ros(context) != 2:
         return
@@ -116,7 +116,7 @@ def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Fin
 
 
 def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float, float, str]]:
-    """Name, value there, value in the URDF, and unit of each bound that both have."""
+    """Name, value, value in the URDF, and unit of each limit that both files have."""
     velocity = planned.bound("max_velocity", "has_velocity_limits")
     limit = joint.limit
     if velocity is not None and limit and limit.velocity and limit.velocity.value > 0:
@@ -127,13 +127,13 @@ def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float,
             yield name, position, allowed, unit(joint)
 
 
-def _is_wider(name: str, said: float, allowed: float) -> bool:
-    beyond = allowed - said if name.startswith("min") else said - allowed
-    return beyond > TOLERANCE * max(abs(allowed), 0.01)
+def _is_wider(name: str, planned: float, allowed: float) -> bool:
+    excess = allowed - planned if name.startswith("min") else planned - allowed
+    return excess > TOLERANCE * max(abs(allowed), 0.01)
 
 
 def _ros(context: Context) -> int | None:
-    """The ROS of the SRDF's package, else of the robot's."""
+    """ROS version of the package of the SRDF, otherwise of the robot."""
     places = (context.srdf.path if context.srdf else "", context.source.path)
     manifests = (manifest_of(context.resolver, place) for place in places if place)
     return next((manifest.ros for manifest in manifests if manifest), None)
@@ -144,7 +144,7 @@ def _wrong(name: str, value: Value, ros: int | None) -> tuple[str, str] | None:
     if kind in ("string", "bool"):
         return f"{name} is '{value.text}', not a number", "write a number"
     if kind == "int" and ros == 2:
-        message = f"{name} is {value.text}, an integer; MoveIt 2 needs a double"
+        message = f"{name} is {value.text}, an integer; MoveIt 2 requires a double"
         return message, f"write {value.text}.0"
     if name in _POSITIVE and is_not_positive(value):
         return f"{name} is {value.text}, must be > 0", "write a positive number"

@@ -1,11 +1,11 @@
 """An element of the SRDF is misspelt, incomplete or invalid, or the file is not well-formed.
 
-- move_group stops at a file that is not well-formed XML; the other rules about the SRDF cannot run.
+- move_group stops at a file that is not well-formed XML; the other rules for the SRDF cannot run.
 - srdfdom ignores unknown elements and attributes (warning): a group loses its chain, a pair of
-  links is checked for collisions again. Only names that are nearly known ones are reported, since
-  other programs have elements of their own in the file.
-- An element without a required attribute, or with text for a number, is logged and left out: the
-  group has no chain, the state does not set the joint.
+  links is checked for collisions again. Only typos of known names are reported, since other
+  programs may add their own elements.
+- An element without a required attribute, or with text instead of a number, is logged and ignored:
+  the group has no chain, the state does not set the joint.
 
 Sources:
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
@@ -44,13 +44,13 @@ def check(context: Context) -> Findings:
 def _misspelt(srdf: Srdf) -> Findings:
     for mistake in mistakes(srdf.root):
         if isinstance(mistake.at, Element):
-            what, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
+            part, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
         else:
-            what = f"attribute '{mistake.name}'"
+            part = f"attribute '{mistake.name}'"
             edits = rename_attribute(mistake.at, mistake.suggested)
         yield Finding(
             Location(edits[0].span) if edits else mistake.at,
-            f"unknown {what} in <{mistake.parent.tag}> (ignored); "
+            f"unknown {part} in <{mistake.parent.tag}> (ignored); "
             f"did you mean '{mistake.suggested}'?",
             "fix the name",
             Fix.of(f"rename it to {mistake.suggested}", edits),

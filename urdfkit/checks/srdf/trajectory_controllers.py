@@ -1,7 +1,7 @@
-"""The controllers that MoveIt sends trajectories to, against those of ros2_control."""
+"""MoveIt's trajectory controllers that do not match the controllers of ros2_control."""
 
 from collections.abc import Iterator
-from itertools import islice
+from itertools import chain, islice
 
 from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
@@ -13,10 +13,10 @@ from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, scalars
 from urdfkit.workspace.manifest import manifest_of
 
-#: Files of the workspace that are read, and directories in which they are searched.
+#: Most files of the workspace that are read, and directories that are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 500, 1000
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
-#: The types of MoveIt and the actions of the controllers that they fit.
+#: Type in MoveIt and action of controllers, by their type in ros2_control.
 _ACTIONS = {
     _TRAJECTORY: ("FollowJointTrajectory", "follow_joint_trajectory"),
     "position_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
@@ -29,7 +29,7 @@ _ACTIONS = {
 
 
 def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
-    """The controllers of MoveIt 2 that are not there, or that take other trajectories."""
+    """Controllers of MoveIt 2 that are not defined, or have other joints or actions."""
     manifest = manifest_of(context.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
         return
@@ -52,14 +52,14 @@ def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
 def _undefined(
     key: Key, entry: dict[str, Node], served: set[str], defined: dict[str, list[Controller]]
 ) -> Findings:
-    """A controller that is not defined, while another one commands its joints."""
+    """A controller that is not defined, while another controller commands its joints."""
     joints = _joints(entry)
-    every = [one for several in defined.values() for one in several]
-    other = next((one for one in every if joints & _commanded(one)), None)
+    controllers = chain.from_iterable(defined.values())
+    other = next((each for each in controllers if joints & _commanded(each)), None)
     if other is not None and joints.isdisjoint(served):
         yield Finding(
             Location(key.span),
-            f"controller '{key}' is defined in no parameter file of ros2_control; "
+            f"controller '{key}' is not defined in a parameter file of ros2_control; "
             f"'{other.name}' commands its joints",
             f"write {other.name}, or define '{key}'",
             related=(Related(other.type_at, f"controller '{other.name}'"),),
@@ -67,10 +67,10 @@ def _undefined(
 
 
 def _unmoved(model: RobotModel, srdf: Srdf) -> set[str]:
-    """The joints that MoveIt leaves out of the trajectories for its controllers."""
-    own = {one.name for one in model.joints if one.kind == "fixed" or one.mimic is not None}
-    others = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
-    return own.union(one.get("name") or "" for one in others)
+    """The joints that MoveIt omits from trajectories."""
+    joints = {each.name for each in model.joints if each.kind == "fixed" or each.mimic is not None}
+    elements = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
+    return joints.union(element.get("name") or "" for element in elements)
 
 
 def _other_joints(
@@ -78,18 +78,15 @@ def _other_joints(
 ) -> Findings:
     """A trajectory controller with other joints, which rejects each trajectory."""
     joints = _joints(entry)
-    known = [one for one in same if one.type == _TRAJECTORY and _commanded(one)]
-    if (
-        not joints
-        or not known
-        or any(_commanded(one) >= joints for one in same if _is_partial(one))
-    ):
+    known = [each for each in same if each.type == _TRAJECTORY and _commanded(each)]
+    partial = filter(_is_partial, same)
+    if not joints or not known or any(_commanded(each) >= joints for each in partial):
         return
     moved = joints - unmoved
-    if any(_commanded(one) in (joints, moved) or _is_open(one) for one in known):
+    if any(_commanded(each) in (joints, moved) or _has_unknown_joints(each) for each in known):
         return
-    own = _commanded(known[0])
-    differing = few([*sorted(moved - own), *sorted(own - joints)], 4)
+    commanded = _commanded(known[0])
+    differing = few([*sorted(moved - commanded), *sorted(commanded - joints)], 4)
     yield Finding(
         Location(key.span),
         f"controller '{key}' has other joints here than in ros2_control: {differing}",
@@ -100,25 +97,24 @@ def _other_joints(
 
 def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
     """A type or an action that the controller does not have."""
-    actions = {_ACTIONS.get(one.type) for one in same}
-    expected = actions.pop() if len(actions) == 1 else None
-    for name, right in zip(("type", "action_ns"), expected or (), strict=False):
+    actions = {_ACTIONS.get(controller.type) for controller in same}
+    action = actions.pop() if len(actions) == 1 else None
+    for name, expected in zip(("type", "action_ns"), action or (), strict=False):
         value = entry.get(name)
         if value is None:
             message = f"controller '{key}' has no {name}"
-            yield Finding(Location(key.span), message, f"write {name}: {right}")
-        elif isinstance(value, Value) and value.text.strip("/") != right:
-            wrong = f"{name} of controller '{key}' is '{value.text}'"
-            message = f"{wrong}, but {same[0].type} serves '{right}'"
+            yield Finding(Location(key.span), message, f"write {name}: {expected}")
+        elif isinstance(value, Value) and value.text.strip("/") != expected:
+            message = f"{name} of controller '{key}' is '{value.text}', but "
+            message += f"{same[0].type} serves '{expected}'"
             # A controller of the real robot may have the same name and another action.
-            yield Finding(
-                Location(value.span), message, f"write {right}", severity=Severity.WARNING
-            )
+            help = f"write {expected}"
+            yield Finding(Location(value.span), message, help, severity=Severity.WARNING)
             return
 
 
 def _joints(entry: dict[str, Node]) -> set[str]:
-    return {one.text for one in scalars(entry.get("joints"))}
+    return {value.text for value in scalars(entry.get("joints"))}
 
 
 def _commanded(controller: Controller) -> set[str]:
@@ -130,22 +126,22 @@ def _is_partial(controller: Controller) -> bool:
     return any(value.text.lower() == "true" for value in allowed)
 
 
-def _is_open(controller: Controller) -> bool:
-    """True if what it commands is known at run time only."""
+def _has_unknown_joints(controller: Controller) -> bool:
+    """True if the joints of a controller are known only at run time."""
     return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
 
 
 def _defined(context: Context, srdf: Srdf) -> Iterator[Controller]:
-    """The controllers of ROS 2 in the YAML files of the workspace of the robot and of the SRDF."""
+    """The ROS 2 controllers in YAML files of the workspaces of the robot and the SRDF."""
     resolver = context.resolver
-    tops = {resolver.packages.workspace(path) for path in (context.source.path, srdf.path)}
-    for top in sorted(tops):
-        files = resolver.directories.files_below(top, _MAX_DIRECTORIES)
-        named = (path for path in files if path.endswith((".yaml", ".yml")))
-        for path in islice(named, _MAX_FILES):
+    workspaces = {resolver.packages.workspace(path) for path in (context.source.path, srdf.path)}
+    for workspace in sorted(workspaces):
+        files = resolver.directories.files_below(workspace, _MAX_DIRECTORIES)
+        yaml_files = (path for path in files if path.endswith((".yaml", ".yml")))
+        for path in islice(yaml_files, _MAX_FILES):
             try:
                 source = resolver.read(path)
             except UrdfkitError:
                 continue
             if b"controller_manager" in source.data:
-                yield from (one for one in read(source) if one.ros == 2)
+                yield from (controller for controller in read(source) if controller.ros == 2)

@@ -1,13 +1,11 @@
-"""Whether the SRDF near a robot is that of this robot."""
+"""SRDF files that belong to another variant of the robot."""
 
 from urdfkit.lint.context import Context
 from urdfkit.workspace.srdf_files import other_srdf_files, srdf_files
 
 
 def applies(context: Context) -> bool:
-    """True if an SRDF is near the robot."""
-    path = context.source.path
-    return bool(
-        srdf_files(path, context.resolver)
-        or other_srdf_files(path, context.model.name, context.resolver)
-    )
+    """True if there is an SRDF in the package of the robot or next to it."""
+    path, resolver = context.source.path, context.resolver
+    files = srdf_files(path, resolver) or other_srdf_files(path, context.model.name, resolver)
+    return bool(files)

@@ -1,8 +1,8 @@
 """The SRDF is for another variant of the robot.
 
-Much of what it names is in another robot of the package, or differs by a prefix: one SRDF serves
-the complete robot, and this is its arm alone, or it was started with `prefix:=left_`. MoveIt does
-not load the two together. The other rules about the SRDF do not run then.
+Many of its links and joints are in another robot of the package, or differ by a prefix: the SRDF is
+for the complete robot and this is only its arm, or the robot was expanded with `prefix:=left_`.
+MoveIt does not load the two together. The other rules for the SRDF do not run in this case.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
@@ -29,7 +29,7 @@ FILES = {
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF),
-    help="check the variant that the SRDF is for, or generate an SRDF for this one",
+    help="check the variant that the SRDF is for, or generate an SRDF for this variant",
     reports_missing=True,
 )
 def check(context: Context) -> Findings:

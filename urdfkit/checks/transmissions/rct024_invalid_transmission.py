@@ -1,18 +1,18 @@
 """A transmission of ROS 1 is incomplete, invalid, a duplicate, or in a robot of ROS 2.
 
-ros_control leaves an invalid transmission out, so that no controller finds the joint: "Could not
-find resource". Reported are
+ros_control ignores an invalid transmission, so that no controller finds the joint: "Could not find
+resource". Reported are
 
 - a missing name, `<type>`, `<joint>`, `<actuator>` or `<hardwareInterface>`. The type is an
-  element; as an attribute only the PR2 reads it. Up to ROS Indigo `<hardwareInterface>` was in
-  `<actuator>`; now only the one in `<joint>` counts;
-- a type without its package or misspelt, and a number of joints or actuators that the type does not
-  have;
+  element; only the PR2 reads it as an attribute. `<hardwareInterface>` must be in `<joint>`; up to
+  ROS Indigo it was in `<actuator>`;
+- a misspelt type or a type without its package, and a wrong number of joints or actuators for the
+  type;
 - a `mechanicalReduction` that is 0 or not a number, and misspelt elements, whose default is used;
-  Gazebo's own hardware reads neither the type, nor the actuators, nor the ratio (warning);
-- two transmissions with one name, of which the second is kept, or for one joint, usually a copy in
-  which a name was not changed (warning);
-- transmissions in a robot of ROS 2, where nothing reads them: ros2_control has its own
+  Gazebo's own hardware does not read the type, the actuators and the ratio (warning);
+- two transmissions with the same name, of which the second is used, or for the same joint, usually
+  a copy in which a name was not changed (warning);
+- transmissions in a robot of ROS 2, which does not read them: ros2_control has its own
   `<transmission>` inside `<ros2_control>` (info).
 
 Sources:
@@ -57,7 +57,7 @@ _CHILDREN = {
     "joint": ("hardwareInterface", "role", "offset", "mechanicalReduction"),
     "actuator": ("hardwareInterface", "role", "mechanicalReduction", "motorTorqueConstant"),
 }
-#: Joints, and as many actuators, of each type.
+#: Number of joints, and of actuators, by type.
 _COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
 #: Similarity from which an unknown word is a typo.
 _TYPO = 0.85
@@ -94,7 +94,7 @@ def check(context: Context) -> Findings:
 
 
 def _unread(first: Element, *others: Element) -> Finding:
-    """One finding for all: a robot has a transmission for each joint."""
+    """One finding for all transmissions: a robot has one for each joint."""
     more = f" and {len(others)} more" if others else ""
     return Finding(
         first,
@@ -143,7 +143,7 @@ def _interfaces(transmission: Element) -> Findings:
 
 
 def _has_text(element: Element, tag: str) -> bool:
-    return any(found.text.strip() for found in element.all(tag))
+    return any(child.text.strip() for child in element.all(tag))
 
 
 def _type(transmission: Element, unread: Severity | None) -> Findings:
@@ -151,7 +151,7 @@ def _type(transmission: Element, unread: Severity | None) -> Findings:
     name = element.text.strip() if element else ""
     if element is None or name in known:
         return
-    full = next((one for one in known if one.endswith(f"/{name}")), None)
+    full = next((kind for kind in known if kind.endswith(f"/{name}")), None)
     suggested = full or nearest(name, known, _TYPO)
     if suggested and (full or abs(len(suggested) - len(name)) <= 2):
         fix = fix_value(element, suggested)
@@ -161,21 +161,21 @@ def _type(transmission: Element, unread: Severity | None) -> Findings:
 
 
 def _count(transmission: Element, unread: Severity | None) -> Findings:
-    """One joint and actuator for a simple transmission, two of each for the others."""
+    """Wrong numbers of joints or actuators."""
     element = transmission.child("type")
     kind = element.text.strip().rpartition("/")[2] if element else ""
     for tag in ("joint", "actuator"):
-        found = transmission.all(tag)
-        if kind in _COUNTS and found and len(found) != _COUNTS[kind]:
-            message = f"{len(found)} <{tag}> elements; a {kind} has {_COUNTS[kind]}"
+        parts = transmission.all(tag)
+        if kind in _COUNTS and parts and len(parts) != _COUNTS[kind]:
+            message = f"{len(parts)} <{tag}> elements; a {kind} has {_COUNTS[kind]}"
             help = "write one transmission per joint" if kind == "SimpleTransmission" else ""
             help = help or f"write {_COUNTS[kind]} <{tag}> elements"
             severity = unread if tag == "actuator" else None
-            yield Finding(found[-1], f"{called(transmission)}: {message}", help, severity=severity)
+            yield Finding(parts[-1], f"{called(transmission)}: {message}", help, severity=severity)
 
 
 def _children(element: Element, who: str, unread: Severity | None) -> Findings:
-    """Misspelt elements, and invalid gear ratios."""
+    """Misspelt child elements, and invalid gear ratios."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
         suggested = nearest(child.tag, known, _TYPO) if child.tag not in known else None
@@ -203,7 +203,7 @@ def _duplicates(transmissions: Iterable[Element]) -> Findings:
             name = joint.attributes.get("name")
             keys = [(name.value, kind) for kind in _interface_types(joint)] if name else []
             firsts = [driven.setdefault(key, name) for key in keys if name]
-            others = [one for one in firsts if one is not name]
+            others = [first for first in firsts if first is not name]
             if name and others:
                 message = f"joint '{name.value}' already has a transmission"
                 help = "name the joint that this transmission drives, or delete one of the two"
@@ -216,5 +216,5 @@ def _duplicate(at: Attribute, message: str, help: str, first: Attribute) -> Find
 
 
 def _interface_types(joint: Element) -> list[str]:
-    """A joint may have a transmission for each of its interfaces."""
-    return [found.text.strip().rpartition("/")[2] for found in joint.all("hardwareInterface")]
+    """The interfaces of a joint, each of which may have its own transmission."""
+    return [element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")]

@@ -5,6 +5,6 @@ from urdfkit.text.file_kinds import is_launch
 
 
 def applies(context: Context) -> bool:
-    """True for a launch file that names a package or a program of Gazebo."""
+    """True for a launch file that mentions Gazebo."""
     words = (b"gazebo", b"gz_", b"gz", b"ign")
-    return is_launch(context.source.path) and any(one in context.source.data for one in words)
+    return is_launch(context.source.path) and any(word in context.source.data for word in words)

@@ -1,4 +1,4 @@
-"""The worlds that a launch file starts, read, and the robots that it describes."""
+"""The worlds that a launch file starts."""
 
 from __future__ import annotations
 
@@ -19,26 +19,25 @@ _MAX_DIRECTORIES = 2000
 
 
 class OpenedWorld(Record):
-    """A world that is started."""
+    """A world that is started, and the contents of its file."""
 
-    started: StartedWorld  # by what
-    path: str  # of the file; empty for one that comes with Gazebo
+    started: StartedWorld
+    path: str  # of the file; empty for a world that is part of Gazebo
     name: str  # of the world
-    #: In the file; None for one that comes with Gazebo, and where the file has none.
-    world: World | None
-    systems: frozenset[str]  # of one that comes with gz sim
-    problems: tuple[Problem, ...] = ()  # what is wrong with the text of the file
+    world: World | None  # None if the world is part of Gazebo, or if the file contains no world
+    systems: frozenset[str]  # of a world that is part of gz sim
+    problems: tuple[Problem, ...] = ()  # errors of the parser
 
     @property
     def place(self) -> Location:
-        """The ``<world>``, or where the world is started if that has no file here."""
+        """The ``<world>``, or the start of the world if the file is not available."""
         if self.world is not None:
             return Location(self.world.at.span)
         return Location(self.started.span, self.started.frame)
 
     @property
     def note(self) -> tuple[Related, ...]:
-        """For a finding in the file of the world."""
+        """The start of the world, for findings in its file."""
         return (Related(self.started.span, "the world is started here"),) if self.path else ()
 
     @property
@@ -47,13 +46,13 @@ class OpenedWorld(Record):
 
 
 def opened_worlds(context: Context) -> Iterator[OpenedWorld]:
-    """The worlds that a launch file starts and that are at hand, each once."""
-    seen: set[tuple[str, str]] = set()
+    """The available worlds that a launch file starts, without duplicates."""
+    keys: set[tuple[str, str]] = set()
     for started in worlds(context.launch):
-        found = _opened(started, context)
-        if found and (key := (started.generation, found.path or found.name)) not in seen:
-            seen.add(key)
-            yield found
+        opened = _opened(started, context)
+        if opened and (key := (started.generation, opened.path or opened.name)) not in keys:
+            keys.add(key)
+            yield opened
 
 
 def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
@@ -75,7 +74,7 @@ def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
 
 
 def world_file(name: str, context: Context) -> str | None:
-    """The file of a world: by its path, or the only one of that name in the workspace."""
+    """The file of a world: its path, or the only file of that name in the workspace."""
     resolver = context.resolver
     if os.path.isabs(name):
         if name.startswith(f"{UNKNOWN}/"):
@@ -84,5 +83,5 @@ def world_file(name: str, context: Context) -> str | None:
     root = resolver.packages.workspace(context.source.path)
     files = resolver.directories.files_below(root, _MAX_DIRECTORIES)
     ending = f"/{os.path.normpath(name)}"
-    found = [path for path in files if path.endswith(ending)]
-    return found[0] if len(found) == 1 else None
+    matches = [path for path in files if path.endswith(ending)]
+    return matches[0] if len(matches) == 1 else None

@@ -1,20 +1,20 @@
-"""Gazebo is started without a system that the robot needs.
+"""Gazebo is started without a system that the robot requires.
 
-gz sim does everything by systems: without `Sensors` no camera and no lidar gives data, without
-`Imu` no IMU, and nothing says so. A world without a `<plugin>` gets those of the server's
-configuration, which are `Physics`, `UserCommands` and `SceneBroadcaster` only. One with a
-`<plugin>` gets no others in Gazebo Harmonic and earlier: without `UserCommands` the node that
-spawns the robot waits for ever, without `Physics` nothing moves, and without `SceneBroadcaster` the
-window is empty. Since Gazebo Ionic the configuration comes to what the world loads.
+In gz sim, cameras and lidars publish no data without the system `Sensors`, and IMUs without `Imu`;
+there is no message. A world without a `<plugin>` loads the systems of the server configuration,
+only `Physics`, `UserCommands` and `SceneBroadcaster`. Up to Gazebo Harmonic, a world with a
+`<plugin>` loads only its own plugins: without `UserCommands` the node that spawns the robot waits
+for ever, without `Physics` nothing moves, and without `SceneBroadcaster` the window is empty. Since
+Gazebo Ionic, the systems of the configuration are added to those of the world.
 
-Gazebo Classic brings all that but the library `libgazebo_ros_factory.so`, which the launch files of
-gazebo_ros load, and `gazebo` or `gzserver` alone does not: `spawn_entity.py` stops with "Was Gazebo
+Gazebo Classic lacks only the library `libgazebo_ros_factory.so`, which the launch files of
+gazebo_ros load, but `gazebo` or `gzserver` alone does not: `spawn_entity.py` stops with "Was Gazebo
 started with GazeboRosFactory?" (error).
 
-A world without `<spherical_coordinates>` is nowhere on Earth, and its NavSat sensors are silent.
+NavSat sensors publish no data in a world without `<spherical_coordinates>`.
 
-A system is not missing where the robot, or a model in the world, loads it, nor where a launch file
-sets `GZ_SIM_SERVER_CONFIG_PATH`.
+Not reported if the robot or a model in the world loads the system, or if a launch file sets
+`GZ_SIM_SERVER_CONFIG_PATH`.
 
 Sources:
     server configuration: https://github.com/gazebosim/gz-sim/blob/gz-sim10/tutorials/server_config.md
@@ -62,8 +62,8 @@ FILES = {
     "worlds/good.sdf": _WORLD % _SENSORS,
 }
 
-#: What happens without a system that every world has.
-_LOST = {
+#: The effect of a missing default system.
+_EFFECTS = {
     "Physics": "nothing moves",
     "UserCommands": "the node that spawns the robot waits for ever",
     "SceneBroadcaster": "the window of Gazebo stays empty",
@@ -73,10 +73,10 @@ _CONFIGURED = b"SERVER_CONFIG_PATH"
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    files = {one.span.source.path: one.span.source for one in context.launch.includes}
-    if any(_CONFIGURED in one.data for one in (context.source, *files.values())):
+    files = {each.span.source.path: each.span.source for each in context.launch.includes}
+    if any(_CONFIGURED in file.data for file in (context.source, *files.values())):
         return
-    needed = _needed(context)
+    required = _required(context)
     models = Models(context.resolver, context.source.path)
     robot_files = [use.filename for _, robot in context.described_robots for use in robot.plugins]
     for opened in opened_worlds(context):
@@ -88,79 +88,79 @@ def check(context: Context) -> Findings:
         loaded = opened.systems | systems_in(robot_files)
         if opened.world is not None:
             loaded |= all_systems(opened.world, models)
-            yield from _nowhere(needed, opened)
+            yield from _without_coordinates(required, opened)
             yield from _without_defaults(context, opened, loaded)
-        for plugin, sensor in needed:
+        for plugin, sensor in required:
             system = plugin.class_name.rpartition("::")[2]
             if system not in loaded:
                 yield Finding(
                     opened.place,
                     f"{opened.title} does not load the system {system}, without which "
-                    f"{sensor.who} ({sensor.type}) gives no data",
+                    f"{sensor.who} ({sensor.type}) publishes no data",
                     _help(plugin, opened),
                     related=(Related(sensor.at.span, sensor.who), *opened.note),
                 )
 
 
-def _nowhere(needed: list[tuple[Plugin, Sensor]], opened: OpenedWorld) -> Findings:
-    """A world without a place on Earth, and a robot that asks for it."""
-    placed = opened.world is None or opened.world.at.child("spherical_coordinates")
-    for sensor in (one for _, one in needed if one.type == "navsat" and not placed):
+def _without_coordinates(required: list[tuple[Plugin, Sensor]], opened: OpenedWorld) -> Findings:
+    """A world without a location on Earth, and a robot with a NavSat sensor."""
+    if opened.world is None or opened.world.at.child("spherical_coordinates"):
+        return
+    for sensor in (sensor for _, sensor in required if sensor.type == "navsat"):
         yield Finding(
             opened.place,
             f"{opened.title} has no <spherical_coordinates>, without which {sensor.who} "
-            "(navsat) gives no data",
+            "(navsat) publishes no data",
             "add <spherical_coordinates> with latitude_deg, longitude_deg and elevation",
             related=(Related(sensor.at.span, sensor.who), *opened.note),
         )
 
 
 def _without_factory(context: Context, opened: OpenedWorld) -> Findings:
-    """Gazebo Classic, if it cannot spawn what a node of this launch file wants to spawn."""
+    """Gazebo Classic without the library that ``spawn_entity.py`` requires."""
     plugins = opened.world.plugins if opened.world is not None else []
     files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
     spawners = (*context.launch.started, *context.launch.included)
-    spawns = any(one.executable == "spawn_entity.py" and spawner_of(one) for one in spawners)
+    spawns = any(node.executable == "spawn_entity.py" and spawner_of(node) for node in spawners)
     if spawns and FACTORY not in files:
         yield Finding(
             Location(opened.started.span, opened.started.frame),
-            f"Gazebo is started without {FACTORY}, which spawn_entity.py needs",
+            f"Gazebo is started without {FACTORY}, which spawn_entity.py requires",
             f"add -s libgazebo_ros_init.so -s {FACTORY}, or include gazebo.launch.py of gazebo_ros",
             severity=Severity.ERROR,
         )
 
 
-def _needed(context: Context) -> list[tuple[Plugin, Sensor]]:
-    """The systems that sensors of the robots need, each with the first of these sensors."""
-    found: dict[str, tuple[Plugin, Sensor]] = {}
-    systems = [one for one in all_plugins() if one.generation == GZ and "world" in one.kinds]
+def _required(context: Context) -> list[tuple[Plugin, Sensor]]:
+    """Systems that sensors of the robots require, each with the first sensor."""
+    required: dict[str, tuple[Plugin, Sensor]] = {}
+    systems = [each for each in all_plugins() if each.generation == GZ and "world" in each.kinds]
     for _, robot in context.described_robots:
         for sensor in sensors(robot.model):
             kind = types().get(sensor.type)
             name = (kind.gz_name or sensor.type) if kind and kind.gz else ""
             for plugin in systems:
                 if name in plugin.sensors:
-                    found.setdefault(plugin.id, (plugin, sensor))
-    return list(found.values())
+                    required.setdefault(plugin.id, (plugin, sensor))
+    return list(required.values())
 
 
 def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
-    """The systems of the server's configuration that a world with plugins lacks."""
+    """Default systems that a world with plugins lacks."""
     world = opened.world
     if world is None or not own_systems(world) or world.adds_defaults():
         return
     until = "" if world.adds_defaults() is False else " (up to Gazebo Harmonic)"
-    wanted = set(_wanted(context, opened))
+    missing = set(_required_defaults(context, opened)) - loaded
     for plugin in all_plugins():
         system = plugin.class_name.rpartition("::")[2]
-        if system in wanted - loaded and plugin.generation == GZ and system in default_systems():
-            message = (
-                f"{opened.title} loads plugins, but not the system {system}: {_LOST[system]}{until}"
-            )
+        if system in missing and plugin.generation == GZ and system in default_systems():
+            message = f"{opened.title} loads plugins, but not the system {system}: "
+            message += f"{_EFFECTS[system]}{until}"
             yield Finding(opened.place, message, _help(plugin, opened), related=opened.note)
 
 
-def _wanted(context: Context, opened: OpenedWorld) -> Iterator[str]:
+def _required_defaults(context: Context, opened: OpenedWorld) -> Iterator[str]:
     if any(True for _ in context.described_robots):
         yield "Physics"
     if any(map(spawner_of, (*context.launch.started, *context.launch.included))):
@@ -173,4 +173,4 @@ def _help(plugin: Plugin, opened: OpenedWorld) -> str:
     line = f'<plugin filename="{plugin.files[0]}" name="{plugin.class_name}"/>'
     if opened.path:
         return f"add {line} to the world"
-    return f"add {line} to the robot, in a <gazebo> of its own, or start a world that has it"
+    return f"add {line} to the robot, in a separate <gazebo>, or start a world that has it"

@@ -1,18 +1,18 @@
-"""Gazebo does not load the world that a launch file starts, or not all of it.
+"""Gazebo cannot load the world that a launch file starts, or a part of it.
 
-- The file is not well-formed, or holds no `<world>`: Gazebo starts without a world (error).
-- The `<world>` has no name, or its `<max_step_size>` is not above 0 (error).
-- A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and the like are for Gazebo
-  Classic, `gz-sim-...-system` for gz sim. It is not loaded, which Gazebo reports once (warning).
-  If that is true of all, the launch file starts the world in the wrong Gazebo.
-- The library or the class of a plugin is misspelt: `name` is the class in gz sim (error).
-- A render engine that does not exist: no camera and no lidar gives data (error). `ogre`, the older
-  one, has no segmentation and no bounding box camera: use `ogre2`, the default (warning).
-- A model that the world includes by `model://` is not in the workspace, although others are; or
-  gz sim is to find `model://sun` or `model://ground_plane`, which Gazebo Classic downloaded: the
-  world is not loaded unless the resource path has it (warning).
-- The node that spawns the robot names another world than the one that is started: it waits for the
-  service of that world for ever (error).
+- The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
+- The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error).
+- A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and similar ones are for
+  Gazebo Classic, `gz-sim-...-system` for gz sim. The plugin is not loaded, which Gazebo reports
+  once (warning). If this applies to all plugins, the launch file starts the wrong Gazebo.
+- The library or the class of a plugin is misspelt: in gz sim, `name` is the class (error).
+- The render engine does not exist: cameras and lidars publish no data (error). The older `ogre`
+  supports neither segmentation nor bounding box cameras: use `ogre2`, the default (warning).
+- A model that the world includes with `model://` is not in the workspace, but other models are; or
+  gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
+  world is not loaded unless the resource path contains the model (warning).
+- The node that spawns the robot names another world than the started one: it waits for the service
+  of that world for ever (error).
 
 Sources:
     gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/SystemLoader.cc
@@ -64,18 +64,18 @@ FILES = {
 
 #: Gazebo Classic and gz-sim.
 _TITLES = ("Gazebo Classic", TITLES[GZ])
-#: What only Gazebo Classic has, by the name of the library.
+#: Libraries that only Gazebo Classic has.
 _CLASSIC = re.compile(r"(lib)?gazebo_ros_\w+(\.so)?$")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
-#: Marks of files from which a world is made.
+#: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     models = Models(context.resolver, context.source.path)
-    found = list(opened_worlds(context))
-    for opened in found:
+    opened_list = list(opened_worlds(context))
+    for opened in opened_list:
         if opened.world is None and opened.path:
             yield from _unreadable(opened)
         elif opened.world is not None:
@@ -84,29 +84,29 @@ def check(context: Context) -> Findings:
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
             yield from _engines(context, opened)
-    if len(found) == len({one.span for one in worlds(context.launch)}) == 1:
-        yield from _other_worlds(context, found[0])
+    if len(opened_list) == len({world.span for world in worlds(context.launch)}) == 1:
+        yield from _other_worlds(context, opened_list[0])
 
 
 def _unreadable(opened: OpenedWorld) -> Findings:
-    source = next((one.span.source for one in opened.problems), None)
+    source = next((problem.span.source for problem in opened.problems), None)
     file = os.path.basename(opened.path)
-    broken = next((one for one in opened.problems if one.code == "XML001"), None)
+    error = next((problem for problem in opened.problems if problem.code == "XML001"), None)
     if source is not None and any(mark in source.data for mark in _TEMPLATES):
         return
     at = Location(opened.started.span, opened.started.frame)
-    if broken is not None:
-        message = f"'{file}' is not a world: {broken.message}"
-        yield Finding(Location(broken.span), message, "fix the file", related=opened.note)
+    if error is not None:
+        message = f"'{file}' is not a world: {error.message}"
+        yield Finding(Location(error.span), message, "fix the file", related=opened.note)
     elif not opened.problems:
         message = f"'{file}' is not a world: it has no <world> in an <sdf>"
-        yield Finding(at, message, "name a world; models are spawned, or included by one")
+        yield Finding(at, message, "name a world; spawn models, or include them in a world")
 
 
 def _values(opened: OpenedWorld, world: World) -> Findings:
-    """A world without a name, and a step of physics that is no time."""
+    """A world without a name, and an invalid time step of the physics."""
     if not world.name:
-        message, help = "the <world> has no name: SDF rejects it", 'write <world name="...">'
+        message, help = "<world> has no name: SDF rejects it", 'write <world name="...">'
         yield Finding(world.at, message, help, related=opened.note)
     for physics in world.at.all("physics"):
         step = physics.child("max_step_size")
@@ -118,13 +118,13 @@ def _values(opened: OpenedWorld, world: World) -> Findings:
 
 
 def _of_other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
-    """A world all of whose plugins are for the other Gazebo: what is wrong is who starts it."""
+    """A world whose plugins are all for the other Gazebo, so that the wrong Gazebo is started."""
     is_gz = opened.started.generation == GZ
     kinds = [_is_of_gz(plugin) for plugin in world.plugins]
     if len(kinds) < 2 or any(kind != {not is_gz} for kind in kinds):
         return []
-    other, own = (_TITLES[is_one] for is_one in (not is_gz, is_gz))
-    message = f"{opened.title} is for {other}, and is started in {own}, which loads none of its "
+    other, own = _TITLES[not is_gz], _TITLES[is_gz]
+    message = f"{opened.title} is for {other}, but is started in {own}, which loads none of its "
     message += f"{len(kinds)} plugins"
     place = Location(opened.started.span, opened.started.frame)
     help = f"start it in {other}, or name a world for {own}"
@@ -132,10 +132,10 @@ def _of_other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
 
 
 def _is_of_gz(plugin: Element) -> set[bool]:
-    """Whether a plugin is for gz sim; both where either has it, and empty if it is unknown."""
+    """Whether a plugin is for gz sim: both values if both have it, empty if it is unknown."""
     file = (plugin.get("filename") or "").strip()
-    found = {one.generation == GZ for one in find(file)}
-    return found or ({False} if _CLASSIC.match(file) else set())
+    generations = {known.generation == GZ for known in find(file)}
+    return generations or ({False} if _CLASSIC.match(file) else set())
 
 
 def _plugins(opened: OpenedWorld, world: World) -> Findings:
@@ -153,7 +153,7 @@ def _plugins(opened: OpenedWorld, world: World) -> Findings:
             other, own = _TITLES[not is_gz], _TITLES[is_gz]
             yield Finding(
                 at,
-                f"{title} is for {other}, and {opened.title} is started in {own}: it is not loaded",
+                f"{title} is for {other}, but {opened.title} is started in {own}: it is not loaded",
                 "remove it",
                 related=opened.note,
                 group_key=opened.path,
@@ -167,7 +167,7 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
     """A class that the library does not have."""
     name = plugin.attributes.get("name")
     known = find((plugin.get("filename") or "").strip())
-    classes = [one.class_name for one in known if one.generation == GZ]
+    classes = [each.class_name for each in known if each.generation == GZ]
     written = re.sub(r"::v\d+\b", "", name.value if name else "")
     if name is None or not classes or not all(classes):
         return
@@ -177,7 +177,7 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
 
 
 def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
-    """The models that are not found; other machines may have more than this one."""
+    """Missing models, only with a typo or a replacement: other machines may have more models."""
     missing = [(at, uri) for at, uri in world.includes if model_name(uri) and not models.has(uri)]
     for at, uri in missing:
         name = model_name(uri)
@@ -186,7 +186,7 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
             message = f"model '{uri}' is not found; did you mean '{suggested}'?"
             help = f"write model://{suggested}"
         elif fuel and opened.started.generation == GZ:
-            message = f"gz sim does not come with '{uri}', which Gazebo Classic downloads"
+            message = f"gz sim does not have '{uri}', which Gazebo Classic downloads"
             help = f"write {_FUEL}{fuel}, or the model itself"
         else:
             continue
@@ -194,21 +194,24 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
 
 
 def _engines(context: Context, opened: OpenedWorld) -> Findings:
-    """The render engines that do not exist, or lack a type of sensor of the robot."""
+    """Unknown render engines, and engines that do not support a sensor of the robot."""
     known: dict[str, str] = data("worlds")["engines"]
     for place, engine in _chosen(opened):
         if engine not in known:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
             yield Finding(place, message, "write ogre2", related=opened.note)
-        elif sensor := next(_lacking(context, known[engine].split()), None):
-            message = f"the render engine {engine} has no {sensor.type}, which {sensor.who} is"
+        elif sensor := next(_sensors_of(context, known[engine].split()), None):
             yield Finding(
-                place, message, "write ogre2", related=opened.note, severity=Severity.WARNING
+                place,
+                f"render engine {engine} does not support {sensor.type}, the type of {sensor.who}",
+                "write ogre2",
+                related=opened.note,
+                severity=Severity.WARNING,
             )
 
 
 def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
-    """The engine of the command line, which wins; else that of the Sensors system."""
+    """The engine of the command line, otherwise of the Sensors system."""
     started = opened.started
     if started.engine:
         yield Location(started.span, started.frame), started.engine
@@ -219,23 +222,23 @@ def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
             yield Location(engine.span), engine.text.strip()
 
 
-def _lacking(context: Context, kinds: list[str]) -> Iterator[Sensor]:
+def _sensors_of(context: Context, kinds: list[str]) -> Iterator[Sensor]:
     for _, robot in context.described_robots if kinds else ():
-        yield from (one for one in sensors(robot.model) if one.type in kinds)
+        yield from (sensor for sensor in sensors(robot.model) if sensor.type in kinds)
 
 
 def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
-    """The nodes that spawn into a world of another name."""
+    """Nodes that spawn the robot into a world of another name."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
     for started in (*context.launch.started, *context.launch.included):
         spawner = spawner_of(started)
         word = options(started, spawner)[0].get("world") if spawner else None
-        given = word.text if word else started.parameters.values.get("world")
-        if spawner and not spawner.is_strict and given and given != opened.name:
+        name = word.text if word else started.parameters.values.get("world")
+        if spawner and not spawner.is_strict and name and name != opened.name:
             span: Span = word.span if word else started.span
             yield Finding(
                 Location(span, started.frame),
-                f"the robot is spawned into world '{given}', and world '{opened.name}' is started",
-                f"write {opened.name}, or leave the name out",
+                f"the robot is spawned into world '{name}', but world '{opened.name}' is started",
+                f"write {opened.name}, or omit the name",
             )

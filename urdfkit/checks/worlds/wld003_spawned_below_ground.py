@@ -1,14 +1,13 @@
 """The robot is spawned with its wheels below the ground of the world.
 
-The pose of the node that spawns the robot is that of its root link. Where the wheels of a robot are
-more than 0.1 m below the floor then, the physics throws it out, and it may tip over or fall through
-a floor that is thin. Up to there it jumps, which is an info from a centimetre on. Spawn it higher,
-or give the model a `base_footprint` on the ground.
+The pose of the node that spawns the robot is that of its root link. If the wheels are more than
+0.1 m below the floor, the physics ejects the robot, which may tip over or fall through a thin
+floor. With 0.01 to 0.1 m it jumps (info). Spawn it higher, or add a `base_footprint` on the ground.
 
-A world without any collision has no floor at all: the robot falls for ever.
+A world without any collision geometry has no floor: the robot falls for ever.
 
-Robots with legs, those that are fixed to the world, and worlds whose floor is not one level plane
-are left out.
+Robots with legs, robots that are fixed to the world, and worlds whose floor is not a single level
+plane are not checked.
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -62,31 +61,29 @@ FILES = {
 #: Worlds of gz sim with a floor.
 _WITH_FLOOR = ("default.sdf", "empty.sdf")
 _DESCRIPTION = "robot_description"
-#: Depths in m: up to the first nobody sees the robot jump; from the second on it is thrown.
+#: Depths in m: below the first the robot does not visibly jump; above the second it is ejected.
 TOLERANCE, DEEP = 0.01, 0.1
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    found = list(opened_worlds(context))
-    described = [robot for _, robot in context.described_robots]
-    starts = {one.span for one in worlds(context.launch)}
-    if not len(found) == len(described) == len(starts) == 1:
-        return  # which robot is spawned where is not known
-    spawned = [
-        one for one in (*context.launch.started, *context.launch.included) if spawner_of(one)
-    ]
-    if len(spawned) == 1:
-        yield from _without_floor(found[0], described[0])
-    ground = _ground(found[0])
+    opened, robots = list(opened_worlds(context)), [robot for _, robot in context.described_robots]
+    starts = {world.span for world in worlds(context.launch)}
+    if not len(opened) == len(robots) == len(starts) == 1:
+        return  # it is unknown which robot is spawned in which world
+    (robot,) = robots
+    spawners = list(filter(spawner_of, (*context.launch.started, *context.launch.included)))
+    if len(spawners) == 1:
+        yield from _without_floor(opened[0], robot)
+    ground = _ground(opened[0])
     if ground is None:
         return
-    for started in spawned:
-        height = _height(started)
+    for spawner in spawners:
+        height = _height(spawner)
         if height is None:
             continue
         z, at = height
-        lowest = _lowest(described[0])
+        lowest = _lowest(robot)
         if lowest is not None and z + lowest[0] < ground - TOLERANCE:
             depth = ground - z - lowest[0]
             yield Finding(
@@ -94,30 +91,30 @@ def check(context: Context) -> Findings:
                 f"the robot is spawned at z = {z:g} m, where link '{lowest[1]}' is {depth:.3g} m "
                 "below the ground",
                 f"spawn it at z = {z + depth:.3g} or higher",
-                related=(Related(described[0].model.links_by_name[lowest[1]].at.span, "the link"),),
+                related=(Related(robot.model.links_by_name[lowest[1]].at.span, "the link"),),
                 severity=None if depth > DEEP else Severity.INFO,
             )
 
 
 def _without_floor(opened: OpenedWorld, robot: Context) -> Findings:
-    """A world with nothing to stand on: no model in it has a collision, and none is included."""
+    """A world without a floor: it has no collision geometry and includes no models."""
     world = opened.world
     if world is None or b"uoyancy" in world.source.data or _lowest(robot) is None:
         return
     gravity = world.at.child("gravity")
     is_floating = gravity is not None and not any(map(number, gravity.text.split()))
     solid = ("collision", "heightmap", "include", "population")
-    if not is_floating and not any(one.tag in solid for one in world.at.walk()):
+    if not is_floating and not any(element.tag in solid for element in world.at.walk()):
         yield Finding(
             Location(world.at.span),
-            f"world '{opened.name}' has nothing to stand on, so the robot falls",
+            f"world '{opened.name}' has no collision geometry, so the robot falls",
             "add a model with a plane, visual and collision, or include a ground plane",
             related=opened.note,
         )
 
 
 def _ground(opened: OpenedWorld) -> float | None:
-    """The height of the floor in m; None if it is not known."""
+    """Height of the floor in m; None if it is unknown."""
     if opened.world is not None:
         return opened.world.ground
     is_plane = opened.started.name in _WITH_FLOOR or opened.started.generation == CLASSIC
@@ -125,15 +122,15 @@ def _ground(opened: OpenedWorld) -> float | None:
 
 
 def _height(started: StartedProgram) -> tuple[float, Location] | None:
-    """The z in m at which a node spawns the robot upright, and where that is written."""
+    """The z in m at which a node spawns the robot upright, and its location; None if unknown."""
     spawner = spawner_of(started)
     if spawner is None:
         return None
-    given, is_known = options(started, spawner)
+    arguments, is_known = options(started, spawner)
     parameters = {} if spawner.is_strict else started.parameters.every
     if parameters is None:
         return None
-    texts = dict(parameters) | {name: word.text for name, word in given.items()}
+    texts = dict(parameters) | {name: word.text for name, word in arguments.items()}
     robot = texts.get("topic") or texts.get("param") or ""
     is_upright = all(number(texts.get(name, "0")) == 0 for name in ("R", "P"))
     z = number(texts.get("z", "0"))
@@ -141,15 +138,15 @@ def _height(started: StartedProgram) -> tuple[float, Location] | None:
         return None
     if "reference_frame" in texts:
         return None
-    span = given["z"].span if "z" in given else started.span
+    span = arguments["z"].span if "z" in arguments else started.span
     return z, Location(span, started.frame)
 
 
 def _lowest(robot: Context) -> tuple[float, str] | None:
-    """The height in m of what a robot rolls on, below its root, and a link that touches there."""
+    """Height of the ground relative to the root in m, and a link that touches the ground."""
     if robot.is_part or not robot.tree.is_sound:
         return None
-    stands = standing(robot)
-    if stands.stability is None or not is_freestanding(robot.tree, stands.links):
+    stance = standing(robot)
+    if stance.stability is None or not is_freestanding(robot.tree, stance.links):
         return None
-    return stands.stability.ground, stands.links[0]
+    return stance.stability.ground, stance.links[0]

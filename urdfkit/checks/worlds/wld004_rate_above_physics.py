@@ -1,10 +1,10 @@
-"""The controllers or a sensor are to run more often than the physics of the world steps.
+"""The update rate of the controllers or a sensor is higher than the step rate of the physics.
 
-What runs in Gazebo runs at most once in a step. Where the controller manager has a higher
-`update_rate`, Gazebo says that the "desired controller update period is faster than the gazebo
-simulation period", and the controllers run at the rate of the steps, with gains and filters that
-were made for another; a sensor publishes at that rate, too. Make the steps shorter
-(`<max_step_size>`, 0.001 s unless given) or the rate lower.
+Controllers and sensors in Gazebo are updated at most once per step. If the controller manager has a
+higher `update_rate`, Gazebo prints "desired controller update period is faster than the gazebo
+simulation period", and the controllers run at the step rate, with gains and filters for another
+rate; a sensor also publishes at the step rate. Use a shorter step (`<max_step_size>`, 0.001 s by
+default) or a lower rate.
 
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
@@ -44,7 +44,7 @@ FILES = {
     "worlds/good.sdf": _WORLD % b"0.002",
 }
 
-#: Rates in parts of 1 / step that count as equal: 0.00833 s is 120 Hz.
+#: Greatest rate relative to 1 / step, which may be rounded: 0.00833 s is 120 Hz.
 _TOLERANCE = 1.01
 
 
@@ -55,7 +55,7 @@ def check(context: Context) -> Findings:
         if world is None and opened.path:
             continue
         if world is not None and len(world.at.all("physics")) > 1:
-            continue  # which of them holds is chosen when it runs
+            continue  # one of them is selected at run time
         step = world.step.value if world is not None else DEFAULT_STEP
         places = (Related(world.step.span, f"a step of {step:g} s"),) if world is not None else ()
         for rate, at, who in _rates(context):
@@ -70,7 +70,7 @@ def check(context: Context) -> Findings:
 
 
 def _rates(context: Context) -> Iterator[tuple[float, Location, str]]:
-    """What runs in Gazebo: rates in Hz, where they are written, and whose they are."""
+    """Update rates in Gazebo: rate in Hz, location, and controller manager or sensor."""
     for _, robot in context.described_robots:
         for _, section in managers(robot):
             for value in section.values("update_rate"):

@@ -1,4 +1,4 @@
-"""Interfaces of joints and sensors that hardware and controllers do not have."""
+"""Names of interfaces of joints and sensors."""
 
 from collections.abc import Sequence
 
@@ -24,7 +24,7 @@ _SIMULATED_STATES = ("position", "velocity", "effort")
 
 
 def invalid_interfaces(context: Context) -> Findings:
-    """Interfaces that are misspelt, or that a simulator does not offer."""
+    """Misspelt interfaces, and interfaces that the simulator does not offer."""
     for component in components(context.model):
         for part in component.parts:
             for interface in part.interfaces:
@@ -50,7 +50,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
                 f"{who} is not one of {simulated.name} ({', '.join(known)})",
                 _HELP,
                 group_key=f"{simulated.name} {interface.direction}",
-                severity=Severity.INFO if is_extra else None,  # the hardware alone has it
+                severity=Severity.INFO if is_extra else None,  # the real hardware may have it
             )
         return
     standard = [
@@ -68,7 +68,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
             f"{who} is not one of {simulated.name} (such as {standard[0]})",
             _HELP,
             group_key=f"{simulated.name} sensor",
-            severity=Severity.INFO,  # the hardware alone has it
+            severity=Severity.INFO,  # the real hardware may have it
         )
 
 

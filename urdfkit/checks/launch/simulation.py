@@ -1,0 +1,167 @@
+"""Nodes and hardware that do not match the simulation: clock, pause, ros2_control."""
+
+from collections.abc import Iterable
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import activates, controllers
+from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.worlds import GZ, worlds
+from urdfkit.ros.ros_control import components, control_plugins
+from urdfkit.workspace.resolve import Resolver
+
+_CLOCK = "clock"
+_SIM_TIME = "use_sim_time"
+#: Packages whose nodes set or compare stamps, and the severity of a wrong clock.
+#: robot_state_publisher keeps the stamps of the joint states.
+_STAMPING = {
+    "robot_state_publisher": Severity.INFO,
+    "robot_localization": Severity.WARNING,
+    "slam_toolbox": Severity.WARNING,
+    "nav2_amcl": Severity.WARNING,
+    "nav2_controller": Severity.WARNING,
+    "nav2_planner": Severity.WARNING,
+    "moveit_ros_move_group": Severity.WARNING,
+    "rviz2": Severity.INFO,
+}
+#: Launch files of ROS that start Gazebo and no bridge.
+_GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
+#: Hardware that only Gazebo's plugin loads.
+_OF_GAZEBO = ("gazebo_ros2_control/", "gz_ros2_control/", "ign_ros2_control/")
+_MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
+
+
+def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Nodes that use the time of a gz-sim whose clock is not bridged."""
+    if not any(world.generation == GZ for world in worlds(context.launch)):
+        return
+    unread = (path.rpartition("/")[2] for path in context.launch.unread)
+    is_gz = any(node.package == "ros_gz_sim" and spawner_of(node) for node in started)
+    waiting = next((node for node in started if _sim_time(node, context.resolver) is True), None)
+    if not is_gz or waiting is None or not all(file in _GAZEBO for file in unread):
+        return
+    bridges = [node for node in started if is_bridge(node)]
+    if not all(_is_known(node) for node in bridges):
+        return
+    bridged = [topic for node in bridges for topic in bridged_topics(node, context.resolver)]
+    is_remapped = any(node.is_remapped for node in bridges)
+    if any(topic.ros_topic.strip("/") == _CLOCK for topic in bridged) or (
+        is_remapped and any(topic.ros_type.endswith("/Clock") for topic in bridged)
+    ):
+        return
+    where = bridges[0] if bridges else waiting
+    message = f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes"
+    help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
+    yield Finding(Location(where.span, where.frame), message, help)
+
+
+def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Nodes without simulation time, while other nodes use it."""
+    if context.launch.has_scopes or not any(map(spawner_of, started)):
+        return
+    resolver = context.resolver
+    other = next((node for node in started if _sim_time(node, resolver) is True), None)
+    for node in started:
+        severity = _STAMPING.get(node.package)
+        own = _sim_time(node, resolver) if severity else None
+        if own is None or own is True:
+            continue
+        if own is False and (other is not None or node.package == "robot_state_publisher"):
+            message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
+        elif other is not None:
+            message = f"{node.executable} lacks {_SIM_TIME}, which '{other.executable}' sets"
+        else:
+            continue
+        help = f'give it {{"{_SIM_TIME}": True}}'
+        yield Finding(Location(node.span, node.frame), message, help, severity=severity)
+
+
+def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """A gz sim that starts paused."""
+    if not any(map(spawner_of, started)):
+        return
+    waiting = any(activates(node) and any(True for _ in controllers(node)) for node in started)
+    for world in worlds(context.launch):
+        if world.is_paused and world.is_sure:
+            who = "no controller becomes active" if waiting else "nothing moves"
+            yield Finding(
+                Location(world.span, world.frame),
+                f"Gazebo starts paused: {who} until Play is pressed",
+                "write -r before the world",
+                severity=None if waiting else Severity.INFO,
+            )
+
+
+def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Mock hardware of a robot in Gazebo, which Gazebo's control plugin does not load."""
+    if not any(map(spawner_of, started)):
+        return
+    for description, robot in context.described_robots:
+        if not description.is_whole:
+            continue
+        plugins = control_plugins(robot.model)
+        hardware = components(robot.model)
+        is_mock = hardware and all(component.hardware in _MOCK for component in hardware)
+        for component in hardware if plugins and is_mock else ():
+            yield Finding(
+                Location((component.plugin or component.at).span, description.frame),
+                f"{component.called}: {plugins[0].filename} does not load {component.hardware}, "
+                "so the simulated robot does not move",
+                "choose the hardware of the simulator where the launch file simulates",
+                related=(Related(plugins[0].at.span, "control plugin"),),
+            )
+
+
+def without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Hardware of Gazebo in ros2_control_node, without Gazebo."""
+    managers = [component for component in started if component.executable == "ros2_control_node"]
+    if not managers or any(map(spawner_of, started)):
+        return
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
+        if not description.is_whole or robot.reading.document is None:
+            continue
+        for component in components(robot.model):
+            if component.hardware.startswith(_OF_GAZEBO):
+                yield Finding(
+                    Location((component.plugin or component.at).span, description.frame),
+                    f"{component.called}: ros2_control_node does not load "
+                    f"{component.hardware}, only Gazebo's plugin does",
+                    "choose the hardware of the robot, or mock_components/GenericSystem, where "
+                    "the launch file starts no simulator",
+                    related=(Related(managers[0].span, "the controller manager"),),
+                )
+
+
+def _is_known(bridge: StartedProgram) -> bool:
+    """True if all topics of a bridge are known."""
+    has_file = bridge.parameters.values.get("config_file", "") is not None
+    is_whole = bridge.parameters.every is not None
+    return has_file and is_whole and all(word.text is not None for word in bridge.words)
+
+
+def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:
+    """Whether a node uses the time of the simulation.
+
+    Returns:
+        None if that is unknown; an empty string if the parameter is not set, which means no.
+    """
+    value = node.parameters.values.get(_SIM_TIME, "")
+    if _SIM_TIME in node.parameters.values:
+        return {"true": True, "false": False}.get((value or "").lower())
+    is_argument = any(_SIM_TIME in (word.text or _SIM_TIME) for word in node.words)
+    if is_argument or not node.parameters.is_whole or _is_in_file(node.parameters.files, resolver):
+        return None
+    return ""
+
+
+def _is_in_file(paths: Iterable[str], resolver: Resolver) -> bool:
+    for path in paths:
+        try:
+            if _SIM_TIME.encode() in resolver.read(path).data:
+                return True
+        except UnreadableFile:
+            return True
+    return False
