@@ -71,7 +71,7 @@ def is_gone(group: int) -> bool:
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs Linux's /proc")
 def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
-    """On a busy machine the first of them is, at times, the last to hear of it."""
+    """In whatever order they hear of it."""
     robot = (MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro").read_bytes()
     for number in range(1500):
         (tmp_path / f"{number}.xacro").write_bytes(robot)

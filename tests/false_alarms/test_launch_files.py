@@ -83,19 +83,6 @@ def test_arguments_from_a_launch_file_of_another_package(
     assert len(reported(tmp_path / "arm", "LAU006", "group.launch", text)) == count
 
 
-def test_the_cause_that_is_named_is_not_a_missing_package(tmp_path: Path) -> None:
-    """ZED's examples: a package that the machine lacks, and a parameter that the macro lacks."""
-    find = '<xacro:include filename="$(find lost)/a.xacro"/>'
-    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{find}{{}}</robot>'
-    text = '<param name="robot_description" command="xacro $(dirname)/../r.xacro"/>'
-    files = {"r.xacro": robot.format('<xacro:property name="range" value="1"/>')}
-    assert reported(tmp_path / "arm", "LAU004", "a.launch", text, files) == []
-    files = {"r.xacro": robot.format('<link name="${1 +}"/>')}
-    (found,) = reported(tmp_path / "arm", "LAU004", "a.launch", text, files)
-    assert "'lost'" not in found.message
-    assert found.message.endswith(", and 1 more")
-
-
 def test_a_path_from_where_the_user_starts_launch(tmp_path: Path) -> None:
     """Artefacts' tests: `os.path.join("src", "sam_bot", "test", "bridge.yaml")`."""
     program = (
@@ -339,25 +326,6 @@ def test_a_camera_that_names_its_frames_itself(tmp_path: Path, package: str, cou
     )
     add_package(tmp_path / "realsense2_camera", "realsense2_camera")
     assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
-
-
-_CALLING_ITSELF = (
-    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="ur_robot">'
-    '{}<xacro:ur_robot/></xacro:macro><link name="base"/><xacro:ur_robot/></robot>'
-)
-
-
-@pytest.mark.parametrize(
-    ("include", "count"),
-    [('<xacro:include filename="$(find ur_description)/ur.xacro"/>', 0), ("", 1)],
-)
-def test_a_macro_with_the_name_of_one_of_a_missing_package(
-    tmp_path: Path, include: str, count: int
-) -> None:
-    """OMRON SINIC X's ur_robot, around the one of ur_description, which it includes."""
-    files = {"robot.xacro": _CALLING_ITSELF.format(include)}
-    text = '<param name="robot_description" command="xacro $(dirname)/../robot.xacro"/>'
-    assert len(reported(tmp_path / "arm", "LAU004", "a.launch", text, files)) == count
 
 
 @pytest.mark.parametrize(

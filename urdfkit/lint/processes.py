@@ -49,9 +49,12 @@ class Workers:
         return self._pool
 
     def end(self) -> None:
-        """End the processes; later checks start new ones."""
+        """End the processes at once, with what they are doing; later checks start new ones."""
         if self._pool is not None:
-            self._pool.shutdown()
+            processes = list((self._pool._processes or {}).values())
+            self._pool.shutdown(wait=False, cancel_futures=True)
+            for process in processes:  # terminate_workers() of Python 3.14
+                process.terminate()
             self._pool = None
 
 
@@ -78,7 +81,6 @@ def in_processes(
         yield from _in_order(submit, batches, waiting, 4 * count)
     except BrokenProcessPool:
         workers.end()
-        _wait_for_ctrl_c()
     if waiting:
         yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
     if batches:
@@ -110,25 +112,18 @@ def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
     """The results of jobs that may crash their process."""
     from concurrent.futures.process import BrokenProcessPool
 
-    done = 0
-    while done < len(jobs):
-        with _pool(1, known) as pool:
+    workers = Workers()
+    try:
+        for job in jobs:
             try:
-                for job in jobs[done:]:
-                    yield from _noted(pool.submit(_check_batch, [job], known[1]).result())
-                    done += 1
+                checked = workers.pool(1, known).submit(_check_batch, [job], known[1]).result()
             except BrokenProcessPool:
-                _wait_for_ctrl_c()
-                died = RuntimeError("the process of its check died")
-                yield [(jobs[done], failed(jobs[done], died))]
-                done += 1
-
-
-def _wait_for_ctrl_c() -> None:
-    """Wait for a KeyboardInterrupt, as the processes may receive Ctrl-C first."""
-    import time
-
-    time.sleep(1)
+                workers.end()
+                yield [(job, failed(job, RuntimeError("the process of its check died")))]
+            else:
+                yield from _noted(checked)
+    finally:
+        workers.end()
 
 
 def _pool(count: int, known: Known) -> ProcessPoolExecutor:
@@ -147,8 +142,8 @@ def _begin(
     """Initialise a process of a pool."""
     import signal
 
-    # Ctrl-C reaches every process of the terminal; only the main process handles it.
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    # Ctrl-C reaches every process of the terminal; the main process handles it, and ends this one.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one

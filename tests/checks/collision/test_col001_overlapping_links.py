@@ -9,6 +9,7 @@ from tests.physics.collision.robots import box, cube, cylinder, joint, link, mes
 from tests.reported import messages, places, reported
 from urdfkit.core.installation import install_command
 from urdfkit.lint import engine
+from urdfkit.lint.config import Config
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
@@ -67,6 +68,13 @@ def test_the_depth_and_the_smaller_body() -> None:
 @pytest.mark.parametrize("depth", [-0.1, 0, 0.0005])
 def test_less_than_a_millimetre_is_no_matter(depth: float) -> None:
     assert messages("COL001", bent(depth)) == []
+
+
+def test_the_configured_depth() -> None:
+    robot = Source("r.urdf", whole_robot(bent(0.004)).encode())
+    for depth, count in [(0.0039, 1), (0.0041, 0)]:
+        config = Config(options={"COL001": {"depth": depth}})
+        assert len(engine.check(robot, select=["COL001"], config=config).diagnostics) == count
 
 
 def test_a_joint_that_begins_elsewhere() -> None:

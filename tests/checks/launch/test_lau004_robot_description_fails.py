@@ -15,13 +15,20 @@ LAUNCH = (
 )
 
 
-def test_the_launch_file_and_the_error_itself_are_reported(tmp_path):
+def test_an_argument_that_is_not_passed(tmp_path: Path) -> None:
+    (tmp_path / "r.xacro").write_text(ROBOT.format("$(arg side)_arm"))
+    (found,) = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU004"]).diagnostics
+    assert found.span.line == 2
+    assert found.message.endswith("argument 'side' has no value and no default")
+    assert found.help == "pass it: side:=VALUE"
+
+
+def test_an_error_of_the_xacro_is_reported_there_with_the_launch_file(tmp_path: Path) -> None:
     (tmp_path / "r.xacro").write_text(ROBOT.format("${nothing}"))
-    report = check(Source(str(tmp_path / "a.launch"), LAUNCH))
-    by_code = {diagnostic.code: diagnostic for diagnostic in report.diagnostics}
-    assert by_code["LAU004"].span.line == 2
-    assert by_code["XAC001"].span.line == 2
-    (step,) = by_code["XAC001"].calls[0].via
+    report = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU", "XAC"])
+    (found,) = report.diagnostics
+    assert (found.code, found.span.line) == ("XAC001", 2)
+    (step,) = found.calls[0].via
     assert (step.kind, step.name) == ("launch", "a.launch")
 
 

@@ -26,7 +26,7 @@ def test_one_finding_for_all_meshes_of_a_package(robot: str) -> None:
     text = mesh_link("package://nao/a.stl", "package://nao/b.stl", "package://pr2/c.stl")
     package = Path(robot).parents[1]
     searched = (
-        f"searched {package / 'urdf'} and its parent directories, AMENT_PREFIX_PATH (not set), "
+        f"searched: {package / 'urdf'} and its parent directories, AMENT_PREFIX_PATH (not set), "
         f"ROS_PACKAGE_PATH (not set), {package} (1 package)"
     )
     assert messages(CODE, text, robot) == [

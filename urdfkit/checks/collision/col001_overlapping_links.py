@@ -3,8 +3,9 @@
 - Overlap with all joints at zero, a warning: the links are neither adjacent nor rigidly connected,
   and other poses separate them, but MoveIt rejects a plan that starts at zero, and a simulator with
   self-collision pushes the parts apart in its first step. Links below a joint that cannot be at
-  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper. The depth is stated
-  for primitives and convex meshes; coal's depth for other meshes is not reliable.
+  zero are not reported, nor an overlap below 1 mm (option `depth`, in m), such as of a closed
+  gripper. The depth is stated for primitives and convex meshes; coal's depth for other meshes is
+  not reliable.
 - Overlap in every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt
   can plan only if the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning if
   `<self_collide>` enables collisions of one of the two with its robot in Gazebo, which has no such
@@ -65,9 +66,6 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
 
-#: Least reported overlap, in m: closed fingers of real grippers overlap by 0.3 mm.
-_DEEP = 1e-3
-
 #: Part of the volume of its hull from which a mesh counts as convex: rounded edges are missing.
 _FILLED = 0.95
 
@@ -75,15 +73,24 @@ _FILLED = 0.95
 _PART = 0.6
 
 
-@rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
+@rule(
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.COLLISIONS),
+    options={"depth": 1e-3},  # in m; closed fingers of real grippers overlap by 0.3 mm
+)
 def check(context: Context) -> Findings:
     contacts = context.collisions.contacts
+    depth = check.option(context, "depth")
     colliding = _self_colliding(context)
     reported = set()
     for pair in contacts.pairs:
         if pair.is_rigid:
             continue
-        if found := _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning):
+        if (
+            found := _adjacent(pair)
+            if pair.is_adjacent
+            else _apart(pair, contacts.beginning, depth)
+        ):
             if not pair.is_adjacent:
                 reported.add(pair.names)
             contact, message, help, severity = found
@@ -110,9 +117,9 @@ def check(context: Context) -> Findings:
     if simulators:
         from urdfkit.physics.collision.hull_overlaps import hull_overlaps  # for few targets
 
-        for overlap in hull_overlaps(contacts, _DEEP):
+        for overlap in hull_overlaps(contacts, depth):
             if (overlap.first.link, overlap.second.link) not in reported:
-                yield from _hull_overlap(context, overlap, simulators)
+                yield from _hull_overlap(context, overlap, simulators, depth)
 
 
 def _self_colliding(context: Context) -> set[str]:
@@ -141,7 +148,7 @@ def _collide_in_gazebo(context: Context, names: tuple[str, str], colliding: set[
 
 
 def _hull_overlap(
-    context: Context, overlap: HullOverlap, simulators: list[TargetFacts]
+    context: Context, overlap: HullOverlap, simulators: list[TargetFacts], depth: float
 ) -> Findings:
     colliding = [
         simulator
@@ -158,7 +165,7 @@ def _hull_overlap(
         second,
         f"the convex hulls of links '{overlap.first.link}' and '{overlap.second.link}', which "
         f"collide in {names}, overlap by {1000 * overlap.depth:.3g} mm",
-        _hull_help(context, overlap),
+        _hull_help(context, overlap, depth),
         related=(Related(first.span, f"link '{overlap.first.link}'"),),
         weight=overlap.depth,
         group_key="hulls",
@@ -166,12 +173,12 @@ def _hull_overlap(
     )
 
 
-def _hull_help(context: Context, overlap: HullOverlap) -> str:
+def _hull_help(context: Context, overlap: HullOverlap, depth: float) -> str:
     """Help: replace a non-convex mesh by convex pieces, unless they would overlap as well."""
     contacts = context.collisions.contacts
     bodies = (overlap.first, overlap.second)
     hollow = [f"'{body.link}'" for body in bodies if _is_hollow(context, body)]
-    if not hollow or contacts.is_deeper(*bodies, _DEEP):
+    if not hollow or contacts.is_deeper(*bodies, depth):
         return "the shapes overlap: correct an origin, or make one of the two smaller"
     links = f"link{'s' * (len(hollow) > 1)} {' and '.join(hollow)}"
     return (
@@ -208,7 +215,9 @@ def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
     )
 
 
-def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity] | None:
+def _apart(
+    pair: LinkPair, beginning: str, depth: float
+) -> tuple[Contact, str, str, Severity] | None:
     """Contact, message, help and severity of links that are not adjacent; None if not reported."""
     contact = pair.contact
     if contact is None:
@@ -223,7 +232,7 @@ def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity]
             "make the collision geometry smaller, or disable the pair in the SRDF",
             Severity.INFO,
         )
-    if contact.depth > _DEEP and pair.is_at_zero and pair.is_deeper(_DEEP):
+    if contact.depth > depth and pair.is_at_zero and pair.is_deeper(depth):
         return (
             contact,
             f"{links}{_by(contact)} where all joints are at zero",

@@ -1,8 +1,8 @@
 """The robot description of a launch file does not expand, or is not read as text.
 
-The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are
-reported in the xacro file. If the only error is a package that is missing on this machine, it is
-reported only there.
+The launch stops, or `robot_state_publisher` starts without a robot. Only arguments that the launch
+file does not pass are reported here; other errors are reported in the xacro file, which is checked
+with the arguments of the launch file.
 
 In Python, a `Command` that is passed as a parameter directly is read as YAML. A `: ` in a comment
 of the robot is enough for "Unable to parse the value of parameter robot_description as yaml";
@@ -16,16 +16,15 @@ Sources:
 """
 
 from urdfkit.core.static_typing import Any
-from urdfkit.lint.rule_index import get
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.ros.launch.contents import LaunchedDescription
-from urdfkit.text.diagnostic import Problem
 
 NAME = "robot.launch"
-_ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
-FILES = {"bad.xacro": _ROBOT % b"${x}", "good.xacro": _ROBOT % b"x"}
-BAD = '<launch><param name="robot_description" command="xacro $(dirname)/bad.xacro"/></launch>'
-GOOD = BAD.replace("bad.xacro", "good.xacro")
+FILES = {
+    "r.xacro": b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    b'<link name="$(arg side)_arm"/></robot>'
+}
+BAD = '<launch><param name="robot_description" command="xacro $(dirname)/r.xacro"/></launch>'
+GOOD = BAD.replace("r.xacro", "r.xacro side:=left")
 
 
 #: Characters of a line that a message quotes.
@@ -33,19 +32,16 @@ _LONGEST = 60
 _NOT_YET = "which fails at the first ': ' in a comment"
 
 
-@rule(
-    Severity.ERROR,
-    needs=(Need.LAUNCH,),
-    help="fix the errors in the xacro, or pass the arguments that it needs",
-)
+@rule(Severity.ERROR, needs=(Need.LAUNCH,), help="pass the argument: NAME:=VALUE")
 def check(context: Context) -> Findings:
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is None and not _may_expand(description, robot):
-            first, *others = _errors(robot) or robot.reading.problems
-            more = f", and {len(others)} more" if others else ""
-            place = Location(description.frame.call.span, description.frame.outer)
-            yield Finding(place, f"'{description.path}' does not expand: {first.message}{more}")
+        if robot.reading.document is None:
+            missing = [problem for problem in robot.reading.problems if problem.code == "XAC010"]
+            if missing and description.is_whole:
+                place = Location(description.frame.call.span, description.frame.outer)
+                message = f"'{description.path}' does not expand: {missing[0].message}"
+                yield Finding(place, message, missing[0].help)
         elif description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
             reason = _yaml_error(robot)
@@ -57,23 +53,6 @@ def check(context: Context) -> Findings:
                 else "write ParameterValue(Command(...), value_type=str)"
             )
             yield Finding(place, message, help, severity=None if reason else Severity.INFO)
-
-
-def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
-    """True if arguments have unknown values, or the only errors are missing packages.
-
-    Missing packages are reported where they are referenced, and errors with the default arguments
-    in the xacro. Endless recursion of macros (XAC013) may end with macros of a missing package.
-    """
-    codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
-    return codes in ({"XAC011"}, {"XAC011", "XAC013"}) or not description.is_whole
-
-
-def _errors(robot: Context) -> list[Problem]:
-    """The errors of an expansion, missing packages last."""
-    problems = robot.reading.problems
-    errors = [problem for problem in problems if get(problem.code).severity is Severity.ERROR]
-    return sorted(errors, key=lambda problem: problem.code == "XAC011")
 
 
 def _yaml_error(robot: Context) -> str:

@@ -81,7 +81,7 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
     return Finding(
         first.at,
         f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
-        f"checked; searched {', '.join(first.located.searched)}",
+        f"checked; searched: {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         group_key=f"meshes of {name}",
@@ -103,8 +103,9 @@ def _launched(context: Context) -> Findings:
             help += f", or add <{manifest.dependency_tag}>{name}</{manifest.dependency_tag}>"
         yield Finding(
             Location(package.span),
-            f"package '{name}' is not found{undeclared}{suggested}",
-            f"{help}; searched {', '.join(package.searched)}",
+            f"package '{name}' is not found{undeclared}{suggested}; "
+            f"searched: {', '.join(package.searched)}",
+            help,
             group_key="" if suggested else "not found",
             severity=Severity.WARNING if suggested else Severity.INFO,
         )
