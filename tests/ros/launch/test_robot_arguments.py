@@ -11,7 +11,7 @@ from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.fix import fix
-from urdfkit.ros.launch.robot_arguments import given
+from urdfkit.ros.launch.robot_arguments import passed_arguments
 from urdfkit.workspace.resolve import Resolver
 
 #: Its link has no name without an argument, and a mass that only one of the sizes is right for.
@@ -93,7 +93,7 @@ def test_every_way_to_start_a_robot_is_checked(package: Path, files: dict[str, s
 def test_a_robot_that_none_starts_has_what_the_others_need(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     (package / "hand.xacro").write_text(ARM)
-    found = given(str(package / "hand.xacro"), ["size"], Resolver())
+    found = passed_arguments(str(package / "hand.xacro"), ["size"], Resolver())
     assert [(one.arguments, one.frame) for one in found] == [
         ({"size": "big"}, None),
         ({"size": "small"}, None),

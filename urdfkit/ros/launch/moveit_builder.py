@@ -77,8 +77,8 @@ def _without_plugin(directory: str, collector: Collector) -> None:
         if any(isinstance(key, Key) for key in root) and root.keys().isdisjoint(
             ("planning_plugin", "planning_plugins")
         ):
-            message = f"config/{name}_planning.yaml names no planning plugin"
-            help = f"add planning_plugins, and planning_plugin up to Humble, with that of {name}"
+            message = f"config/{name}_planning.yaml has no planning plugin"
+            help = f"add planning_plugins (planning_plugin up to Humble) with the plugin of {name}"
             if mapping(root, name):
                 message += f": its settings are below '{name}'"
                 help = f"remove '{name}:', and the indentation below it"

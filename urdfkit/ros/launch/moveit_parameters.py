@@ -33,21 +33,23 @@ def problems(
     if _CHANGES.search(values.source.data):
         return
     reader = _Reader(tree, values, collector)
-    given = argument(node, None, "parameters")
-    items = values.items(given) if given else [None]
+    parameters = argument(node, None, "parameters")
+    items = values.items(parameters) if parameters else [None]
     keys = {key for item in items for key in reader.keys(item)}
     if _OPEN in keys:
         return
     for item in items:
         for name, place in reader.pipelines(item):
-            known = (_OPEN, "planning_plugin", "planning_plugins")
-            if not keys.isdisjoint(f"{name}.{one}" for one in known):
+            plugins = (_OPEN, "planning_plugin", "planning_plugins")
+            if not keys.isdisjoint(f"{name}.{plugin}" for plugin in plugins):
                 continue
-            message = f"planning pipeline '{name}' gets no planning plugin"
+            message = f"planning pipeline '{name}' has no planning plugin"
             help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
             yield Problem("LAU024", values.span(place), message, help, severity=Severity.WARNING)
     if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
-        message = f"the solvers of MoveIt are not in {_KINEMATICS}, so no group has one"
+        message = (
+            f"the kinematics solvers are not in {_KINEMATICS}, so no planning group has a solver"
+        )
         help = f'write {{"{_KINEMATICS}": ...}} around them'
         yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
 
@@ -59,42 +61,46 @@ class _Reader:
         self._values = values
         self._resolver = collector.resolver
         self._functions = {
-            one.name
-            for one in tree.body
-            if isinstance(one, ast.FunctionDef)
-            and any(isinstance(n, ast.Call) and called(n) in _LOADS for n in ast.walk(one))
+            node.name
+            for node in tree.body
+            if isinstance(node, ast.FunctionDef)
+            and any(isinstance(n, ast.Call) and called(n) in _LOADS for n in ast.walk(node))
         }
 
     def keys(self, node: ast.expr | None) -> set[str]:
         """The names of parameters, with dots between levels."""
         node = self._values.suggested(node)
         if isinstance(node, ast.Dict):
-            found: set[str] = set()
+            names: set[str] = set()
             for key, value in zip(node.keys, node.values, strict=True):
                 name = self._values.text(key)
                 if name is None:
                     return {_OPEN}
-                found |= {name, *(f"{name}.{inner}" for inner in self.keys(value))}
-            return found
+                names |= {name, *(f"{name}.{inner}" for inner in self.keys(value))}
+            return names
         root = self._loaded(node) if isinstance(node, ast.Call) else None
         if root is None:
             return {_OPEN}
-        inside = {f"{key}.{one}" for key, value in root.items() for one in mapping(value)}
-        return {*map(str, root), *inside}
+        nested = {f"{key}.{inner}" for key, value in root.items() for inner in mapping(value)}
+        return {*map(str, root), *nested}
 
     def pipelines(self, node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
         """The names in a list of planning pipelines, with their locations."""
-        given = self._values.suggested(node)
-        pairs = zip(given.keys, given.values, strict=True) if isinstance(given, ast.Dict) else ()
+        dictionary = self._values.suggested(node)
+        pairs = (
+            zip(dictionary.keys, dictionary.values, strict=True)
+            if isinstance(dictionary, ast.Dict)
+            else ()
+        )
         for key, value in pairs:
-            listed = self._values.text(key) == "planning_pipelines"
-            for item in self._values.items(value) if listed else ():
+            is_pipelines = self._values.text(key) == "planning_pipelines"
+            for item in self._values.items(value) if is_pipelines else ():
                 if item is not None and (name := self._values.text(item)):
                     yield name, item
 
     def _loaded(self, call: ast.Call) -> dict[str, Node] | None:
         """The YAML that a function of the launch file reads from a path, or a path in a package."""
-        texts = [self._values.text(one) for one in call.args]
+        texts = [self._values.text(argument) for argument in call.args]
         if called(call) not in self._functions or call.keywords or None in texts:
             return None
         parts = [text or "" for text in texts]

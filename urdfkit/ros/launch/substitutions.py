@@ -79,14 +79,14 @@ class Substitutions:
         """The words of a command line, with the locations of constant words."""
         if attribute is None:
             return ()
-        written: list[str] = []
+        texts: list[str] = []
         for is_command, part in pieces(attribute.value):
             value = self.command(part, attribute.span) if is_command else part
             # An argument with an empty default is also a word.
-            written.append(value or _UNKNOWN_WORD)
+            texts.append(value or _UNKNOWN_WORD)
         return tuple(
             Word(None if _UNKNOWN_WORD in word else word, attribute.span)
-            for word in command_words("".join(written))
+            for word in command_words("".join(texts))
         )
 
     def _found(self, package: str, span: Span) -> str:
@@ -94,8 +94,8 @@ class Substitutions:
 
         Only the file in it is relevant, not whether xacro is installed.
         """
-        found = self._collector.package(package, self._source, span)
-        return found if found is not None else f"{UNKNOWN}/{package}"
+        directory = self._collector.package(package, self._source, span)
+        return directory if directory is not None else f"{UNKNOWN}/{package}"
 
 
 def pieces(text: str) -> Iterator[tuple[bool, str]]:
@@ -121,5 +121,5 @@ def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
     """The first substitution in a YAML file, or None."""
     source = resolver.readable(path)
     text = source.data.decode("utf-8", "replace") if source else ""
-    found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
-    return found.group(0) if found else None
+    match = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
+    return match.group(0) if match else None
