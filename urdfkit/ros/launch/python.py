@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfkit.core import disk
-from urdfkit.ros.launch import moveit_builder, moveit_parameters
+from urdfkit.ros.launch import moveit
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
@@ -104,7 +104,7 @@ class _PythonReader:
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
             else:
-                moveit_builder.use(call, self.values, self.collector)
+                moveit.record_files(call, self.values, self.collector)
         if self.frame is None:
             self._mistakes()
         self._mentions()
@@ -180,7 +180,7 @@ class _PythonReader:
         )
         self.collector.start(started)
         if started.executable == "move_group":
-            problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
+            problems = moveit.parameter_problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
 
     def _remappings(self, node: ast.expr | None) -> dict[str, str] | None:
