@@ -126,7 +126,7 @@ def test_an_index_map() -> None:
 
 def test_joints_that_one_program_lacks() -> None:
     one = robot(link("a"), link("b"), joint("j", "a", "b", "floating"))
-    with pytest.raises(NoIndexMap, match=r"joint 'j' has coordinates in mujoco, and none in pyb"):
+    with pytest.raises(NoIndexMap, match=r"joint 'j' has coordinates in mujoco, not in pyb"):
         index_map(one.imported("mujoco"), one.imported("pybullet"))
     with pytest.raises(NoIndexMap, match=r"joint 'j' is floating"):
         index_map(one.imported("mujoco"), one.imported("pinocchio"))
