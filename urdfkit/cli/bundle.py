@@ -56,6 +56,6 @@ def _summary(bundle: Bundle, out: str) -> Iterator[str]:
 
 def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
-        yield f"rejected by {CONSUMERS[consumer].what} all the same:"
+        yield f"rejected by {CONSUMERS[consumer].title} all the same:"
     for one in rejections:
         yield from output.indented(f"{one.span}: {one.message} ({one.code})")

@@ -71,7 +71,7 @@ def _page(found: Conversion, out: str) -> Iterator[str]:
     yield from output.indented(", ".join(counts))
     yield from output.indented(found.proof.agreed)
     for result in (Result.APPROXIMATED, Result.LOST):
-        parts = list(found.alike(result))
+        parts = list(found.grouped(result))
         if parts:
             yield f"{result.value}:"
         for note, entries in parts:

@@ -226,7 +226,7 @@ def test_every_bundle_is_checked(
 def test_a_part_of_a_robot_is_not_bundled(tmp_path: Path) -> None:
     text = '<robot><xacro:camera name="c"/><link name="mount"/></robot>'
     path = add_file(tmp_path / "extras.urdf", text.encode())
-    with pytest.raises(UrdfkitError, match=r"extras\.urdf: is a part"):
+    with pytest.raises(UrdfkitError, match=r"extras\.urdf: is only a part"):
         bundle(path, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -279,7 +279,7 @@ def test_a_file_outside_of_the_workspace_is_not_called_missing(robot: Path, tmp_
     add_file(tmp_path / "body.stl", ascii_stl(TRIANGLES))
     text = robot.read_text("latin-1")
     robot.write_text(re.sub(r"[^\"]*body.dae", "../../../body.stl", text), "latin-1")
-    with pytest.raises(UrdfkitError, match=r"lie outside the workspace: .*: \.\./\.\./\.\./body"):
+    with pytest.raises(UrdfkitError, match=r"are outside the workspace: .*: \.\./\.\./\.\./body"):
         bundle(robot, tmp_path / "out")
 
 

@@ -222,7 +222,7 @@ def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None
 def test_damping_of_zero_is_kept_and_nonsense_is_not(tmp_path: Path) -> None:
     _, parts = loaded(arm(LIMIT + '<dynamics damping="0" friction="-1"/>'), tmp_path / "o")
     assert parts["joint/turn/dynamics@damping"] == "kept: damping"
-    why = "lost: a friction must be a number from 0 on"
+    why = "lost: a friction must be a number of at least 0"
     assert parts["joint/turn/dynamics@friction"] == why
 
 
@@ -360,15 +360,15 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
     ("robot", "reason"),
     [
         (arm(LIMIT, tip=""), "arm.urdf:3:1: MuJoCo rejects the robot: mass and inertia"),
-        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is over the upper one"),
+        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is above the upper"),
         (arm(LIMIT.replace('"2"', '"inf"')), "joint 'turn': upper of <limit> is 'inf'; write a"),
-        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis 0 0 0 has no direction"),
+        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis is 0 0 0"),
         (arm(LIMIT, tip=INERTIAL.replace('"2"', '"2 kg"')), "value of <mass> is '2 kg'"),
         (arm(LIMIT, kind="hinge"), "joint 'turn': its type is 'hinge'"),
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
         (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
-         "<sphere> of link 'tip' has no size that is over 0"),
+         "<sphere> of link 'tip' has no size above 0"),
         (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')),
          "r.urdf:3:1: MuJoCo rejects the robot: repeated name 'world'"),
     ],

@@ -253,7 +253,7 @@ def test_a_fixed_joint_that_is_measured_is_not_merged(tmp_path: Path) -> None:
     tag = '<gazebo reference="f"><sensor name="ft" type="force_torque"/></gazebo>'
     model, parts = loaded(arm(LIMIT, more=FIXED + tag), tmp_path / "o", fixed="merge")
     assert model.body("flange").mass[0] == 2
-    opposite = "approximated: MuJoCo measures what the parent applies to the child"
+    opposite = "approximated: MuJoCo measures the load from parent to child"
     assert parts["gazebo/f/sensor/ft"].startswith(opposite)
 
 
@@ -374,7 +374,7 @@ def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
     model, parts = loaded(file, tmp_path / "o")
     assert sorted(model.geom_aabb[0, 3:].round(6)) == [0.0005, 0.5, 1]
     note = parts["link/tip/collision/geometry/mesh"]
-    assert note == "approximated: its convex hull, 1 mm thick, since it is flat"
+    assert note == "approximated: its convex hull, 1 mm thick, as the mesh is flat"
 
 
 def test_a_mesh_that_mujoco_rejects_is_named_at_its_line(tmp_path: Path) -> None:
@@ -435,7 +435,7 @@ def test_a_visual_of_one_triangle_is_lost(tmp_path: Path) -> None:
     file.write_bytes(arm(LIMIT, tip=tip).data)
     model, parts = loaded(file, tmp_path / "o")
     assert model.ngeom == 1
-    why = "lost: MuJoCo reads no mesh with fewer than 4 vertices"
+    why = "lost: MuJoCo rejects meshes with fewer than 4 vertices"
     assert parts["link/tip/visual"] == why
 
 
@@ -443,7 +443,7 @@ def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:
     tip = INERTIAL + '<visual><geometry><box size="0 0 0"/></geometry></visual>'
     model, parts = loaded(arm(LIMIT, tip=tip), tmp_path / "o")
     assert model.ngeom == 0
-    assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size that is over 0"
+    assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size above 0"
 
 
 @pytest.mark.parametrize(("kind", "bias"), [("revolute", True), ("continuous", False)])
@@ -466,9 +466,9 @@ FOLLOWER = (
 @pytest.mark.parametrize(
     ("kind", "leader", "reason"),
     [
-        ("revolute", "x", "it leads to no joint that moves by itself: the joint moves freely"),
-        ("revolute", "follow", "it leads to no joint that moves by itself"),
-        ("planar", "turn", "a planar joint follows no other joint"),
+        ("revolute", "x", "no independent joint leads it: the joint moves freely"),
+        ("revolute", "follow", "no independent joint leads it"),
+        ("planar", "turn", "a planar joint cannot follow another joint"),
         ("fixed", "turn", "a fixed joint does not move"),
     ],
 )
@@ -506,19 +506,17 @@ def test_only_what_is_written_is_kept(tmp_path: Path) -> None:
     found = convert(robot, tmp_path / "o")
     notes = [(one.part, f"{one.result.value}: {one.note}") for one in found.entries]
     parts = dict(notes)
-    assert parts["link/tip/inertial[2]"] == "lost: only the first <inertial> counts"
-    only = "lost: only the first shape of a <geometry> counts"
+    assert parts["link/tip/inertial[2]"] == "lost: only the first <inertial> is read"
+    only = "lost: only the first shape in <geometry> is read"
     assert parts["link/tip/collision/geometry/sphere"] == only
     assert [note for part, note in notes if part == "gazebo/tip/mu1"] == [
         "lost: a later <gazebo> sets the friction",
         "kept: friction",
     ]
     assert parts["gazebo/base/mu1"] == "lost: the link has no collision"
-    assert parts["gazebo/base/sensor/gps"] == (
-        "lost: urdfkit writes no sensor of MuJoCo for 'navsat'"
-    )
+    assert parts["gazebo/base/sensor/gps"] == ("lost: no MuJoCo sensor for type 'navsat'")
     assert parts["transmission/t"] == "kept: actuator for position"
-    assert parts["transmission/t@name"] == "lost: urdfkit writes nothing for it"
+    assert parts["transmission/t@name"] == "lost: urdfkit does not convert it"
 
 
 def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
@@ -533,10 +531,12 @@ def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
     (tmp_path / "arm.urdf").write_bytes(arm(LIMIT, tip=INERTIAL + collisions).data)
     _, parts = loaded(tmp_path / "arm.urdf", tmp_path / "o")
     note = parts["link/tip/collision/geometry/mesh"]
-    far = re.fullmatch(r"approximated: its convex hull collides, about (\d+) mm outside .*", note)
+    far = re.fullmatch(
+        r"approximated: collides as its convex hull, about (\d+) mm outside .*", note
+    )
     assert far is not None
     assert 300 < int(far[1]) <= 334  # the middle of the open face is a third from each plate
-    whole = "kept: its convex hull collides, which equals it"
+    whole = "kept: collides as its convex hull, which equals the mesh"
     assert parts["link/tip/collision[2]/geometry/mesh"] == whole
 
 
@@ -558,11 +558,11 @@ def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
     assert model.opt.disableflags == (
         mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_GRAVITY
     )
-    masses = "lost: it changes masses, and the conversion writes those of the robot"
+    masses = "lost: the conversion writes the masses of the robot"
     assert parts["mujoco/compiler@balanceinertia"] == masses
-    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit does not convert it"
     assert parts["mujoco/option@gravity"] == "kept: option"
-    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit does not convert it"
     assert parts["mujoco_inputs/raw_inputs/option"] == "kept: option"
     merged = "lost: mujoco_ros2_control merges it into the MJCF; urdfkit does not"
     assert parts["mujoco_inputs/raw_inputs/actuator"] == merged

@@ -56,7 +56,7 @@ def test_a_robot_with_more_joints_than_are_compared(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("urdfkit.output.conversion.mjcf_proof.MAX_OWN", MAX_JOINTS)
-    error = f"^r.urdf:1:1: {MAX_JOINTS + 1} joints move; MJCF is proved for up to {MAX_JOINTS}; "
+    error = f"^r.urdf:1:1: {MAX_JOINTS + 1} joints move; MJCF is verified for up to {MAX_JOINTS}; "
     with pytest.raises(UrdfkitError, match=error):
         convert(chain(MAX_JOINTS + 1), tmp_path / "o")
     assert not (tmp_path / "o").exists()

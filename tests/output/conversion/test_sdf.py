@@ -325,21 +325,21 @@ def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
     found = convert(robot(*parts), tmp_path / "o", to="sdf")
     results = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
     assert results["link/base"] == "kept: link"
-    assert results["link/arm"] == "approximated: frame of 'base', which it is merged into"
+    assert results["link/arm"] == "approximated: frame of 'base', into which it is merged"
     assert results["joint/arm_joint"] == "approximated: frame; the links are merged"
     assert results["link/arm/inertial/mass@value"] == "kept: part of the mass of 'base'"
     color = results["link/arm/visual/material/m/color"]
     assert color == "approximated: diffuse and ambient, 1.25 times as bright"
-    assert "a right angle, off by 0.0008 rad" in results["link/tip/visual/origin"]
+    assert "rounded to 90 degrees, off by 0.0008 rad" in results["link/tip/visual/origin"]
     assert results["gazebo/base/mu1"] == (
-        "lost: it is for a collision, and none of 'base' takes it"
+        "lost: it applies to a collision, and nothing of 'base' receives it"
     )
     assert results["gazebo/base/preserveFixedJoint"] == "lost: sdformat ignores it"
-    assert results["gazebo/nobody"] == "lost: nothing is called 'nobody'"
+    assert results["gazebo/nobody"] == "lost: no link or joint 'nobody'"
     assert results["gazebo/arm_joint"] == "lost: joint 'arm_joint' is merged or dropped"
     assert results["transmission/t"].startswith("lost: SDF has none")
     lost = [note for part, note in results.items() if part.endswith("mu2")]
-    assert lost == ["lost: it is for a collision, and none of '' takes it"]
+    assert lost == ["lost: it applies to a collision, and nothing of '' receives it"]
 
 
 REFUSED = {
@@ -352,22 +352,22 @@ REFUSED = {
     "two masses of zero": (
         child("a", "fixed", inside=MASS.replace('"2"', '"0"'))
         + child("b", "fixed", parent="a", inside=MASS.replace('"2"', '"0"')),
-        "links 'b' and 'a' have no mass together"),
+        "links 'b' and 'a' have a total mass of 0"),
     "a capsule": (
         child("a", inside=MASS + "<visual><geometry><capsule radius='1' length='1'/></geometry>"
               "</visual>"),
-        "Gazebo reads no <capsule>"),
+        "Gazebo does not read <capsule>"),
     "a colour of three numbers": (
         child("a", inside=MASS + "<visual>" + BOX
               + "<material name='m'><color rgba='1 1 1'/></material></visual>"),
         "3 numbers, not 4"),
-    "a planar joint": (child("a", "planar"), "without planar joints"),
+    "a planar joint": (child("a", "planar"), "not convert planar joints"),
     "a joint that follows itself": (
-        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "follows itself"),
-    "a frame with the name of a link": (block("<frame name='base'/>", ""), "is called 'base'"),
-    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "no number"),
-    "a number that is too large": (block("<kp>1e400</kp>"), "no number"),
-    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 elements"),
+        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "mimics itself"),
+    "a frame with the name of a link": (block("<frame name='base'/>", ""), "has the name 'base'"),
+    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "a number"),
+    "a number that is too large": (block("<kp>1e400</kp>"), "not a number"),
+    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 nested elements"),
     "a pose of three numbers": (
         ARM + sensor("imu", "<pose>1 0 0</pose>", "arm"), "not 6 numbers"),
 }  # fmt: skip

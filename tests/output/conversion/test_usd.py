@@ -123,7 +123,7 @@ def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
         "joint/turn/limit@effort": f"approximated: {stored}",
         "joint/turn/dynamics@damping": "kept: newton:damping",
         "joint/turn/safety_controller@k_velocity": f"approximated: {stored}",
-        "joint/f": "kept: place of the prim",
+        "joint/f": "kept: pose of the prim",
         "link/tip/visual/v/material/m/color": "kept: material",
         "gazebo/tip/mu1": f"lost: {stored}",
     }.items():
@@ -230,7 +230,7 @@ def test_the_name_of_the_robot_leads_nowhere(tmp_path: Path) -> None:
 
 
 def test_options_of_mjcf_are_an_error(tmp_path: Path) -> None:
-    with pytest.raises(UrdfkitError, match="are not of the format 'usd'"):
+    with pytest.raises(UrdfkitError, match="'usd' does not support base"):
         convert(read(arm(LIMIT)), tmp_path / "o", to="usd", base="free")
 
 
