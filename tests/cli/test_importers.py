@@ -84,9 +84,9 @@ def test_errors_come_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         (["--for", "mujoko"], "unknown importer 'mujoko'; did you mean 'mujoco'?"),
         (["--map", "mujoco"], "expected FROM:TO, such as isaac:mujoco"),
         (["--map", "isaac:mujoko"], "did you mean 'mujoco'?"),
-        (["--map", "gazebo:mujoco"], "gazebo finds joints by name"),
-        (["--map", "isaac:mujoco", "--for", "drake"], "leave --for out"),
-        (["--for", "gazebo,mujoco"], "--for gazebo stands alone"),
+        (["--map", "gazebo:mujoco"], "gazebo has no joint order"),
+        (["--map", "isaac:mujoco", "--for", "drake"], "cannot be combined"),
+        (["--for", "gazebo,mujoco"], "--for gazebo allows no other"),
         (["--format", "csv"], "--format csv needs --for or --map"),
     ],
 )

@@ -65,7 +65,7 @@ def test_a_robot_without_mass_is_reported_in_a_line(
     text = f'<robot name="r"><link name="a">{visual}</link></robot>'
     (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
     page = run(capsys, str(tmp_path / "r.urdf"))
-    assert page == "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some\n"
+    assert page == "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' suggests values\n"
 
 
 def test_what_is_not_known_fits_a_terminal(

@@ -134,7 +134,7 @@ def test_a_long_answer_is_read_page_by_page(
             line for line in whole if "|" not in line
         ]
         reason = await failure(client, "expand", path=MODEL, start=9999)
-        assert f"there are {len(whole)} lines" in reason
+        assert f"only {len(whole)} lines" in reason
 
     talk(workspace, conversation)
 
@@ -182,7 +182,7 @@ def test_nothing_leads_out_of_the_workspace(workspace: Path) -> None:
             assert "secret" not in await failure(client, "check", path=path)
             await failure(client, "expand", path=path)
         await failure(client, "check", path="--config=x.toml")
-        assert "is no name" in await failure(client, "explain", code="--rules=evil")
+        assert "is not a name" in await failure(client, "explain", code="--rules=evil")
         await failure(client, "check", path=MODEL, select=["--trust"])
         await failure(client, "check", path=MODEL, arguments={"--trust": ""})
         await failure(client, "trace", path=MODEL, element="--trust")
@@ -219,5 +219,5 @@ def test_without_the_sdk_it_says_what_to_install(
 
 @pytest.mark.parametrize("path", ["a\0b", "a\ud800"])
 def test_what_no_file_is_called_is_an_error(path: str, tmp_path: Path) -> None:
-    with pytest.raises(ToolError, match="no file can have such a name"):
+    with pytest.raises(ToolError, match="not a valid file name"):
         Tools(str(tmp_path), may_write=False).check(path)

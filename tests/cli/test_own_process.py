@@ -57,7 +57,7 @@ def test_neither_native_code_nor_sleep_outlasts_the_limit(work: str) -> None:
     code, out, error = end(work, "--timeout", "1.5")
     assert (code, out) == (2, "")
     where = "in urdfkit.cli.mesh.hull.command"
-    assert error == f"error: not done after 1.5 s, {where}; --timeout raises the limit\n"
+    assert error == f"error: not finished after 1.5 s, {where}; --timeout raises the limit\n"
 
 
 def test_what_was_reached_is_reported() -> None:

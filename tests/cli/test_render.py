@@ -46,7 +46,7 @@ def test_of_many_missing_meshes_some_are_named_and_the_others_counted(
     assert main(["render", str(robot), "-o", str(tmp_path / "robot.png"), *SMALL]) == 0
     notes = capsys.readouterr().err.splitlines()
     assert len(notes) == 6
-    assert notes[-1] == "note: drawn as striped boxes: 7 meshes more"
+    assert notes[-1] == "note: drawn as striped boxes: 7 more meshes"
 
 
 @pytest.mark.parametrize("suffix", ["png", "webp", "jpg"])
@@ -106,7 +106,7 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
         ([ARM, "--diff", ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--layers", "frame"], "did you mean"),
         ([ARM, "--diff"], "two files"),
-        ([ARM, "--diff", "--thumbnail", ARM], "exclude one another"),
+        ([ARM, "--diff", "--thumbnail", ARM], "cannot be combined"),
         ([ARM, "--sweep", "knee"], "no joint 'knee'"),
         ([ARM, "--diff", ARM, "--view", "all"], "only one"),
     ],

@@ -331,7 +331,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def entry(cache: Path, tmp_path: Path) -> ResultEntry:
     """One that holds, of a command line that is never checked."""
-    asked = result_cache.question(["check", "a.urdf"])
+    asked = result_cache.cache_key(["check", "a.urdf"])
     assert asked is not None
     out = (str(tmp_path / "out\n.txt"), b"a\0b\n")
     return ResultEntry(asked, 5, [("k", str(tmp_path / "none"), "-")], 1, [out])
@@ -347,7 +347,7 @@ def test_an_entry_is_repeated(entry: ResultEntry) -> None:
 
 def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
     data = encode(entry)
-    path = Path(result_entry.path_of(entry.question))
+    path = Path(result_entry.path_of(entry.key))
     path.parent.mkdir(parents=True)
     broken = [data[:size] for size in range(len(data))]
     broken += [data[:at] + b"\xff" + data[at + 1 :] for at in range(len(data))]
@@ -358,7 +358,7 @@ def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
 def test_a_pipe_in_place_of_an_entry_is_none(entry: ResultEntry) -> None:
-    path = result_entry.path_of(entry.question)
+    path = result_entry.path_of(entry.key)
     os.makedirs(os.path.dirname(path))
     os.mkfifo(path)
     assert result_cache.replay(["check", "a.urdf"]) is None
@@ -366,8 +366,8 @@ def test_a_pipe_in_place_of_an_entry_is_none(entry: ResultEntry) -> None:
 
 
 def test_an_entry_answers_one_question(entry: ResultEntry) -> None:
-    other = entry._replace(question=entry.question + b"x")
-    path = Path(result_entry.path_of(entry.question))
+    other = entry._replace(key=entry.key + b"x")
+    path = Path(result_entry.path_of(entry.key))
     path.parent.mkdir(parents=True)
     path.write_bytes(encode(other))  # of the same name, as two checksums may be
     assert result_cache.replay(["check", "a.urdf"]) is None
@@ -379,13 +379,13 @@ def test_another_version_asks_something_else(
     installed = tmp_path / "site-packages"
     installed.mkdir()
     monkeypatch.syspath_prepend(installed)
-    asked = [result_cache.question(["check", "a"])]
+    asked = [result_cache.cache_key(["check", "a"])]
     os.utime(installed, (1, 1))
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     (installed / "numpy").mkdir()
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     monkeypatch.setattr(result_cache, "__version__", "9")
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     assert len(set(asked)) == 4
 
 
@@ -393,14 +393,14 @@ def test_an_extra_that_appears_on_the_path_asks_something_else(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.syspath_prepend(tmp_path)
-    asked = result_cache.question(["check", "a"])
+    asked = result_cache.cache_key(["check", "a"])
     (tmp_path / "robot.png").touch()
-    assert result_cache.question(["check", "a"]) == asked
+    assert result_cache.cache_key(["check", "a"]) == asked
     (tmp_path / "manifold3d.cpython-311-x86_64-linux-gnu.so").touch()
-    again = result_cache.question(["check", "a"])
+    again = result_cache.cache_key(["check", "a"])
     assert again != asked
     (tmp_path / "manifold3d-3.0.1.dist-info").mkdir()
-    assert result_cache.question(["check", "a"]) not in (asked, again)
+    assert result_cache.cache_key(["check", "a"]) not in (asked, again)
 
 
 @pytest.mark.parametrize("place", ["/dev/full", "/dev/null/cache"])
@@ -434,7 +434,7 @@ def test_the_older_half_goes(
         os.utime(old, (number, number))
     result_recording.store(entry)
     left = {path.name for path in (cache / "results").iterdir()}
-    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.question)).name}
+    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.key)).name}
 
 
 def test_few_runs_look_at_all_entries(
@@ -444,7 +444,7 @@ def test_few_runs_look_at_all_entries(
     monkeypatch.setattr(result_recording, "_make_room", looks.append)
     monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 10_000)
     for number in range(200):
-        result_recording.store(entry._replace(question=b"%d" % number))
+        result_recording.store(entry._replace(key=b"%d" % number))
     written = sum(path.stat().st_size for path in (cache / "results").iterdir())
     assert written / 20_000 < len(looks) < written / 5_000
 

@@ -98,4 +98,4 @@ def test_what_cannot_be_watched(words: list[str], capsys: pytest.CaptureFixture[
 
 
 def test_a_watched_check_is_no_result_to_repeat() -> None:
-    assert result_cache.question(["check", "r.xacro", "--watch"]) is None
+    assert result_cache.cache_key(["check", "r.xacro", "--watch"]) is None

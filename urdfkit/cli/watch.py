@@ -61,7 +61,7 @@ def _checked(check: Check, values: Mapping[str, Any]) -> _Queries:
     except EOFError as error:
         process.join()
         if process.exitcode:
-            raise UrdfkitError(f"the check has died (exit code {process.exitcode})") from error
+            raise UrdfkitError(f"the check crashed (exit code {process.exitcode})") from error
         raise KeyboardInterrupt from error
     process.join()
     return queries

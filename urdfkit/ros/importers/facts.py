@@ -90,7 +90,7 @@ def facts_of(name: str) -> ImporterFacts:
     return record(ImporterFacts, data(f"importers/{name}"), name=name)
 
 
-def chosen(selected: Iterable[str]) -> tuple[ImporterFacts, ...]:
+def facts_of_all(selected: Iterable[str]) -> tuple[ImporterFacts, ...]:
     """Importers by name, without duplicates.
 
     Raises:
