@@ -261,7 +261,7 @@ def test_random_trees(tmp_path_factory: pytest.TempPathFactory, parts: str) -> N
 # What is written, without libsdformat.
 
 
-def test_a_merged_link_is_a_frame_and_gives_its_parts(tmp_path: Path) -> None:
+def test_a_merged_link_becomes_a_frame_and_keeps_its_parts(tmp_path: Path) -> None:
     extension = block("<mu1>0.5</mu1>", "arm")
     model = model_of(robot(ARM, extension, sensor("imu", "<pose>1 0 0 0 0 0</pose>", "arm")),
                      tmp_path / "o")  # fmt: skip
@@ -275,7 +275,7 @@ def test_a_merged_link_is_a_frame_and_gives_its_parts(tmp_path: Path) -> None:
     assert text(model, "link/sensor/pose") == "2 2 3 0 0 0"
 
 
-def test_a_pose_in_degrees_is_one_in_radians_once_it_is_moved(tmp_path: Path) -> None:
+def test_a_moved_pose_in_degrees_is_read_in_radians(tmp_path: Path) -> None:
     """As libsdformat 12.3 has it: it moves sensors of merged links alone."""
     pose = '<pose degrees="true">1 0 0 0 0 90</pose>'
     tags = sensor("imu", pose, "arm"), sensor("imu", pose).replace('"s"', '"own"')
@@ -285,7 +285,7 @@ def test_a_pose_in_degrees_is_one_in_radians_once_it_is_moved(tmp_path: Path) ->
     assert results["gazebo/base/sensor/own/pose"] == "kept"
 
 
-def test_a_link_without_mass_is_lost_with_all_below(tmp_path: Path) -> None:
+def test_a_massless_link_is_dropped_with_its_children(tmp_path: Path) -> None:
     made = robot(child("tip", inside=""), child("end", parent="tip"))
     found = convert(made, tmp_path / "o", to="sdf")
     results = {one.part: one.note for one in found.entries if one.result.value == "lost"}
@@ -294,7 +294,7 @@ def test_a_link_without_mass_is_lost_with_all_below(tmp_path: Path) -> None:
     assert found.counts["link"] == 1
 
 
-def test_a_follower_has_a_mimic(tmp_path: Path) -> None:
+def test_a_mimic_joint_keeps_its_mimic(tmp_path: Path) -> None:
     leader = child("left", "revolute")
     follower = child("right", "revolute").replace(
         "<axis", '<mimic joint="left_joint" multiplier="-2" offset="0.5"/><axis'
@@ -312,7 +312,7 @@ def test_joints_of_gazebo_follow_merged_links(tmp_path: Path) -> None:
     assert text(model, "joint=loop/child") == "base"
 
 
-def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
+def test_results_of_the_parts(tmp_path: Path) -> None:
     parts = (
         ARM.replace("<visual>", '<visual><material name="m"><color rgba="1 0 0 1"/></material>'),
         child("tip", "fixed", inside="<visual><origin rpy='0 1.57 0'/>" + BOX + "</visual>"),
@@ -374,7 +374,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("case", REFUSED)
-def test_what_gazebo_would_not_take_is_an_error(case: str, tmp_path: Path) -> None:
+def test_a_robot_that_gazebo_rejects_is_an_error(case: str, tmp_path: Path) -> None:
     parts, message = REFUSED[case]
     with pytest.raises(UrdfkitError, match=message) as caught:
         convert(robot(parts), tmp_path / "o", to="sdf")
@@ -398,7 +398,7 @@ def test_what_gazebo_would_not_take_is_an_error(case: str, tmp_path: Path) -> No
         ("<lower>-1<", "<lower>-2<"),
     ],
 )
-def test_a_wrong_file_does_not_hold(old: str, new: str, tmp_path: Path) -> None:
+def test_the_proof_fails_for_a_wrong_file(old: str, new: str, tmp_path: Path) -> None:
     made = robot(ARM, child("tip", "revolute"))
     convert(made, tmp_path / "o", to="sdf")
     written = (tmp_path / "o" / "model.sdf").read_text()
@@ -413,7 +413,7 @@ def test_a_wrong_file_does_not_hold(old: str, new: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("pitch", [1.57, -1.57, pi / 2, -pi / 2, 1.2])
-def test_a_pitch_near_a_right_angle_is_one(pitch: float) -> None:
+def test_a_pitch_near_90_degrees_is_rounded(pitch: float) -> None:
     roll, found, yaw = snapped_rpy(from_rpy(0.3, pitch, 0.2))
     assert found == pytest.approx(pitch if abs(pitch) < 1.5 else pi / 2 * (1 if pitch > 0 else -1))
     assert (roll == 0) == (abs(pitch) > 1.5)
