@@ -72,4 +72,4 @@ def test_the_command_line_takes_precedence(
     expected = ('select = ["CFG003", "GEO002", "MSH"]', 'targets = ["moveit"]', 'fail-on = "info"')
     assert {*expected, "width = 90", 'a = "1"'} <= set(lines)
     assert main(["check", "r.urdf", "--show-settings", "--isolated"]) == 0
-    assert "# there is no configuration file" in capsys.readouterr().out
+    assert "# no configuration file" in capsys.readouterr().out

@@ -53,11 +53,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
-        from urdfkit.cli.own_process import run_in_own_process
+        from urdfkit.cli.own_process import run_forked
 
-        return _leave(
-            guarded(lambda each: run_in_own_process(lambda: guarded(_run, each), _leave), words)
-        )
+        return _leave(guarded(lambda each: run_forked(lambda: guarded(_run, each), _leave), words))
     return _leave(guarded(_replay_or_run, words))
 
 
@@ -160,7 +158,7 @@ def fail(code: int, error: str, *more: str) -> int:
     from urdfkit.cli import output
 
     try:
-        output.print_stderr(f"error: {error}", *more)
+        output.log(f"error: {error}", *more)
     except OSError:
         pass  # standard error is closed
     return code

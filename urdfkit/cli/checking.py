@@ -190,7 +190,7 @@ def _add_ignores(values: Mapping[str, Any], settings: Options) -> int:
 
     files = options.files(values)
     if "-" in files or values["fix"]:
-        raise options.UsageError("--add-ignore takes files, not '-', and no --fix")
+        raise options.UsageError("--add-ignore cannot be combined with '-' or --fix")
     report = _with_baseline(_check(values, settings), _baseline(values), values)
     least = Severity.INFO if values["select"] else fail_on(values, settings)
     findings = [found for found in report.diagnostics if found.severity.rank <= least.rank]
@@ -286,11 +286,11 @@ def apply_fixes(
 
 def _print_fixes(fixes: Fixes) -> None:
     """Print the fixed files and the reasons for unapplied fixes to standard error."""
-    output.print_stderr(*(f"fixed {shown(file.path)}" for file in fixes.files))
+    output.log(*(f"fixed {shown(file.path)}" for file in fixes.files))
     reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
-        output.print_stderr(f"not fixed ({count}): {reason}")
+        output.log(f"not fixed ({count}): {reason}")
 
 
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:

@@ -171,10 +171,8 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     packages = resolver.packages
     root = packages.root(path)
     known = packages.known(path)
-    reason = (
-        f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
-    )
-    yield f"  packages are searched in {shown(root.directory)} ({reason})"
+    cause = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
+    yield f"  packages are searched in {shown(root.directory)} ({cause})"
     siblings = [level.root for level in packages.levels(path) if not level.inside]
     yield from (f"    and next to it, in {shown(directory)}" for directory in siblings)
     for name, directory in sorted(known.items()):

@@ -101,19 +101,19 @@ def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""
         kind = f"{message.kind}: " if message.kind else ""
-        output.print_stderr(f"{kind}{message.text}{where}")
+        output.log(f"{kind}{message.text}{where}")
     if error is None:
         return
-    output.print_stderr(*f"error: {error}".split("\n"))  # with the line breaks of xacro
+    output.log(*f"error: {error}".split("\n"))  # with the line breaks of xacro
     for problem in _errors(xacro):
-        output.print_stderr(f"{problem.span}: {problem.code} {problem.message}")
+        output.log(f"{problem.span}: {problem.code} {problem.message}")
         steps = problem.frame.steps() if problem.frame else ()
         for step in reversed(steps):
-            output.print_stderr(f"  in {step.kind} {step.name}, called at {step.span}")
+            output.log(f"  in {step.kind} {step.name}, called at {step.span}")
         for related in problem.related:
-            output.print_stderr(f"  {related.span}: {related.message}")
+            output.log(f"  {related.span}: {related.message}")
         if problem.help:
-            output.print_stderr(f"  help: {problem.help}")
+            output.log(f"  help: {problem.help}")
 
 
 def _errors(xacro: Xacro) -> Iterator[Problem]:

@@ -123,15 +123,9 @@ def _filled(text: str, indentation: str = "") -> str:
     Args:
         indentation: of all lines but the first.
     """
-    one_line = re.sub(
-        r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), " ".join(text.split())
-    )
+    line = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), " ".join(text.split()))
     width = min(output.width(), 80)
     filled = fill(
-        one_line,
-        width,
-        subsequent_indent=indentation,
-        break_long_words=False,
-        break_on_hyphens=False,
+        line, width, subsequent_indent=indentation, break_long_words=False, break_on_hyphens=False
     )
     return filled.replace(_HARD, " ")

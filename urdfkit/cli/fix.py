@@ -30,9 +30,7 @@ def _fix(**values: Any) -> int:
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         if not fixes.files and not values["quiet"]:
-            output.print_stderr(
-                _total(fixes, "would be fixed"), *_reasons(fixes)
-            )  # stdout is a patch
+            output.log(_total(fixes, "would be fixed"), *_reasons(fixes))  # stdout is a patch
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
@@ -93,12 +91,10 @@ def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
 
 def _applied(fixes: Fixes, verb: str) -> Iterator[str]:
     groups: dict[str, dict[tuple[str, str], list[Diagnostic]]] = {}
-    for diagnostic in fixes.applied:
-        assert diagnostic.fix is not None
-        path = shown(diagnostic.fix.edits[0].span.source.path)
-        groups.setdefault(path, {}).setdefault((diagnostic.code, diagnostic.fix.title), []).append(
-            diagnostic
-        )
+    for fixed in fixes.applied:
+        assert fixed.fix is not None
+        path = shown(fixed.fix.edits[0].span.source.path)
+        groups.setdefault(path, {}).setdefault((fixed.code, fixed.fix.title), []).append(fixed)
     for path, kinds in sorted(groups.items()):
         yield f"{verb} in {printable(path)}:"
         for (code, title), diagnostics in kinds.items():
@@ -117,22 +113,15 @@ def _meshes(fixes: Fixes, verb: str) -> Iterator[str]:
 
 def _left(fixes: Fixes) -> Iterator[str]:
     groups: dict[str, dict[tuple[int, str, str], list[Diagnostic]]] = {}
-    for diagnostic, reason in fixes.left:
-        key = (
-            diagnostic.severity.rank,
-            f"{diagnostic.severity.value:<7}  {diagnostic.code}  {diagnostic.name}",
-            reason,
-        )
-        groups.setdefault(shown(diagnostic.span.source.path), {}).setdefault(key, []).append(
-            diagnostic
-        )
+    for left, reason in fixes.left:
+        severity = left.severity
+        key = (severity.rank, f"{severity.value:<7}  {left.code}  {left.name}", reason)
+        groups.setdefault(shown(left.span.source.path), {}).setdefault(key, []).append(left)
     # The files with errors first.
     for path, kinds in sorted(groups.items(), key=lambda of_file: (min(of_file[1])[0], of_file[0])):
         yield f"left in {printable(path)}:"
-        for (_, finding, reason), diagnostics in sorted(kinds.items(), key=lambda kind: kind[0]):
-            yield _row(
-                finding + (f" ({_why(reason, diagnostics[0])})" if reason else ""), diagnostics
-            )
+        for (_, title, reason), findings in sorted(kinds.items(), key=lambda kind: kind[0]):
+            yield _row(title + (f" ({_why(reason, findings[0])})" if reason else ""), findings)
         yield ""
 
 

@@ -14,13 +14,7 @@ from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.ros.importers.changes import changes
-from urdfkit.ros.importers.facts import (
-    GAZEBO,
-    IMPORTERS,
-    ImporterFacts,
-    UnknownImporter,
-    facts_of_all,
-)
+from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, selected
 from urdfkit.ros.importers.imported import Imported, ImportedBody, ImportedJoint
 from urdfkit.ros.importers.index_map import IndexMap, index_map
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -61,17 +55,13 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
         if len(set(programs)) > 1 or format == "csv":
             raise UsageError("--for gazebo allows no other program, and only text or JSON")
         return gazebo.show(robot(inputs), format, old=False)
-    facts = facts_of_all(programs or IMPORTERS)
+    facts = selected(programs or IMPORTERS)
     context = robot(inputs)
     robots = [context.imported(importer.name) for importer in facts]
     if format == "csv":
         output.write("".join(_csv(robots)))
         return 0
-    errors = (
-        {importer.name: _errors(inputs, context, importer) for importer in facts}
-        if programs
-        else {}
-    )
+    errors = {item.name: _errors(inputs, context, item) for item in facts} if programs else {}
     lines = _reports(robots, errors) if programs else _overview(robots)
     output.json_or_page(format, lambda: _as_json(robots, errors), lines)
     return 0
@@ -86,7 +76,7 @@ def _map(inputs: dict[str, Any], names: list[str], pair: str, format: str) -> in
     if GAZEBO in (source, target):
         raise UsageError(f"--map {pair}: gazebo has no joint order: it finds joints by name")
     try:
-        facts_of_all((source, target))
+        selected((source, target))
     except UnknownImporter as error:
         raise UsageError(f"--map {pair}: {error}") from error
     context = robot(inputs)
@@ -106,9 +96,7 @@ def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> l
     else:
         options = options._replace(select=STRUCTURE)
     report = check(context.source, options=options)
-    return [
-        diagnostic for diagnostic in report.diagnostics if diagnostic.severity is Severity.ERROR
-    ]
+    return [error for error in report.diagnostics if error.severity is Severity.ERROR]
 
 
 def _place(span: Span) -> str:

@@ -70,12 +70,10 @@ def command(
     with progress_bar("mesh files") as bar:
         context = robot(inputs, bar)
         proposals = propose(context, mass=mass, density=density, links=links, **geometry)
-    selected = [proposal for proposal in proposals if links or proposal.is_doubtful]
+    subset = [proposal for proposal in proposals if links or proposal.is_doubtful]
     if write or diff:
-        return _write(selected, color, is_diff=diff)
-    output.json_or_page(
-        format, lambda: as_json(proposals), [*table(proposals), *proposed(selected)]
-    )
+        return _write(subset, color, is_diff=diff)
+    output.json_or_page(format, lambda: as_json(proposals), [*table(proposals), *proposed(subset)])
     return 0
 
 
@@ -111,10 +109,8 @@ def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
             if proposal.shape_mass
             else ""
         )
-        verdict = proposal.verdict + (
-            f" x{proposal.factor:.3g}" if proposal.verdict == "differs" else ""
-        )
-        rows.append(("", f"{_row(name, proposal.computed)}  {verdict}"))
+        factor = f" x{proposal.factor:.3g}" if proposal.verdict == "differs" else ""
+        rows.append(("", f"{_row(name, proposal.computed)}  {proposal.verdict}{factor}"))
     yield from output.two_columns(rows)
     for note, names in notes.items():
         yield from output.indented(f"{', '.join(names)}: {note}", first="", rest="  ")

@@ -73,42 +73,30 @@ def render(overview: Overview) -> Iterator[str]:
         yield from _entry("not shown", reason)
 
 
-def _structure(structure: Structure) -> Iterator[str]:
-    depth = (
-        f"; {counted(structure.depth, 'joint')} down to {structure.deepest}"
-        if structure.depth
-        else ""
-    )
-    roots = (
-        f"root {structure.roots[0]}"
-        if len(structure.roots) == 1
-        else f"{len(structure.roots)} roots"
-    )
-    yield from _entry("links", f"{structure.links}, {roots}{depth}")
-    if len(structure.roots) != 1:
-        yield from _entry("roots", _list(structure.roots))
-    kinds = ", ".join(
-        f"{count} {kind or 'without type'}" for kind, count in structure.joints.items()
-    )
-    yield from _entry("joints", f"{sum(structure.joints.values())}{': ' if kinds else ''}{kinds}")
-    free = f": {_list(structure.free)}" if structure.free else ""
-    yield from _entry("freedom", f"{structure.nv}{free} (nq {structure.nq}, nv {structure.nv})")
-    followers = _grouped((leader, follower) for follower, leader in structure.followers.items())
+def _structure(parts: Structure) -> Iterator[str]:
+    depth = f"; {counted(parts.depth, 'joint')} down to {parts.deepest}" if parts.depth else ""
+    roots = f"root {parts.roots[0]}" if len(parts.roots) == 1 else f"{len(parts.roots)} roots"
+    yield from _entry("links", f"{parts.links}, {roots}{depth}")
+    if len(parts.roots) != 1:
+        yield from _entry("roots", _list(parts.roots))
+    kinds = ", ".join(f"{count} {kind or 'without type'}" for kind, count in parts.joints.items())
+    yield from _entry("joints", f"{sum(parts.joints.values())}{': ' if kinds else ''}{kinds}")
+    free = f": {_list(parts.free)}" if parts.free else ""
+    yield from _entry("freedom", f"{parts.nv}{free} (nq {parts.nq}, nv {parts.nv})")
+    followers = _grouped((leader, follower) for follower, leader in parts.followers.items())
     for leader, names in list(followers.items())[:MOST]:
         verb = "follows" if len(names) == 1 else "follow"
         yield from _entry("mimic", f"{_list(names)} {verb} {leader}")
     if len(followers) > MOST:
         yield from _entry("", f"and {len(followers) - MOST} more are followed")
-    if structure.driven:
-        yield from _entry(
-            "driven", f"{len(structure.driven)} by controllers: {_list(structure.driven)}"
-        )
+    if parts.driven:
+        yield from _entry("driven", f"{len(parts.driven)} by controllers: {_list(parts.driven)}")
 
 
 def _weight(overview: Overview, pose: str) -> Iterator[str]:
     masses, whole = overview.weight.by_link, overview.weight.whole
     if not masses:
-        yield from _entry("mass", "none: no link has one")
+        yield from _entry("mass", "0 kg: no link has a mass")
         return
     shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
     of_all = f"{len(masses)} of {counted(overview.structure.links, 'link')}"
@@ -214,28 +202,28 @@ def _vector(values: Iterable[float], size: float = 0.0) -> str:
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in numbers)
 
 
-def as_json(found: Overview) -> Mapping[str, Any]:
+def as_json(overview: Overview) -> Mapping[str, Any]:
     """The summary for JSON; lengths in m, masses in kg."""
-    structure, shapes, whole = found.structure, found.shapes, found.weight.whole
+    structure, shapes, whole = overview.structure, overview.shapes, overview.weight.whole
     body = whole.properties
     return {
         "version": VERSION,
-        "name": found.name,
-        "file": found.file,
-        "xacro": found.is_xacro,
-        "targets": list(found.targets),
-        "pose": found.pose,
+        "name": overview.name,
+        "file": overview.file,
+        "xacro": overview.is_xacro,
+        "targets": list(overview.targets),
+        "pose": overview.pose,
         "structure": structure._asdict(),
         "mass": {
             "total": whole.mass,
-            "links": found.weight.by_link,
+            "links": overview.weight.by_link,
             "center": list(body.center) if body else None,
             "inertia": body.tensor._asdict() if body else None,
             "reason": whole.reason,
         },
         "box": {"low": shapes.box.low, "high": shapes.box.high} if shapes.box else None,
         "left_out": shapes.left_out,
-        "reach": found.reach._asdict() if found.reach else None,
+        "reach": overview.reach._asdict() if overview.reach else None,
         "visuals": shapes.visuals,
         "collisions": shapes.collisions,
         "mesh_files": shapes.files,
@@ -244,8 +232,8 @@ def as_json(found: Overview) -> Mapping[str, Any]:
         "missing": list(shapes.missing),
         "sensors": [
             {"name": sensor.name, "type": sensor.type, "on": sensor.reference}
-            for sensor in found.sensors
+            for sensor in overview.sensors
         ],
-        "plugins": [{"name": name, "filename": filename} for filename, name in found.plugins],
-        "skipped": list(found.skipped),
+        "plugins": [{"name": name, "filename": filename} for filename, name in overview.plugins],
+        "skipped": list(overview.skipped),
     }

@@ -32,22 +32,15 @@ def command(inputs: dict[str, Any], target: str, color: str) -> int:
         urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch
     """
     file = only_file(inputs)
-    read_options = reading(inputs, file)
+    opts = reading(inputs, file)
     source = stdin.opened(file)
-    migration = migrate(
-        source, target, read_options.arguments, read_options.packages, read_options.trust
-    )
+    migration = migrate(source, target, opts.arguments, opts.packages, opts.trust)
     if not any(migration):
-        robot = read(
-            source,
-            arguments=read_options.arguments,
-            packages=read_options.packages,
-            trust=read_options.trust,
-        )
+        robot = read(source, arguments=opts.arguments, packages=opts.packages, trust=opts.trust)
         if not robot.is_readable or not robot.model.links:
             output.note(f"{file}: has no links; macros change with the robot that calls them")
     for file, reason in migration.unread.items():
-        output.print_stderr(f"error: {file}: {reason}; see 'urdfkit check {file}'")
+        output.log(f"error: {file}: {reason}; see 'urdfkit check {file}'")
     output.write_diff("".join(render(migration, target)), color)
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 

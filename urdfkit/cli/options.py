@@ -270,7 +270,7 @@ def warn(text: str) -> None:
     disk.depends_on_more()
     from urdfkit.cli import output
 
-    output.print_stderr(f"warning: {text}")
+    output.log(f"warning: {text}")
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:

@@ -177,10 +177,10 @@ def page(lines: Iterable[str]) -> None:
 
 def note(text: str) -> None:
     """Write a note to standard error."""
-    print_stderr(f"note: {text}")
+    log(f"note: {text}")
 
 
-def print_stderr(*texts: str) -> None:
+def log(*texts: str) -> None:
     """Write lines to standard error; they are wrapped for a terminal only."""
     for text in map(printable, map(shown_text, texts)):
         if sys.stderr is not None:

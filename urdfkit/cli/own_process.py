@@ -31,7 +31,7 @@ class _Stopped(Exception):
     """The process received SIGTERM."""
 
 
-def run_in_own_process(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
+def run_forked(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
     """The exit code of a function, which runs in its own process.
 
     Args:

@@ -70,12 +70,10 @@ def command(inputs: dict[str, Any], **values: Any) -> int:
         urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg
         urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow
     """
-    files, file_count = options.files(inputs), 2 if values["diff"] else 1
-    if len(files) != file_count:
-        count_text = "two files" if file_count == 2 else "one file"
-        raise options.UsageError(
-            f"render takes {count_text}; xacro arguments are written name:=value"
-        )
+    files, count = options.files(inputs), 2 if values["diff"] else 1
+    if len(files) != count:
+        number = "two files" if count == 2 else "one file"
+        raise options.UsageError(f"render takes {number}; xacro arguments are written name:=value")
     kinds = [name for name in ("diff", "sweep", "turntable", "thumbnail") if values[name]]
     if len(kinds) > 1:
         raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} cannot be combined")

@@ -14,9 +14,7 @@ from urdfkit.lint.rules import Rule
 
 @described("rules")
 @click.argument("words", nargs=-1, metavar="[CODE]...")
-@choice(
-    "--format", "format", of=["text", "json"], help="Text table, or JSON with full explanations."
-)
+@choice("--format", "format", of=["text", "json"], help="Text table, or JSON with explanations.")
 @RULES
 def command(words: tuple[str, ...], format: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.

@@ -29,11 +29,7 @@ def shown_settings(settings: Options, fail_on: Severity) -> str:
 def _lines(settings: Options, fail_on: Severity) -> Iterator[str]:
     resolved = settings.resolved()
     config = resolved.config
-    yield (
-        f"# from {printable(shown(config.path))}"
-        if config.path
-        else "# there is no configuration file"
-    )
+    yield (f"# from {printable(shown(config.path))}" if config.path else "# no configuration file")
     yield wrap(f"select = {_listed(_rules(resolved))}", WIDTH, indent=4)
     yield f"fail-on = {_text(fail_on.value)}"
     targets = f"targets = {_listed(resolved.targets)}"
@@ -49,9 +45,7 @@ def _lines(settings: Options, fail_on: Severity) -> Iterator[str]:
     directories = {name: os.path.abspath(path) for name, path in resolved.packages.items()}
     yield from _table("packages", directories)
     yield from _table("arguments", {**config.arguments, **settings.arguments})
-    yield from _table(
-        "severity", {code: severity.value for code, severity in config.severities.items()}
-    )
+    yield from _table("severity", {code: level.value for code, level in config.severities.items()})
     for code, options in config.options.items():
         yield from _table(f"rules.{code}", options)
     yield from _of_files(config)

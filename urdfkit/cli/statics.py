@@ -108,9 +108,7 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         poses = f"zero pose only: {len(loads.loads)} joints are too many to search for the worst"
     yield f"gravity on {loads.mass:.6g} kg{payload}, {poses}"
     if loads.weightless:
-        yield from output.wrapped(
-            f"not on {', '.join(loads.weightless)}: gravity is disabled in Gazebo"
-        )
+        yield from output.wrapped(f"no gravity in Gazebo on {', '.join(loads.weightless)}")
     if not loads.loads:
         yield "no actuated joint"
         return

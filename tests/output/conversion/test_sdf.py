@@ -331,15 +331,13 @@ def test_results_of_the_parts(tmp_path: Path) -> None:
     color = results["link/arm/visual/material/m/color"]
     assert color == "approximated: diffuse and ambient, 1.25 times as bright"
     assert "rounded to 90 degrees, off by 0.0008 rad" in results["link/tip/visual/origin"]
-    assert results["gazebo/base/mu1"] == (
-        "lost: it applies to a collision, and nothing of 'base' receives it"
-    )
+    assert results["gazebo/base/mu1"] == ("lost: it applies to a collision, and 'base' has none")
     assert results["gazebo/base/preserveFixedJoint"] == "lost: sdformat ignores it"
     assert results["gazebo/nobody"] == "lost: no link or joint 'nobody'"
     assert results["gazebo/arm_joint"] == "lost: joint 'arm_joint' is merged or dropped"
-    assert results["transmission/t"].startswith("lost: SDF has none")
+    assert results["transmission/t"].startswith("lost: not in SDF")
     lost = [note for part, note in results.items() if part.endswith("mu2")]
-    assert lost == ["lost: it applies to a collision, and nothing of '' receives it"]
+    assert lost == ["lost: it applies to a collision, and '' has none"]
 
 
 REFUSED = {

@@ -24,15 +24,7 @@ from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.gazebo.drives import (
-    DrivenWheel,
-    Wheel,
-    dimension,
-    drive_of,
-    pairs,
-    wheel_of,
-    wheels,
-)
+from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, metres, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
@@ -86,7 +78,7 @@ def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     sizes = [2 * one if kind.diameter else one for one in radius]
     apart = _separations(driven)
     for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", apart)):
-        found = dimension(use, name) if name else None
+        found = metres(use, name) if name else None
         if found is None or not real:
             continue
         at, value = found

@@ -30,7 +30,9 @@ if TYPE_CHECKING:
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
 @SEED
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@option("--srdf FILE", "Write the matrix to FILE, or update the matrix in it; - prints it alone.")
+@option(
+    "--srdf FILE", "Write the matrix to FILE, or update the matrix in it; '-' prints only the SRDF."
+)
 @option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
     "--units",
@@ -61,14 +63,12 @@ def command(
         urdfkit collisions robot.urdf.xacro --compare robot.srdf
     """
     context = robot(inputs)
-    initial_pose = positions(context, inputs)
+    start = positions(context, inputs)
     srdf_to_compare = _srdf(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # MoveIt ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
     with progress_bar() as bar:
-        matrix = context.collisions.matrix(
-            begin=initial_pose, units=applied, progress=bar, **sampling
-        )
+        matrix = context.collisions.matrix(begin=start, units=applied, progress=bar, **sampling)
     from urdfkit.cli.collisions import shown
     from urdfkit.physics.collision.srdf_matrix import compare as compared
 

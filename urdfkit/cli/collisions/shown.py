@@ -180,9 +180,9 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             f"{treatment} (--units)."
         )
     for shape in matrix.omitted[:_MOST]:
-        yield f"left out: collision {shape.number + 1} of link '{shape.link}': {shape.reason}"
+        yield f"omitted: collision {shape.number + 1} of link '{shape.link}': {shape.reason}"
     if len(matrix.omitted) > _MOST:
-        yield f"left out: {len(matrix.omitted) - _MOST} more"
+        yield f"omitted: {len(matrix.omitted) - _MOST} more"
 
 
 def _frequency(pair: PairResult) -> str:

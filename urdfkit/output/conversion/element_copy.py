@@ -11,9 +11,8 @@ def copied(element: Element) -> Tag:
     stack = [(element, root)]
     while stack:
         element, parent = stack.pop()
-        tag = SubElement(
-            parent, element.tag, {name: at.value for name, at in element.attributes.items()}
-        )
+        attributes = {name: at.value for name, at in element.attributes.items()}
+        tag = SubElement(parent, element.tag, attributes)
         tag.text = element.text.strip() or None
         stack += [(child, tag) for child in reversed(element.children)]
     return root[0]

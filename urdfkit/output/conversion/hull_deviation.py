@@ -30,9 +30,7 @@ def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) 
         elif deviation <= _CONVEX:
             losses.keep(shape.at, "collides as its convex hull, which equals the mesh")
         else:
-            note = (
-                f"collides as its convex hull, about {deviation * 1e3:.3g} mm outside of the mesh"
-            )
+            note = f"collides as its convex hull, about {deviation * 1e3:.3g} mm outside the mesh"
             losses.approximate(shape.at, note)
 
 

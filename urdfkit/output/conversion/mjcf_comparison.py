@@ -98,7 +98,7 @@ def _joint(model: Any, at: int, joint: Joint) -> float:
     limit, effort_limit, dof = joint.limit, effort(joint), model.jnt_dofadr[at]
     limits = force = None
     if limit is not None and joint.kind != "continuous":
-        lower, upper = (bound.value if bound else 0.0 for bound in (limit.lower, limit.upper))
+        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
         limits = lower, max(upper, lower + NARROWEST)
     if effort_limit is not None:
         force = -effort_limit, effort_limit

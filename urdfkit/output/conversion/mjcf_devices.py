@@ -70,9 +70,8 @@ def _record(mjcf: MjcfRobot, at: Element, kind: str) -> None:
     for ancestor in (at.parent, at.parent.parent if at.parent else None):
         if ancestor is not None and ancestor.tag in _AROUND:
             mjcf.losses.keep(ancestor, note)
-            mjcf.losses.keep(
-                ancestor.child("joint") if ancestor.tag == "transmission" else None, note
-            )
+            joint = ancestor.child("joint") if ancestor.tag == "transmission" else None
+            mjcf.losses.keep(joint, note)
         elif ancestor is not None and ancestor.tag == "ros2_control":
             mjcf.losses.approximate(ancestor, "actuators for the command interfaces of joints")
 

@@ -139,10 +139,10 @@ class MjcfRobot:
             keep(at.child(tag), "pose of the body")
         if joint.kind in ONE_WAY:
             kind = _SLIDE if joint.kind == "prismatic" else _HINGE
-            mujoco_joint = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
+            mj_joint = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
-            self._limits(mujoco_joint, joint)
-            self._damping(mujoco_joint, joint)
+            self._limits(mj_joint, joint)
+            self._damping(mj_joint, joint)
         elif joint.kind == "floating":
             motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
             self._several(body, joint, motions)
@@ -163,39 +163,34 @@ class MjcfRobot:
 
     def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
         """Add several MuJoCo joints for a joint with several coordinates."""
-        for index, (kind, axis) in enumerate(motions):
-            mujoco_joint = body.add_joint(
-                name=self._joint_names.take(f"{joint.name}[{index}]"), type=kind
-            )
+        for n, (kind, axis) in enumerate(motions):
+            mj_joint = body.add_joint(name=self._joint_names.take(f"{joint.name}[{n}]"), type=kind)
             if axis is not None:
-                mujoco_joint.axis = axis
+                mj_joint.axis = axis
 
-    def _limits(self, mujoco_joint: Any, joint: Joint) -> None:
+    def _limits(self, mj_joint: Any, joint: Joint) -> None:
         limit = joint.limit
         if limit is None:
             return
         attributes = limit.at.attributes
         self.losses.keep(limit.at, "range")
-        lower, upper = (bound.value if bound else 0.0 for bound in (limit.lower, limit.upper))
+        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
         if joint.kind == "continuous":
             reason = "a continuous joint has no range"
             self.losses.lose(attributes.get("lower"), reason)
             self.losses.lose(attributes.get("upper"), reason)
         else:
-            mujoco_joint.limited, mujoco_joint.range = True, (lower, max(upper, lower + NARROWEST))
+            mj_joint.limited, mj_joint.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:
                 self.losses.approximate(limit.at, f"range of {NARROWEST:g}")
-        if effort_limit := effort(joint):
-            mujoco_joint.actfrclimited, mujoco_joint.actfrcrange = (
-                True,
-                (-effort_limit, effort_limit),
-            )
+        if bound := effort(joint):
+            mj_joint.actfrclimited, mj_joint.actfrcrange = True, (-bound, bound)
             self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
         else:
             self.losses.lose(attributes.get("effort"), "an effort of 0 or less is not a limit")
         self.losses.lose(attributes.get("velocity"), "MuJoCo does not limit velocities")
 
-    def _damping(self, mujoco_joint: Any, joint: Joint) -> None:
+    def _damping(self, mj_joint: Any, joint: Joint) -> None:
         dynamics = joint.at.child("dynamics")
         if dynamics is None:
             return
@@ -205,7 +200,7 @@ class MjcfRobot:
             value = number(attribute.value) if attribute else None
             if value is not None and value >= 0:
                 # MuJoCo's damping has three coefficients; the first one is URDF's.
-                setattr(mujoco_joint, field, (value, 0.0, 0.0) if field == "damping" else value)
+                setattr(mj_joint, field, (value, 0.0, 0.0) if field == "damping" else value)
                 self.losses.keep(attribute, field)
             else:
                 self.losses.lose(attribute, f"a {name} must be a number of at least 0")
@@ -282,11 +277,9 @@ class MjcfRobot:
 
 def merged(robot: Context) -> frozenset[str]:
     """Names of fixed joints whose links can be merged; a force-torque sensor needs a body."""
-    measured = {
-        sensor.reference for sensor in sensors(robot.model) if sensor.type == "force_torque"
-    }
+    joints = {sensor.reference for sensor in sensors(robot.model) if sensor.type == "force_torque"}
     fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
-    return frozenset(fixed - measured)
+    return frozenset(fixed - joints)
 
 
 def _inertials(

@@ -135,7 +135,7 @@ def _measured(
 
 
 def _camera(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
-    field_of_view = sensor.number("camera/horizontal_fov")
+    fov = sensor.number("camera/horizontal_fov")
     width, height = sensor.number("camera/image/width"), sensor.number("camera/image/height")
     camera = body.add_camera(
         name=mjcf.devices.take(sensor.name or sensor.reference),
@@ -147,16 +147,12 @@ def _camera(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     mjcf.losses.keep(sensor.at.child("camera"), "camera")
     if not width or not height:
         why = "MuJoCo's vertical angle requires <width> and <height> in <image>"
-        mjcf.losses.lose(field_of_view.at if field_of_view else None, why)
-    if field_of_view and width and height and width.value > 0 and height.value > 0:
-        camera.fovy = degrees(2 * atan(tan(field_of_view.value / 2) * height.value / width.value))
+        mjcf.losses.lose(fov.at if fov else None, why)
+    if fov and width and height and width.value > 0 and height.value > 0:
+        camera.fovy = degrees(2 * atan(tan(fov.value / 2) * height.value / width.value))
         camera.resolution = (round(width.value), round(height.value))
         mjcf.losses.keep(sensor.find("camera/image"), "resolution")
-        for placed, note in (
-            (field_of_view, "fovy"),
-            (width, "resolution"),
-            (height, "resolution"),
-        ):
+        for placed, note in ((fov, "fovy"), (width, "resolution"), (height, "resolution")):
             mjcf.losses.keep(placed.at, note)
 
 

@@ -65,11 +65,9 @@ class OwnDynamics:
 
     def _add(self, matrix: Floats, row: str, column: str, entry: float) -> None:
         """Add an entry of two joints to the entry of their coordinates."""
-        (first, first_factor, _), (second, second_factor, _) = self._laws[row], self._laws[column]
+        (first, left, _), (second, right, _) = self._laws[row], self._laws[column]
         if first in self._numbers and second in self._numbers:
-            matrix[self._numbers[first], self._numbers[second]] += (
-                first_factor * second_factor * entry
-            )
+            matrix[self._numbers[first], self._numbers[second]] += left * right * entry
 
     def _axes(self, pose: Mapping[str, float]) -> dict[str, Floats]:
         """Spatial axis of each joint, (6,)."""

@@ -71,16 +71,11 @@ def _unreadable_quaternion(element: Element) -> Iterator[tuple[Span, str]]:
 def _invalid(joint: Joint) -> Iterator[tuple[Span, str]]:
     if joint.kind not in JOINT_TYPES:
         kinds = ", ".join(JOINT_TYPES)
-        yield (
-            joint.at.span,
-            f"its type is '{joint.kind}', which URDF does not define; use one of {kinds}",
-        )
+        yield joint.at.span, f"its type is '{joint.kind}', not a type of URDF; use one of {kinds}"
     moves = joint.kind in (*TURNING, *SLIDING, "planar")
     if moves and joint.axis is not None and not any(joint.axis.value):
         yield joint.axis.span, "its axis is 0 0 0; write a direction"
     if moves and joint.kind != "continuous" and joint.limit is not None:
-        lower, upper = (
-            bound.value if bound else 0.0 for bound in (joint.limit.lower, joint.limit.upper)
-        )
+        lower, upper = (end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
         if lower > upper:
             yield joint.limit.at.span, "its lower limit is above the upper limit; swap them"

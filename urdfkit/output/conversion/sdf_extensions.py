@@ -199,14 +199,12 @@ def _setting(child: Element) -> str:
     if child.tag in _SWITCHES:
         return "true" if is_true(child) else "false"
     is_whole = child.tag == "maxContacts"
-    number_part, _ = leading(text, whole=is_whole)
-    number = value(number_part) if number_part else inf
+    digits, _ = leading(text, whole=is_whole)
+    number = value(digits) if digits else inf
     is_large = (
-        abs(number) > _LARGEST_INT
-        if is_whole
-        else isinf(number) and "inf" not in number_part.lower()
+        abs(number) > _LARGEST_INT if is_whole else isinf(number) and "inf" not in digits.lower()
     )
-    if not number_part or is_large:
+    if not digits or is_large:
         raise UrdfkitError(
             f"{child.span}: <{child.tag}> is not a number that Gazebo reads: its converter fails; "
             "write a number"

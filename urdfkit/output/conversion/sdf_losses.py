@@ -22,8 +22,8 @@ from urdfkit.text.document import Attribute, Element
 OTHERWISE = "sdformat does not read it"
 REASONS = {
     "texture": "sdformat reads only the colour of a material",
-    "transmission": "SDF has none; controllers read it from the URDF",
-    "ros2_control": "SDF has none; controllers read it from the URDF",
+    "transmission": "not in SDF; controllers read it from the URDF",
+    "ros2_control": "not in SDF; controllers read it from the URDF",
     "material": "no visual uses its colour",
     "color": "no visual uses its colour",
 }
@@ -128,9 +128,8 @@ def _origin(
     """Record an origin; if ``is_turned``, urdfdom rounds a pitch near 90 degrees to 90 degrees."""
     origin = at.child("origin")
     losses.keep(origin, note)
-    error = (
-        _difference(frame.rotation, from_rpy(*snapped_rpy(frame.rotation))) if is_turned else 0.0
-    )
+    rounded = from_rpy(*snapped_rpy(frame.rotation))
+    error = _difference(frame.rotation, rounded) if is_turned else 0.0
     if error > _TURNED:
         losses.approximate(origin, f"the pitch is rounded to 90 degrees, off by {error:.2g} rad")
 
@@ -192,9 +191,7 @@ def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConvers
             taker = "joint"
         elif taker and taker not in extension.takers:
             receiver = _FOR.get(taker, "the model")
-            losses.lose(
-                child, f"it applies to {receiver}, and nothing of '{reference}' receives it"
-            )
+            losses.lose(child, f"it applies to {receiver}, and '{reference}' has none")
             continue
         _keep_all(losses, child, f"of the {taker}" if taker else "as written")
         pose = child.child("pose") if child.tag in POSED else None

@@ -43,10 +43,8 @@ class SdfProof(Record):
     @property
     def holds(self) -> bool:
         is_placed = max(self.frames, self.shapes) <= LENGTH and not self.missing
-        center_bound, inertia_bound = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
-        is_heavy = (
-            self.masses <= PART and self.centers <= center_bound and self.inertia <= inertia_bound
-        )
+        center, inertia = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
+        is_heavy = self.masses <= PART and self.centers <= center and self.inertia <= inertia
         return is_placed and is_heavy and self.joints <= PART
 
     @property
@@ -81,9 +79,7 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
     for name in names:
         groups.setdefault(sdf.link_of(name), []).append(name)
     masses = [*_masses(sdf, tree, groups)]
-    mass, center, tensor = (
-        max((difference[i] for difference in masses), default=0.0) for i in range(3)
-    )
+    mass, center, tensor = (max((row[i] for row in masses), default=0.0) for i in range(3))
     shapes = [*_shapes(sdf, tree, groups)]
     return SdfProof(
         worst[0],
@@ -192,13 +188,11 @@ def _limits(tag: Element, joint: Joint) -> Iterator[float]:
     limit = axis.child("limit") if axis else None
     if joint.limit is None or limit is None or joint.kind not in (*TURNING, *SLIDING):
         return
-    ends = sorted(bound.value if bound else 0.0 for bound in (joint.limit.lower, joint.limit.upper))
-    expected = (
-        dict(zip(("lower", "upper"), ends, strict=True)) if joint.kind != "continuous" else {}
-    )
+    ends = sorted(end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
+    limits = dict(zip(("lower", "upper"), ends, strict=True)) if joint.kind != "continuous" else {}
     for name, bound in (("effort", joint.limit.effort), ("velocity", joint.limit.velocity)):
-        expected[name] = bound.value if bound else 0.0
-    for name, value in expected.items():
+        limits[name] = bound.value if bound else 0.0
+    for name, value in limits.items():
         converted = number(text(limit, name))
         yield 1.0 if converted is None else abs(converted - value) / (abs(value) or 1.0)
 

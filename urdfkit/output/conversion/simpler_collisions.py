@@ -59,4 +59,4 @@ def _separate(mesh: Mesh) -> tuple[Mesh, ...]:
 
 
 def _note(shapes: str, error: float) -> str:
-    return f"{shapes}, up to {error * 1e3:.3g} mm outside of the mesh"
+    return f"{shapes}, up to {error * 1e3:.3g} mm outside the mesh"

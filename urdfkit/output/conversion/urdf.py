@@ -72,10 +72,8 @@ def prove(written: Context, robot: Context) -> UrdfProof:
 
 
 def _texture_names(robot: Context) -> list[Attribute]:
-    elements = (element for element in robot.document.root.walk() if element.tag == "texture")
-    return [
-        element.attributes["filename"] for element in elements if "filename" in element.attributes
-    ]
+    elements = (part for part in robot.document.root.walk() if part.tag == "texture")
+    return [part.attributes["filename"] for part in elements if "filename" in part.attributes]
 
 
 def _content(
@@ -83,10 +81,8 @@ def _content(
 ) -> tuple[str, str, dict[str, str]]:
     """Tag, text and attributes of an element, without file names."""
     attributes = (like or element).attributes
-    left = {name for name, attribute in attributes.items() if id(attribute) in names}
-    values = {
-        name: attribute.value for name, attribute in element.attributes.items() if name not in left
-    }
+    left = {name for name, at in attributes.items() if id(at) in names}
+    values = {name: at.value for name, at in element.attributes.items() if name not in left}
     return element.tag, element.text.strip(), values
 
 

@@ -133,9 +133,8 @@ class _ConvertedElements:
             raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it a name")
         edits = [Edit(name.span, bundle.name)]
         for attribute in document.root.attributes.values():
-            if attribute.name == "xmlns" or (
-                ":" in attribute.name and not attribute.name.startswith("xmlns:")
-            ):
+            key = attribute.name
+            if key == "xmlns" or (":" in key and not key.startswith("xmlns:")):
                 edits += remove_attribute(attribute) or ()  # other readers ignore it
         for element in document.root.walk():
             edits += _with_rpy(element)

@@ -125,9 +125,7 @@ class Stage:
             stack = prim.GetPrimStack()
             written = next(spec for spec in stack if spec.specifier == Sdf.SpecifierDef)
             children = [prim.GetChild(spec.name) for spec in written.nameChildren]
-            prims = [
-                child for child in children if child.IsA(UsdGeom.Xformable) and child not in links
-            ]
+            prims = [p for p in children if p.IsA(UsdGeom.Xformable) and p not in links]
             yield from zip(prims, converted_shapes(link), strict=False)
 
     def forget_placements(self) -> None:
@@ -214,22 +212,14 @@ def _name(prim: Any) -> str:
 def prove(stage: Stage, robot: Context) -> UsdProof:
     """Compare a stage with a robot."""
     placed = robot.tree.frames
-    frame_error = max(
-        (stage.difference(prim, placed[name]), name) for name, prim in stage.links.items()
-    )
-    mass_error = max(_masses(stage, robot), default=(0.0, ""))
-    axis_error = max(_axes(stage, robot), default=(0.0, ""))
-    joint_error = max(_joints(stage, robot), default=(0.0, ""))
-    shape_error = max(_shape_differences(stage, robot), default=(0.0, ""))
-    bounds = zip(
-        (frame_error, mass_error, axis_error, joint_error, shape_error),
-        (LENGTH, *[PART] * 4),
-        strict=True,
-    )
+    frame = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
+    masses = max(_masses(stage, robot), default=(0.0, ""))
+    axes = max(_axes(stage, robot), default=(0.0, ""))
+    joints = max(_joints(stage, robot), default=(0.0, ""))
+    shapes = max(_shape_differences(stage, robot), default=(0.0, ""))
+    bounds = zip((frame, masses, axes, joints, shapes), (LENGTH, *[PART] * 4), strict=True)
     worst = max((difference / bound, name) for (difference, name), bound in bounds)
-    return UsdProof(
-        frame_error[0], mass_error[0], axis_error[0], joint_error[0], shape_error[0], worst[1]
-    )
+    return UsdProof(frame[0], masses[0], axes[0], joints[0], shapes[0], worst[1])
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
@@ -288,7 +278,7 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
     yield 0.0
     if joint.kind == "continuous" or joint.limit is None:
         return
-    bounds = [bound.value if bound else 0.0 for bound in (joint.limit.lower, joint.limit.upper)]
+    bounds = [end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper)]
     largest = max(*map(abs, bounds), 1e-9)
     for name, ours in zip(("lower", "upper"), bounds, strict=True):
         theirs = float(prim.GetAttribute(f"physics:{name}Limit").Get())

@@ -151,7 +151,7 @@ def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str]
     return message, "swap the joints"
 
 
-def dimension(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
+def metres(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
     """A parameter in m, located at the plugin for a default; None if unreadable.
 
     Several values, one for each pair of wheels, are unreadable unless they are equal.

@@ -63,4 +63,4 @@ def quoted(text: str) -> str:
 def corrected(text: str) -> str:
     """Replacement of a number with trailing text, as the end of a help."""
     right = text.replace(",", ".")
-    return right if number(right) is not None else "the number alone"
+    return right if number(right) is not None else "only the number"

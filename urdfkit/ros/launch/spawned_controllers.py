@@ -54,14 +54,12 @@ def manager(started: StartedProgram) -> Word | None:
 
 def manager_name(started: StartedProgram) -> str | None:
     """Full name of the controller manager that a program calls; None if unknown."""
-    given_manager = manager(started)
-    is_known = given_manager is None or bool(given_manager.text)
-    has_namespace_option = any(
-        (word.text or "").startswith("--namespace") for word in started.words
-    )
-    if started.namespace is None or not is_known or has_namespace_option:  # --namespace is of ROS 1
+    option = manager(started)
+    is_known = option is None or bool(option.text)
+    has_namespace = any((word.text or "").startswith("--namespace") for word in started.words)
+    if started.namespace is None or not is_known or has_namespace:  # --namespace is of ROS 1
         return None
-    return resolve_name(given_manager.text or "" if given_manager else MANAGER, started.namespace)
+    return resolve_name(option.text or "" if option else MANAGER, started.namespace)
 
 
 def resolve_name(name: str, namespace: str | None) -> str:
@@ -74,10 +72,8 @@ def topic_name(name: str, started: StartedProgram) -> str | None:
     if started.remappings is None or started.namespace is None:
         return None
     full_name = resolve_name(name, started.namespace)
-    new_names = {
-        resolve_name(old, started.namespace): new for old, new in started.remappings.items()
-    }
-    return resolve_name(new_names.get(full_name, full_name), started.namespace)
+    renames = {resolve_name(old, started.namespace): new for old, new in started.remappings.items()}
+    return resolve_name(renames.get(full_name, full_name), started.namespace)
 
 
 def activates(started: StartedProgram) -> bool:

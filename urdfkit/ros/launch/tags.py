@@ -104,7 +104,7 @@ def _condition(attribute: Attribute, frame: CallFrame | None) -> Iterator[Proble
         and "$(" not in outside
     ):
         message = f"<{attribute.element.tag}>: {attribute.name} is '{text}', not a boolean"
-        help = "write $(eval ...) around all of it"
+        help = "write the whole condition in $(eval ...)"
         yield Problem("LAU010", attribute.span, message, help, frame, severity=Severity.ERROR)
 
 

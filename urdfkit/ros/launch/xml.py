@@ -29,7 +29,7 @@ MAX_LEVELS = 50
 #: Most problems that are reported for a launch file.
 MAX_PROBLEMS = 1000
 #: Help for a file of another program with the suffix of a launch file.
-_FOREIGN = "leave it, or rename it: launch files are known by their names"
+_FOREIGN = "ignore this, or rename the file: launch files are recognised by name"
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
 #: Tags that apply to the nodes after them.
@@ -223,7 +223,7 @@ class _XmlReader(XmlLaunchFile):
         message = (
             f"roslaunch reads only XML, but '{os.path.basename(path)}' is a launch file of ROS 2"
         )
-        help = "include a launch file of ROS 1, or write this one for ROS 2"
+        help = "include a launch file of ROS 1, or write this file for ROS 2"
         problem = Problem("LAU010", attribute.span, message, help, self.frame)
         self.collector.problems.append(problem)
         self.collector.unread.append(path)
