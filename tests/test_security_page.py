@@ -65,7 +65,7 @@ def _has_limits(command: click.Command | None) -> bool:
         f"playground: {MOST_UNPACKED // 10**6} MB and {MOST_FILES:,} files when extracted",
         f"takes at most {Limits().seconds:g} s of processor time",
         f"adds at most {Limits().megabytes} MB to the process",
-        f"| {LIMITS['timeout'].default} s | `--timeout SECONDS` | `not done after 300 s:",
+        f"| {LIMITS['timeout'].default} s | `--timeout SECONDS` | `not finished after 300 s:",
         f"| {LIMITS['memory'].default} GiB | `--memory GIB` | `not enough memory` |",
     ],
 )

@@ -11,7 +11,7 @@ pytest.importorskip("trimesh")
 ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
-def test_it_says_what_it_wrote(
+def test_the_summary_lists_the_output(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -19,27 +19,27 @@ def test_it_says_what_it_wrote(
     assert capsys.readouterr().out == "wrote out: two_link_arm.urdf, 2 mesh files, 28 kB\n"
 
 
-def test_a_robot_that_the_program_rejects_gives_1(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_rejected_robot_exits_with_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     robot = tmp_path / "robot.urdf"
     robot.write_bytes(ARM.read_bytes().replace(b'izz="0.0054"', b'izz="5"'))
     (tmp_path / "meshes").symlink_to(ARM.parents[1] / "meshes")
     words = ["--package", f"two_link_arm={ARM.parents[1]}"]
     out = str(tmp_path / "out")
     assert main(["bundle", str(robot), "-o", out, "--for", "mujoco", *words]) == 1
-    told = capsys.readouterr().out.split("rejected by MuJoCo all the same:")[1]
+    told = capsys.readouterr().out.split("rejected by MuJoCo anyway:")[1]
     assert "INE003" in told
     assert main(["bundle", str(robot), "-o", out, "--force", *words]) == 0
 
 
-def test_what_cannot_be_written_gives_2(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unwritable_output_exits_with_2(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 0
     assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 2
     assert "--force replaces it" in capsys.readouterr().err
 
 
-def test_there_is_no_standard_output_for_a_directory(
+def test_a_directory_cannot_be_standard_output(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)

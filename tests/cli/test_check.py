@@ -118,7 +118,7 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
     assert "in crash" in err
 
 
-def test_several_files_make_one_report(check: Screen, bad: str) -> None:
+def test_several_files_are_one_report(check: Screen, bad: str) -> None:
     code, out, _ = check(bad, GOOD, "--format", "json")
     assert code == 1
     assert json.loads(out)["summary"]["files"] == [bad, shown(GOOD)]
@@ -135,7 +135,7 @@ def test_several_formats(check: Screen, bad: str, tmp_path: Path) -> None:
     assert file.read_text(encoding="utf-8") == out
 
 
-def test_nothing_is_printed_if_a_file_cannot_be_written(check: Screen, bad: str) -> None:
+def test_nothing_is_printed_if_an_output_file_cannot_be_written(check: Screen, bad: str) -> None:
     code, out, err = check(bad, "--format", "text", "--format", "json:/no/such/directory/r.json")
     assert (code, out) == (2, "")
     assert err.startswith("error: /no/such/directory/r.json: ")
@@ -157,13 +157,13 @@ def test_standard_input(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
         assert [found["path"] for found in json.loads(out)["diagnostics"]] == [name]
 
 
-def test_standard_input_has_a_bound(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_standard_input_has_a_size_limit(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("urdfkit.cli.stdin.MAX_BYTES", 2**20)
     stdin(monkeypatch, b" " * (2**20 + 1))
     assert check("-") == (2, "", "error: standard input: larger than 1 MiB\n")
 
 
-def test_what_is_asked_for_reaches_the_library(
+def test_options_reach_the_library(
     monkeypatch: pytest.MonkeyPatch, check: Screen, tmp_path: Path
 ) -> None:
     asked: list[tuple[list[object], dict[str, object]]] = []
@@ -223,7 +223,7 @@ def test_color(
     assert ("\x1b[" in check(bad, *words)[1]) is coloured
 
 
-def test_a_file_never_has_colours(check: Screen, bad: str, tmp_path: Path) -> None:
+def test_files_have_no_colours(check: Screen, bad: str, tmp_path: Path) -> None:
     check(bad, "--color", "always", "--format", f"text:{tmp_path / 'out'}")
     assert "\x1b" not in (tmp_path / "out").read_text(encoding="utf-8")
 
@@ -277,7 +277,7 @@ def test_show_files_lists_and_checks_nothing(check: Screen, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("form", ["text", "full", "concise"])
-def test_quiet_is_the_findings_alone(check: Screen, bad: str, form: str) -> None:
+def test_quiet_prints_only_findings(check: Screen, bad: str, form: str) -> None:
     words = [bad, "--select", "TRE003", "--format", form]
     _, whole, _ = check(*words)
     code, out, _ = check(*words, "--quiet")
@@ -289,7 +289,7 @@ def test_quiet_is_the_findings_alone(check: Screen, bad: str, form: str) -> None
     assert check(GOOD, "-q", "--format", form) == (0, "", "")
 
 
-def test_output_is_the_file_of_the_format(check: Screen, bad: str, tmp_path: Path) -> None:
+def test_output_option_is_the_file_of_the_format(check: Screen, bad: str, tmp_path: Path) -> None:
     file = tmp_path / "found.json"
     words = [bad, "--select", "TRE003", "--format", "json"]
     assert check(*words, "-o", str(file)) == (1, "", "")

@@ -31,7 +31,7 @@ def entries(
     return sum(path.is_file() for path in (directory / "meshes").rglob("*"))
 
 
-def test_what_was_measured_is_kept(robot: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_measures_are_cached(robot: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert entries(robot, monkeypatch) == 1
     assert entries(robot, monkeypatch) == 1
 

@@ -19,9 +19,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return directory
 
 
-def test_clean_removes_entries_and_nothing_else(
-    cache: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_clean_removes_only_entries(cache: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["clean"]) == 0
     assert capsys.readouterr().out == f"{cache}: 2 entries removed\n"
     assert [path.name for path in cache.rglob("*")] == ["notes.txt"]
@@ -54,7 +52,7 @@ def test_no_cache(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monkey
         ("win32", {"LOCALAPPDATA": "/l"}, "/l/urdfkit/Cache"),
     ],
 )
-def test_where_the_cache_is(
+def test_location_of_the_cache(
     platform: str, variables: dict[str, str], directory: str | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("XDG_CACHE_HOME", "LOCALAPPDATA", VARIABLE):

@@ -70,7 +70,7 @@ def test_markdown(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert "| base | tip | " in out
 
 
-def test_an_srdf_is_written_compared_and_brought_up_to_date(
+def test_an_srdf_is_written_compared_and_updated(
     bent: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     srdf = tmp_path / "bent.srdf"
@@ -103,14 +103,12 @@ def test_an_srdf_is_written_compared_and_brought_up_to_date(
         (["--joint", "none=1"], "no joint 'none'"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], reason: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["collisions", ARM, *FEW, *words]) == 2
     assert reason in capsys.readouterr().err
 
 
-def test_without_coal_it_says_what_is_missing(
+def test_missing_coal_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
@@ -120,7 +118,7 @@ def test_without_coal_it_says_what_is_missing(
     assert install_command("dynamics") in capsys.readouterr().err
 
 
-def test_a_urdf_is_no_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_urdf_is_not_an_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Who names the model itself keeps it as it is."""
     path = tmp_path / "gripper.urdf"
     text = (MODELS / "good" / "gripper.urdf").read_bytes()

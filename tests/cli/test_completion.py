@@ -26,7 +26,7 @@ def test_values_of_options() -> None:
     assert values("mass --link") == []
 
 
-def test_links_and_joints_of_the_robot_on_the_line() -> None:
+def test_links_and_joints_of_the_robot() -> None:
     joints = values(f"render {ARM} -o a.gif --sweep")
     assert "elbow" in joints
     assert values(f"info {ARM} --joint", "elb") == ["elbow="]
@@ -34,7 +34,7 @@ def test_links_and_joints_of_the_robot_on_the_line() -> None:
     assert values("kinematics /no/such.urdf --jacobian") == []
 
 
-def test_arguments_of_the_line_are_those_of_the_robot(tmp_path: Path) -> None:
+def test_xacro_arguments_apply_to_the_robot(tmp_path: Path) -> None:
     file = tmp_path / "r.xacro"
     file.write_text(
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -50,7 +50,7 @@ def test_views_and_layers() -> None:
 
 
 @pytest.mark.parametrize("line", ["check", "check r.urdf", "check --config", "view"])
-def test_file_names_stay(line: str) -> None:
+def test_file_names_are_completed(line: str) -> None:
     (item,) = completed(line.split(), "mod")
     assert (item.type, item.value) == ("file", "mod")
 
@@ -64,7 +64,7 @@ def test_file_names_stay(line: str) -> None:
         ("urdfkit check x", "file,x"),
     ],
 )
-def test_the_program_answers_a_shell(line: str, expected: str) -> None:
+def test_completion_request_of_a_shell(line: str, expected: str) -> None:
     last = str(len(line.split()) - 1)
     asked = {VARIABLE: "bash_complete", "COMP_WORDS": line, "COMP_CWORD": last}
     done = subprocess.run(
@@ -79,9 +79,7 @@ def test_the_program_answers_a_shell(line: str, expected: str) -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_the_script_of_a_shell_asks_the_program(
-    shell: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_script_of_a_shell(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["completion", shell]) == 0
     script = capsys.readouterr().out
     assert f"{VARIABLE}={shell}_complete" in script

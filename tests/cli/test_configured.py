@@ -94,7 +94,7 @@ def configure(robot: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_its_arguments(command: str, robot: Path, capsys) -> None:
+def test_configured_arguments(command: str, robot: Path, capsys) -> None:
     configure(robot, ONE)
     assert run(command, robot, "left") in (0, 1)
     captured = read(capsys)
@@ -103,7 +103,7 @@ def test_its_arguments(command: str, robot: Path, capsys) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_arguments_on_the_command_line_win(command: str, robot: Path, capsys) -> None:
+def test_arguments_on_the_command_line_take_precedence(command: str, robot: Path, capsys) -> None:
     for text in (ONE, TWO):
         configure(robot, text)
         assert run(command, robot, "mid", "side:=mid") in (0, 1)
@@ -123,7 +123,7 @@ def test_the_arguments_of_the_launch_file(command: str, robot: Path, capsys) -> 
     assert "left_base" in captured.out or command.startswith(MUTE)
 
 
-def test_of_two_launch_files_none_is_taken(robot: Path, capsys) -> None:
+def test_arguments_of_two_launch_files_are_ambiguous(robot: Path, capsys) -> None:
     robot.with_name("package.xml").write_text("<package><name>arms</name></package>")
     for side in ("left", "right"):
         robot.with_name(f"{side}.launch").write_text(LAUNCH.format(side))
@@ -132,7 +132,7 @@ def test_of_two_launch_files_none_is_taken(robot: Path, capsys) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_a_variant_is_asked_for(command: str, robot: Path, capsys) -> None:
+def test_a_variant_is_required(command: str, robot: Path, capsys) -> None:
     configure(robot, TWO)
     if not command.startswith(ALL):
         assert run(command, robot, "right") == 2
@@ -163,7 +163,7 @@ def test_arguments_that_no_variant_has_are_reported_once(robot: Path, capsys) ->
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_isolated_is_without_it(command: str, robot: Path, capsys) -> None:
+def test_isolated_ignores_the_configuration(command: str, robot: Path, capsys) -> None:
     configure(robot, ONE)
     code = run(command, robot, "left", "--isolated")
     assert code in (1, 2) or command.startswith(ALL)
@@ -210,7 +210,7 @@ def test_the_language_server(robot: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights")
-def test_a_robot_is_known_by_another_name(robot: Path, capsys) -> None:
+def test_a_robot_is_recognised_by_another_path(robot: Path, capsys) -> None:
     configure(robot, ONE)
     other = robot.with_name("link.xacro")
     other.symlink_to(robot)

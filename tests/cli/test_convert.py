@@ -24,7 +24,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def test_it_says_what_is_lost(capsys: pytest.CaptureFixture[str]) -> None:
+def test_losses_are_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert convert() == 0
     text = " ".join(capsys.readouterr().out.split())
     assert text.startswith(
@@ -35,7 +35,7 @@ def test_it_says_what_is_lost(capsys: pytest.CaptureFixture[str]) -> None:
     assert text.endswith("gripper.urdf:65:57, and 1 more place)")
 
 
-def test_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert convert("--format", "json", "--base", "free") == 0
     found = json.loads(capsys.readouterr().out)
     assert found["base"] == "free"
@@ -43,14 +43,14 @@ def test_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
     assert found == json.loads(Path("out/conversion.json").read_text(encoding="utf-8"))
 
 
-def test_what_is_there_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_existing_output_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
     assert convert() == 0
     assert convert() == 2
     assert "--force replaces it" in capsys.readouterr().err
     assert convert("--force") == 0
 
 
-def test_without_mujoco(
+def test_missing_mujoco_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for module in [name for name in sys.modules if name.startswith("urdfkit.output.conversion.")]:

@@ -52,7 +52,7 @@ def test_the_centre_of_mass_fits_a_terminal(
         (["--tolerance", "limit=100"], 0),
     ],
 )
-def test_what_makes_it_fail(new: str, words: list[str], code: int) -> None:
+def test_fail_on(new: str, words: list[str], code: int) -> None:
     assert main(["diff", OLD, new, *words]) == code
 
 
@@ -63,7 +63,7 @@ def test_the_suffix_is_the_format(new: str, tmp_path: Path) -> None:
     assert (tmp_path / "d.md").read_text().startswith("### urdfkit diff\n")
 
 
-def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
+def test_the_configuration_applies_to_both(new: str, tmp_path: Path) -> None:
     inverted = Path(new).read_text().replace('lower="0"', 'lower="9"')
     Path(new).write_text(inverted)
     assert main(["diff", OLD, new, "--fail-on", "findings"]) == 1
@@ -85,9 +85,7 @@ def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
         ([OLD, OLD, "--tolerance", "links=1"], "--tolerance links=1: write one of mass"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["diff", *words]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
@@ -106,7 +104,7 @@ def test_html_in_chinese(new: str, tmp_path: Path, capsys: pytest.CaptureFixture
 
 
 @pytest.mark.parametrize("kind", ["html", "markdown"])
-def test_a_page_names_no_directory_of_the_machine(tmp_path, capsys, kind):
+def test_a_page_contains_no_local_directory(tmp_path, capsys, kind):
     (tmp_path / ".git").mkdir()
     for name, mass in (("a", 1), ("b", -2)):
         (tmp_path / f"{name}.urdf").write_text(

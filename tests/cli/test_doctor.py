@@ -43,7 +43,7 @@ def doctor(
     return Doctor(capsys)
 
 
-def test_what_is_installed_and_set(doctor: Doctor, monkeypatch) -> None:
+def test_installed_packages_and_environment(doctor: Doctor, monkeypatch) -> None:
     monkeypatch.setenv("ROS_DISTRO", "jazzy")
     out = doctor()
     first = out.partition("\n")[0]
@@ -66,7 +66,7 @@ def nothing_installed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("nothing_installed")
-def test_what_is_missing_is_reported_with_the_fix(doctor: Doctor) -> None:
+def test_missing_packages_are_reported_with_the_install_command(doctor: Doctor) -> None:
     out = doctor()
     assert f"  {'pin':<21}missing       dynamics\n{'':<23}{install_command('dynamics')}\n" in out
 
@@ -80,7 +80,7 @@ def test_it_fits_in_80_columns(doctor: Doctor, monkeypatch) -> None:
     assert max(map(len, doctor().splitlines())) <= 80
 
 
-def test_every_library_that_an_extra_brings_is_listed(doctor: Doctor) -> None:
+def test_every_library_of_an_extra_is_listed(doctor: Doctor) -> None:
     """By what pyproject.toml says; only the extras of developers are no concern of users."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     wanted = {
@@ -93,7 +93,7 @@ def test_every_library_that_an_extra_brings_is_listed(doctor: Doctor) -> None:
     assert wanted - {"urdfkit"} <= rows
 
 
-def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> None:
+def test_the_configuration_is_shown(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "urdfkit.toml").write_text("")
     (tmp_path / "other.toml").write_text("")
     assert doctor().endswith("configuration: urdfkit.toml\n")
@@ -119,7 +119,7 @@ def test_targets_are_reported_with_the_reason(doctor: Doctor, tmp_path: Path) ->
     assert "did you mean 'mujoco'" in doctor(file, "--target", "mojoco", code=2)
 
 
-def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
+def test_packages_of_the_command_line(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     out = doctor("r.urdf", "--package", "my_parts=parts")
@@ -131,7 +131,7 @@ def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("gazebo_pkg")
-def test_where_packages_come_from(
+def test_directories_of_packages(
     doctor: Doctor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
@@ -148,7 +148,7 @@ def test_where_packages_come_from(
     ) in doctor(file)
 
 
-def test_rules_that_do_not_run_are_reported_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
+def test_skipped_rules_are_reported_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text("<robot")
     out = doctor("r.urdf")
     assert "  TRE003 skipped: the description cannot be read\n" in out
@@ -178,7 +178,7 @@ def test_a_directory_is_reported_by_its_robots(doctor: Doctor, tmp_path: Path) -
     )
 
 
-def test_what_cannot_be_read(doctor: Doctor) -> None:
+def test_unreadable_files(doctor: Doctor) -> None:
     assert doctor("none.urdf", code=2).startswith("error: none.urdf: file not found")
 
 

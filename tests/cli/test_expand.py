@@ -40,7 +40,7 @@ def test_expand_stops_where_xacro_stops(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(["expand", str(robot), "p:=b_"]) == 0
 
 
-def test_expand_makes_the_directory_of_its_output_unless_a_file_is_in_the_way(
+def test_expand_creates_the_output_directory_unless_a_file_exists_there(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["expand", GOOD, "-o", str(tmp_path / "new" / "r.urdf")]) == 0

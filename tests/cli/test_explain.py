@@ -13,7 +13,7 @@ def test_a_rule_is_found_by_code_and_by_name(word: str, capsys: pytest.CaptureFi
     assert capsys.readouterr().out == render(rule_index.get("TRE003"))
 
 
-def test_several_rules_are_explained_one_after_the_other(
+def test_several_rules(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert main(["explain", "TRE003", "TRE001"]) == 0
@@ -21,7 +21,7 @@ def test_several_rules_are_explained_one_after_the_other(
     assert reported == f"{render(rule_index.get('TRE003'))}\n\n{render(rule_index.get('TRE001'))}"
 
 
-def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_family_is_not_a_rule(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "msh"]) == 2
     assert "a rule family (mesh files)" in capsys.readouterr().err
 
@@ -37,7 +37,7 @@ def test_the_page_of_a_rule() -> None:
     assert tuple(map(str.strip, sources)) == rule_index.get("TRE003").sources
 
 
-def test_short_files_beside_the_examples_are_shown_and_meshes_are_not() -> None:
+def test_short_example_files_are_shown_and_meshes_are_not() -> None:
     assert '\n\nbad.srdf in the same package:\n\n    <robot name="bad">\n' in render(
         rule_index.get("SRD004")
     )
@@ -69,14 +69,14 @@ def test_every_rule_can_be_explained(code: str) -> None:
     assert [span for span in code_spans if span not in page] == [], "broken between lines"
 
 
-def test_paragraphs_fit_80_columns_and_lists_stay() -> None:
+def test_paragraphs_fit_80_columns_and_lists_are_unchanged() -> None:
     rule = rule_index.get("TRE003")
     page = render(rule)
     prose = page[: page.index("\n\nBad:")]
     assert max(map(len, prose.splitlines())) <= 80
 
 
-def test_severities_of_targets_are_gathered() -> None:
+def test_severities_of_targets_are_grouped() -> None:
     page = render(rule_index.get("INE014"))
     assert "warning for " in " ".join(page.split()[:12])
     assert render(rule_index.get("GAZ012")).startswith(
@@ -84,14 +84,14 @@ def test_severities_of_targets_are_gathered() -> None:
     )
 
 
-def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
+def test_a_good_robot_equal_to_the_fixed_robot_is_shown_once() -> None:
     assert "\n\nGood, after the fix:\n" in render(rule_index.get("GAZ001"))
     assert "\n\nFixed:\n" not in render(rule_index.get("GAZ001"))
     page = render(rule_index.get("GAZ010"))
     assert page.index("\n\nGood:\n") < page.index("\n\nFixed:\n")
 
 
-def test_what_a_rule_needs_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
+def test_needs_of_a_rule(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "SRD009"]) == 0
     needs = "Needs: a readable robot model, an SRDF of the robot, coal (extra 'dynamics')"
     assert needs in " ".join(capsys.readouterr().out.split())

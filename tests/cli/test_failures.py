@@ -17,7 +17,7 @@ from urdfkit.cli import checking, main
 from urdfkit.lint import rule_index
 
 
-def test_an_exception_of_ours_asks_to_report_it(
+def test_an_internal_error_asks_for_a_report(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fail(*_: object, **__: object) -> None:
@@ -104,7 +104,7 @@ def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
     ],
     ids=["disk", "memory", "system"],
 )
-def test_a_machine_that_is_full_is_no_bug(
+def test_lack_of_memory_is_not_a_bug(
     error: Exception,
     message: str,
     monkeypatch: pytest.MonkeyPatch,
@@ -118,7 +118,7 @@ def test_a_machine_that_is_full_is_no_bug(
     assert capsys.readouterr().err == message
 
 
-def test_a_rule_that_lacks_memory_is_no_bug(
+def test_lack_of_memory_in_a_rule_is_not_a_bug(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fail(*_: object) -> None:

@@ -16,7 +16,7 @@ def robot(gazebo_pkg: Path) -> Path:
     return gazebo_pkg / "urdf" / "waking_robot_new.xacro"
 
 
-def test_the_summary_says_what_was_fixed_what_is_left_and_why(
+def test_the_summary_lists_fixes_and_remaining_findings(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = ["fix", str(robot), "--select", "JNT,JNT020,INE008,GAZ045,XAC007"]
@@ -46,7 +46,7 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
     assert "0 fixed in 0 files, 4 left\n" in capsys.readouterr().out
 
 
-def test_an_info_is_fixed_only_where_its_code_is_given(
+def test_an_info_is_fixed_only_if_its_code_is_selected(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for words in ([], ["--select", "JNT"], ["--select", "JNT,INE", "--unsafe-fixes"]):
@@ -64,9 +64,7 @@ def test_an_info_is_fixed_only_where_its_code_is_given(
     assert "Fixes of infos need --select JNT020\n" in out
 
 
-def test_a_check_counts_what_fix_would_write(
-    robot: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_check_counts_fixable_findings(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     robot.write_text(robot.read_text().replace("<robot", "<!-- do not edit -->\n<robot", 1))
     assert main(["check", str(robot), "--select", "JNT020,RCT029"]) == 1
     out = capsys.readouterr().out
@@ -87,7 +85,7 @@ def test_a_diff_writes_nothing(robot: Path, capsys: pytest.CaptureFixture[str]) 
     assert capsys.readouterr().out == ""
 
 
-def test_a_diff_of_nothing_says_what_is_left(
+def test_an_empty_diff_reports_remaining_findings(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["fix", "--diff", str(robot), "--select", "RCT029"]) == 0
@@ -99,7 +97,7 @@ def test_a_diff_of_nothing_says_what_is_left(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such modes")
-def test_a_diff_of_nothing_says_why(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_empty_diff_reports_the_reasons(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     robot.chmod(0o444)
     assert main(["fix", "--diff", str(robot), "--select", "JNT020"]) == 0
     out, err = capsys.readouterr()
@@ -107,7 +105,7 @@ def test_a_diff_of_nothing_says_why(robot: Path, capsys: pytest.CaptureFixture[s
     assert "\nnot fixable: 3 (the file is read-only" in err
 
 
-def test_check_fixes_and_reports_what_is_left(
+def test_check_fixes_and_reports_remaining_findings(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     before = robot.read_text()
@@ -129,16 +127,14 @@ def test_check_fixes_and_reports_what_is_left(
         (["fix", "no.urdf"], "no.urdf: file not found"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(words) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert error in captured.err
 
 
-def test_a_file_that_may_not_be_written_is_an_error(
+def test_an_unwritable_file_is_an_error(
     robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def full(*_: object) -> None:
@@ -152,7 +148,7 @@ def test_a_file_that_may_not_be_written_is_an_error(
     assert [path.name for path in robot.parent.iterdir()] == [robot.name]
 
 
-def test_missing_meshes_are_made(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_missing_meshes_are_generated(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("trimesh")
     mesh = robot.parents[1] / "meshes" / "hokuyo.dae"
     words = ["fix", str(robot), "--generate-meshes", "--select", "MSH", "--fail-on", "info"]
@@ -166,7 +162,7 @@ def test_missing_meshes_are_made(robot: Path, capsys: pytest.CaptureFixture[str]
     assert main(["check", str(robot), "--select", "MSH", "--fail-on", "info"]) == 0
 
 
-def test_meshes_of_other_workspaces_are_not_made(
+def test_meshes_of_other_workspaces_are_not_generated(
     robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("trimesh")

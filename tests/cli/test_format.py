@@ -17,7 +17,7 @@ def robot(tmp_path: Path) -> Path:
     return file
 
 
-def test_a_file_is_laid_out_once(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_formatted_file_is_unchanged(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["format", str(robot)]) == 0
     assert robot.read_text() == NEAT
     captured = capsys.readouterr()
@@ -38,7 +38,7 @@ def test_checking_writes_nothing(
     assert ('+  <link name="a"/>\n' in captured.out) is (option == "--diff")
 
 
-def test_a_diff_has_colours_where_it_is_no_patch(
+def test_a_redirected_diff_has_colours_only_if_always(
     robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("FORCE_COLOR", "1")  # as CI servers do
@@ -51,7 +51,7 @@ def test_a_diff_has_colours_where_it_is_no_patch(
     assert re.sub(r"\x1b\[\d+m", "", colored) == plain
 
 
-def test_one_bad_file_does_not_hide_the_others(
+def test_a_failed_file_does_not_stop_the_others(
     robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     bad = tmp_path / "bad.urdf"

@@ -11,7 +11,7 @@ from urdfkit.cli import main
 MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 
 
-def test_the_table_tells_the_fate_of_every_link(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_has_the_result_of_every_link(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["gazebo", MODEL]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("10 links become 5")
@@ -36,16 +36,14 @@ def test_json_has_the_merged_properties(capsys: pytest.CaptureFixture[str]) -> N
 
 
 @pytest.mark.parametrize("words", [["no.urdf"], [MODEL, MODEL]])
-def test_what_cannot_be_done_is_said(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_usage_errors(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["gazebo", *words]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("error: ")
 
 
-def test_names_are_aligned_and_do_not_steer_the_terminal(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_names_are_aligned_and_escaped(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     links = "".join(
         f'<link name="{name}"><inertial><mass value="1"/></inertial></link>'
         for name in ("底盘", "a\u202eb")

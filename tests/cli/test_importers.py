@@ -34,7 +34,7 @@ def test_one_program(capsys: pytest.CaptureFixture[str]) -> None:
     assert "    1    1  elbow" in out
 
 
-def test_json_has_places(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_has_locations(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["importers", ARM, "--for", "pybullet,isaac", "--format", "json"]) == 0
     first, second = json.loads(capsys.readouterr().out)["importers"]
     assert (first["name"], second["name"]) == ("pybullet", "isaac")
@@ -60,7 +60,7 @@ def test_maps(capsys: pytest.CaptureFixture[str]) -> None:
     assert (found["joints"], found["indices"]) == (["shoulder", "elbow"], [0, 1])
 
 
-def test_gazebo_is_the_older_command(capsys: pytest.CaptureFixture[str]) -> None:
+def test_gazebo_is_the_gazebo_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["gazebo", ARM]) == 0
     expected = capsys.readouterr().out
     assert main(["importers", ARM, "--for", "gazebo"]) == 0
@@ -84,12 +84,12 @@ def test_errors_come_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         (["--for", "mujoko"], "unknown importer 'mujoko'; did you mean 'mujoco'?"),
         (["--map", "mujoco"], "expected FROM:TO, such as isaac:mujoco"),
         (["--map", "isaac:mujoko"], "did you mean 'mujoco'?"),
-        (["--map", "gazebo:mujoco"], "gazebo finds joints by name"),
-        (["--map", "isaac:mujoco", "--for", "drake"], "leave --for out"),
-        (["--for", "gazebo,mujoco"], "--for gazebo stands alone"),
+        (["--map", "gazebo:mujoco"], "gazebo has no joint order"),
+        (["--map", "isaac:mujoco", "--for", "drake"], "cannot be combined"),
+        (["--for", "gazebo,mujoco"], "--for gazebo allows no other"),
         (["--format", "csv"], "--format csv needs --for or --map"),
     ],
 )
-def test_wrong_words(words: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_usage_errors(words: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["importers", ARM, *words]) == 2
     assert message in capsys.readouterr().err

@@ -59,6 +59,6 @@ def test_a_material(capsys: pytest.CaptureFixture[str]) -> None:
         ["--material", "butter"],
     ],
 )
-def test_what_makes_no_sense_is_said(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_usage_errors(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["inertia", str(MISSION), *words]) == 2
     assert capsys.readouterr().err.startswith("error: ")

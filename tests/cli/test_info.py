@@ -29,14 +29,14 @@ def test_a_pose_moves_the_centre(capsys: pytest.CaptureFixture[str]) -> None:
     assert document["pose"] == {"shoulder": pytest.approx(1.5707963267948966)}
 
 
-def test_a_pose_beyond_the_limits_is_taken_and_reported(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_pose_beyond_the_limits_is_used_and_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["info", ARM, "--joint", "elbow=2"]) == 0
     captured = capsys.readouterr()
     assert captured.err == "note: joint 'elbow' at 2 rad is outside its limits -1.9 to 1.9 rad\n"
     assert "at the given pose" in captured.out
 
 
-def test_many_sensors_and_plugins_are_counted_by_kind(
+def test_many_sensors_and_plugins_are_counted_by_type(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     sensors = "".join(
@@ -57,9 +57,7 @@ def test_many_sensors_and_plugins_are_counted_by_kind(
     assert "links       2, 0 roots\n" in page
 
 
-def test_a_name_that_occurs_often_is_reported_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_repeated_name_is_listed_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     plugins = '<plugin name="same" filename="libx.so"/><plugin name="other" filename="libx.so"/>'
     text = f'<robot name="r"><link name="a"/><gazebo>{plugins * 4}</gazebo></robot>'
     (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
@@ -67,7 +65,7 @@ def test_a_name_that_occurs_often_is_reported_once(
     assert "plugin      libx.so: same (4x), other (4x)\n" in capsys.readouterr().out
 
 
-def test_a_corner_that_is_but_rounding_is_zero(
+def test_a_corner_within_rounding_is_zero(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     box = '<origin xyz="0.1 0.1 0.0500000000001"/><geometry><box size="0.2 0.2 0.1"/></geometry>'
@@ -77,7 +75,7 @@ def test_a_corner_that_is_but_rounding_is_zero(
     assert "0.2 x 0.2 x 0.1 m, from 0 0 0 to 0.2 0.2 0.1\n" in capsys.readouterr().out
 
 
-def test_a_robot_that_cannot_be_read_says_why(
+def test_an_unreadable_robot_is_reported_with_the_reason(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "r.xacro"
@@ -106,16 +104,14 @@ def test_a_robot_that_cannot_be_read_says_why(
         ([ARM, "--pose", "ready"], "no pose file 'ready'"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], reported: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], reported: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["info", *words]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert reported in captured.err
 
 
-def test_the_first_error_is_reported_not_a_warning_before_it(
+def test_the_first_error_is_reported_not_an_earlier_warning(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "robot.xacro"
@@ -129,7 +125,7 @@ def test_the_first_error_is_reported_not_a_warning_before_it(
     assert "more" not in reported
 
 
-def test_instead_of_a_directory_its_robots_are_named(
+def test_robots_of_a_directory_are_suggested(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2
@@ -148,7 +144,7 @@ def test_instead_of_a_directory_its_robots_are_named(
         ("side:=left", ""),
     ],
 )
-def test_an_argument_that_nothing_reads_is_reported(
+def test_an_unknown_argument_is_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], given: str, note: str
 ) -> None:
     robot = tmp_path / "r.xacro"
@@ -167,7 +163,7 @@ def test_an_argument_that_nothing_reads_is_reported(
     assert bool(note) == ("No robot here has an argument" in out)
 
 
-def test_another_format_is_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_another_format_is_not_a_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "world.sdf").write_text('<sdf version="1.8"><world name="w"/></sdf>')
     assert main(["info", str(tmp_path / "world.sdf")]) == 2
     assert "the root element is <sdf>, not <robot>" in capsys.readouterr().err

@@ -29,7 +29,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_every_robot_with_the_arguments_it_needs(project: Path, capsys) -> None:
+def test_every_robot_with_its_required_arguments(project: Path, capsys) -> None:
     assert main(["init"]) == 0
     assert capsys.readouterr().out == "wrote ./urdfkit.toml: 2 robots\n"
     assert (
@@ -57,7 +57,7 @@ file = "urdf/base.urdf"
     )
 
 
-def test_what_is_written_is_a_configuration(project: Path, capsys) -> None:
+def test_the_output_is_a_configuration(project: Path, capsys) -> None:
     main(["init"])
     text = (project / "urdfkit.toml").read_text()
     (project / "urdfkit.toml").write_text(text.replace('side = ""', 'side = "left"'))
@@ -78,7 +78,7 @@ def test_what_is_written_is_a_configuration(project: Path, capsys) -> None:
     assert config.targets == ("ros2", "gz-harmonic")
 
 
-def test_the_targets_that_the_robots_give_away(project: Path, capsys) -> None:
+def test_detected_targets(project: Path, capsys) -> None:
     shutil.copytree(MODELS / "gazebo_pkg", project / "gazebo_pkg")
     assert main(["init", "gazebo_pkg", "--print"]) == 0
     out = capsys.readouterr().out
@@ -90,7 +90,7 @@ def test_the_targets_that_the_robots_give_away(project: Path, capsys) -> None:
 @pytest.mark.parametrize(
     ("name", "text"), [("urdfkit.toml", "# mine"), ("pyproject.toml", "[tool.urdfkit]\n")]
 )
-def test_a_configuration_that_exists_is_left_alone(
+def test_an_existing_configuration_is_unchanged(
     name: str, text: str, project: Path, capsys
 ) -> None:
     (project / name).write_text(text)
@@ -105,7 +105,7 @@ def test_a_configuration_that_exists_is_left_alone(
     assert main(["init", "urdf"]) == 0, "another directory has none"
 
 
-def test_another_tools_pyproject_is_no_configuration(project: Path) -> None:
+def test_a_pyproject_of_another_tool_is_not_a_configuration(project: Path) -> None:
     (project / "pyproject.toml").write_text("[tool.ruff]\n")
     assert main(["init"]) == 0
 
@@ -118,7 +118,7 @@ def test_a_directory_without_robots(project: Path, capsys) -> None:
     assert not (project / "empty" / "urdfkit.toml").exists()
 
 
-def test_odd_names_are_written_as_toml_wants_them(tmp_path: Path) -> None:
+def test_unusual_names_are_quoted_in_toml(tmp_path: Path) -> None:
     file = tmp_path / 'a "b" \\ é.xacro'
     file.write_text(ARM.replace("scale", "größe.x"))
     assert main(["init", str(tmp_path)]) == 0
@@ -128,7 +128,7 @@ def test_odd_names_are_written_as_toml_wants_them(tmp_path: Path) -> None:
     assert robot.file == str(file)
 
 
-def test_it_writes_through_no_link(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_symbolic_link_is_not_followed(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (project / "urdfkit.toml").symlink_to(project.parent / "outside.toml")
     assert main(["init"]) == 2
     assert "./urdfkit.toml: a link whose target does not exist" in capsys.readouterr().err

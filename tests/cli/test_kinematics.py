@@ -65,7 +65,7 @@ def test_many_columns_of_a_jacobian_fit_a_terminal(
     assert max(map(len, lines)) <= 80
 
 
-def test_a_large_mass_matrix_comes_in_groups_of_columns(
+def test_a_large_mass_matrix_is_printed_in_groups_of_columns(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("pinocchio")
@@ -82,7 +82,7 @@ def test_a_large_mass_matrix_comes_in_groups_of_columns(
     assert first == 1
 
 
-def test_the_frames_of_several_roots_are_apart(capsys: pytest.CaptureFixture[str]) -> None:
+def test_frames_of_several_roots_are_separate(capsys: pytest.CaptureFixture[str]) -> None:
     path = "-"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(TWO.encode())))
@@ -95,7 +95,7 @@ def test_the_frames_of_several_roots_are_apart(capsys: pytest.CaptureFixture[str
     assert [line.split()[0] for line in lines] == ["frames", "a", "b", "frames", "c"]
 
 
-def test_without_pinocchio_frames_are_there_and_matrices_say_what_is_missing(
+def test_frames_need_no_pinocchio_and_matrices_report_it(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)

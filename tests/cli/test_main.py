@@ -53,7 +53,7 @@ def test_a_file_without_permission(tmp_path: Path, capsys: pytest.CaptureFixture
     ],
     ids=["empty", "blank", "bytes", "elf", "utf-16", "mark-16", "mark-8", "encoding", "deep"],
 )
-def test_rubbish_is_a_finding(
+def test_an_invalid_file_is_a_finding(
     data: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "robot.urdf"
@@ -77,7 +77,7 @@ def test_a_robot_in_utf_16_is_read_as_in_utf_8(
     assert outputs[0] == outputs[1]
 
 
-def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
+def test_an_undecodable_file_name(tmp_path: Path) -> None:
     name = os.fsencode(tmp_path) + b"/\xff.urdf"
     try:
         with open(name, "wb") as file:

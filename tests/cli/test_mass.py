@@ -36,7 +36,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert wheel["principal_axes"] == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
 
 
-def test_csv_has_a_line_for_each_link_and_one_for_the_whole(
+def test_csv_has_a_line_for_each_link_and_the_total(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     rows = list(csv.DictReader(io.StringIO(run(capsys, GRIPPER, "--format", "csv"))))
@@ -65,12 +65,10 @@ def test_a_robot_without_mass_is_reported_in_a_line(
     text = f'<robot name="r"><link name="a">{visual}</link></robot>'
     (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
     page = run(capsys, str(tmp_path / "r.urdf"))
-    assert page == "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some\n"
+    assert page == "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' suggests values\n"
 
 
-def test_what_is_not_known_fits_a_terminal(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_unknown_values_fit_a_terminal(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     names = [f"a_frame_with_a_name_{number}" for number in range(8)]
     links = "".join(
         f'<link name="{name}"><inertial><mass value="1"/></inertial></link>' for name in names
@@ -84,7 +82,7 @@ def test_what_is_not_known_fits_a_terminal(
     assert all(line == line.rstrip() for line in lines)
 
 
-def test_long_names_stand_above_their_numbers(
+def test_long_names_are_above_their_numbers(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     text = Path(GRIPPER).read_text(encoding="utf-8").replace("left_finger", "left_finger" * 3)
@@ -95,7 +93,7 @@ def test_long_names_stand_above_their_numbers(
     assert lines[at + 1].split()[:2] == ["0.03", "5.4%"]
 
 
-def test_a_total_without_a_centre_says_why(
+def test_a_total_without_a_centre_has_a_reason(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     text = link("a", inertial(2, (1, 1, 1))) + link("b", inertial(3, (1, 1, 1)))

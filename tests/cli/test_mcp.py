@@ -77,7 +77,7 @@ async def failure(client: Client, tool: str, **words: Any) -> str:
     return content.text
 
 
-def test_what_reads(workspace: Path) -> None:
+def test_reading_tools(workspace: Path) -> None:
     async def conversation(client: Client) -> None:
         tools = {tool.name: tool for tool in (await client.list_tools()).tools}
         assert set(tools) == {"check", "explain", "trace", "expand", "fix", "render"}
@@ -134,7 +134,7 @@ def test_a_long_answer_is_read_page_by_page(
             line for line in whole if "|" not in line
         ]
         reason = await failure(client, "expand", path=MODEL, start=9999)
-        assert f"there are {len(whole)} lines" in reason
+        assert f"only {len(whole)} lines" in reason
 
     talk(workspace, conversation)
 
@@ -164,7 +164,7 @@ def test_a_fix_is_a_diff_until_writing_is_allowed(workspace: Path) -> None:
     assert file.read_bytes() != before
 
 
-def test_nothing_leads_out_of_the_workspace(workspace: Path) -> None:
+def test_files_outside_the_workspace_are_rejected(workspace: Path) -> None:
     # A repository that is larger than the directory that was given.
     (workspace.parent / ".git").mkdir()
     (workspace.parent / "shared.xacro").write_text(
@@ -182,7 +182,7 @@ def test_nothing_leads_out_of_the_workspace(workspace: Path) -> None:
             assert "secret" not in await failure(client, "check", path=path)
             await failure(client, "expand", path=path)
         await failure(client, "check", path="--config=x.toml")
-        assert "is no name" in await failure(client, "explain", code="--rules=evil")
+        assert "is not a name" in await failure(client, "explain", code="--rules=evil")
         await failure(client, "check", path=MODEL, select=["--trust"])
         await failure(client, "check", path=MODEL, arguments={"--trust": ""})
         await failure(client, "trace", path=MODEL, element="--trust")
@@ -205,7 +205,7 @@ def test_modules_of_the_workspace_are_not_imported(workspace: Path) -> None:
     assert Tools(str(workspace), may_write=False).explain("MSH001").startswith("MSH001")
 
 
-def test_without_the_sdk_it_says_what_to_install(
+def test_a_missing_sdk_is_reported_with_the_install_command(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for name in ("urdfkit.cli.mcp_tools", "mcp.server.mcpserver", "mcp.server"):
@@ -218,6 +218,6 @@ def test_without_the_sdk_it_says_what_to_install(
 
 
 @pytest.mark.parametrize("path", ["a\0b", "a\ud800"])
-def test_what_no_file_is_called_is_an_error(path: str, tmp_path: Path) -> None:
-    with pytest.raises(ToolError, match="no file can have such a name"):
+def test_an_invalid_file_name_is_an_error(path: str, tmp_path: Path) -> None:
+    with pytest.raises(ToolError, match="not a valid file name"):
         Tools(str(tmp_path), may_write=False).check(path)

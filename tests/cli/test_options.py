@@ -67,7 +67,7 @@ def test_both_parsers_read_the_ordinary_alike(words: list[str], file: list[str])
 @example(["a", "--trust=yes"])
 @example(["a", "--fail-on", "fatal"])
 @example(["a", "--format"])
-def test_the_quick_parser_never_reads_what_click_reads_otherwise(words: list[str]) -> None:
+def test_the_quick_parser_never_contradicts_click(words: list[str]) -> None:
     values = quick.parse(["check", *words])
     if values is not None:
         assert values == by_click(words)
@@ -92,7 +92,7 @@ def test_the_quick_parser_never_reads_what_click_reads_otherwise(words: list[str
         ["a", "check"],
     ],
 )
-def test_what_is_out_of_the_ordinary_is_left_to_click(words: list[str]) -> None:
+def test_unusual_command_lines_are_left_to_click(words: list[str]) -> None:
     assert quick.parse(words) is None
 
 
@@ -139,7 +139,7 @@ def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
     assert options.outputs(values("a", *words), "warning") == outputs
 
 
-def test_what_fails_on_infos_shows_them() -> None:
+def test_fail_on_info_shows_infos() -> None:
     assert options.outputs(values("a"), "info") == [("full", "")]
 
 
@@ -159,7 +159,7 @@ def test_what_fails_on_infos_shows_them() -> None:
         (["a", "--format", "json:x", "--format", "text:x"], "two formats write to x"),
     ],
 )
-def test_what_cannot_be_is_said(words: list[str], reason: str) -> None:
+def test_usage_errors(words: list[str], reason: str) -> None:
     found = values(*words)
     reasons = []
     readers = (options.files, options.arguments, options.packages)
@@ -179,7 +179,7 @@ def test_a_file_may_have_an_equals_sign_in_its_name(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("word", ["--config=a.yaml", "--trust", "-v.urdf"])
-def test_a_file_is_no_option(
+def test_a_file_is_not_an_option(
     word: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """pre-commit lists the files of a pull request behind the options."""

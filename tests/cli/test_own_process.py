@@ -57,10 +57,10 @@ def test_neither_native_code_nor_sleep_outlasts_the_limit(work: str) -> None:
     code, out, error = end(work, "--timeout", "1.5")
     assert (code, out) == (2, "")
     where = "in urdfkit.cli.mesh.hull.command"
-    assert error == f"error: not done after 1.5 s, {where}; --timeout raises the limit\n"
+    assert error == f"error: not finished after 1.5 s, {where}; --timeout raises the limit\n"
 
 
-def test_what_was_reached_is_reported() -> None:
+def test_progress_is_reported() -> None:
     work = "limits.noting(None)(3, 12); time.sleep(1000)"
     assert ": 3 of 12 done, in urdfkit.cli.mesh.hull" in end(work, "--timeout", "1.5")[2]
 
@@ -94,16 +94,16 @@ def test_memory_beyond_the_limit_is_one_line(work: str) -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the others have no such limit")
 @pytest.mark.parametrize("gigabytes", ["0.365", "0.37", "0.375"])
-def test_little_memory_does_not_hold_a_command_up(gigabytes: str, tmp_path: Path) -> None:
+def test_a_low_memory_limit_does_not_block_a_command(gigabytes: str, tmp_path: Path) -> None:
     """Of so much, OpenBLAS would ask for more for ever, for its threads."""
     words = ["hull", MESH, "-o", tmp_path / "hull.stl", "--memory", gigabytes, "--timeout", "60"]
     command = [sys.executable, "-m", "urdfkit", "mesh", *map(str, words)]
     environment = {name: v for name, v in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert "not done after" not in done.stderr
+    assert "not finished after" not in done.stderr
 
 
-def test_a_library_that_is_missing_is_named_with_a_limit_far_away() -> None:
+def test_a_missing_library_is_named_despite_a_memory_limit() -> None:
     _, _, error = end("raise MissingLibrary('it is not there') from ImportError('none')")
     assert error == "error: it is not there\n"
 
@@ -123,7 +123,7 @@ WRITE = """def parts():
     raise KeyboardInterrupt"""
 
 
-def test_what_is_written_is_not_cut_off(tmp_path: Path) -> None:
+def test_output_is_not_truncated(tmp_path: Path) -> None:
     path = tmp_path / "out"
     code, _, _ = end(WRITE.format("time.sleep(3)", str(path)), "--timeout", "2")
     assert (code, path.read_bytes()) == (130, b"beginend")
@@ -156,7 +156,7 @@ def test_stopping_the_command_stops_its_process(
     process.communicate()
 
 
-def test_a_signal_to_the_whole_group_stops_it_without_a_word() -> None:
+def test_a_signal_to_the_process_group_stops_it_silently() -> None:
     """`timeout` sends SIGTERM to the command, and then to its group."""
     process = start('print("begun", file=sys.stderr, flush=True); time.sleep(1000)')
     assert process.stderr is not None

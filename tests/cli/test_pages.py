@@ -74,7 +74,7 @@ def test_the_page_names_every_option_of_its_command_and_no_other(command: str) -
 
 @pytest.mark.skipif(os.name == "nt", reason="the pages show a Unix shell")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_what_the_page_shows_is_what_is_printed(page: Path) -> None:
+def test_transcripts_of_pages_are_current(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert transcripts.with_output(text) == text, "run: python docs/transcripts.py"
 
@@ -134,7 +134,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize(("page", "line"), without_output(), ids=lambda words: words[:60])
-def test_what_a_page_only_shows_runs(
+def test_other_commands_of_pages_run(
     page: str,
     line: str,
     project: Path,
@@ -149,7 +149,7 @@ def test_what_a_page_only_shows_runs(
 
 
 @pytest.mark.parametrize(("page", "block"), shown("python"), ids=lambda words: words[:12])
-def test_the_python_of_a_page_can_be_read(page: str, block: str) -> None:
+def test_python_of_pages_parses(page: str, block: str) -> None:
     """Names that a block imports from urdfkit, or uses of it, are there."""
     tree = ast.parse(block)
     for node in ast.walk(tree):

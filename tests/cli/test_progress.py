@@ -23,7 +23,7 @@ class Clock:
         monkeypatch.setattr(time, "monotonic", lambda: self.now)
 
 
-def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_appears_after_a_second_and_is_cleared(monkeypatch: pytest.MonkeyPatch) -> None:
     clock, stream = Clock(monkeypatch), io.StringIO()
     bar = ProgressBar(stream)
     clock.now += 0.9
@@ -38,7 +38,7 @@ def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch)
     assert stream.getvalue() == (f"\r[{'#' * 15}{' ' * 15}] 2 of 4\r[{'#' * 30}] 4 of 4\r\x1b[K")
 
 
-def test_of_a_job_of_unknown_length_it_says_that_it_goes_on(
+def test_a_job_of_unknown_length_shows_that_it_runs(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     clock, stream = Clock(monkeypatch), io.StringIO()
@@ -53,7 +53,7 @@ def test_of_a_job_of_unknown_length_it_says_that_it_goes_on(
         pass
 
 
-def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_closed_terminal_does_not_stop_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock(monkeypatch)
 
     class Gone(io.StringIO):
@@ -70,7 +70,7 @@ def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.Mon
     ("is_terminal", "term", "shown"),
     [(True, "xterm", True), (True, "dumb", False), (False, "xterm", False)],
 )
-def test_where_it_is_shown(
+def test_only_terminals_show_it(
     is_terminal: bool, term: str, shown: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("TERM", term)
@@ -133,7 +133,7 @@ def test_one_file_without_meshes_has_none() -> None:
 
 @UNIX
 @pytest.mark.parametrize("command", ["check", "info", "inertia"])
-def test_one_file_tells_of_its_meshes(command: str, tmp_path: Path) -> None:
+def test_one_file_shows_its_meshes(command: str, tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
     for name in ("a", "b"):
         (tmp_path / f"{name}.stl").write_bytes(stl(box((0, 0, 0), (1, 1, 1))))
@@ -149,7 +149,7 @@ def test_one_file_tells_of_its_meshes(command: str, tmp_path: Path) -> None:
     assert reported.endswith("\r\x1b[K")
 
 
-def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_appears_during_a_long_first_step(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(progress, "DELAY", 0.05)
     stream = io.StringIO()
     bar = ProgressBar(stream, "things")

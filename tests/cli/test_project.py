@@ -67,7 +67,7 @@ def test_a_directory_without_robots_cannot_be_checked(project: Project) -> None:
     assert err == "error: empty: contains no .urdf, no .xacro with a <robot> and no launch file\n"
 
 
-def test_the_nearest_configuration_counts_unless_another_is_named(project: Project) -> None:
+def test_the_nearest_configuration_applies_unless_another_is_given(project: Project) -> None:
     project.write("inner/urdfkit.toml", 'select = ["XML"]\n')
     project.robot("inner/bad.urdf", "one")
     project.write("other.toml", 'select = ["TRE003"]\nfail-on = "error"\n')
@@ -91,14 +91,14 @@ def test_a_typo_in_the_configuration_stops_the_check(project: Project) -> None:
 
 
 @pytest.mark.parametrize("words", [[], ["--trust"], ["--config", "urdfkit.toml"]])
-def test_trust_takes_a_word_of_the_user(project: Project, words: list[str]) -> None:
+def test_trust_requires_an_option(project: Project, words: list[str]) -> None:
     project.write("urdfkit.toml", SETTINGS + "trust = true\n")
     code, _, err = project.check("good.urdf", *words)
     assert code == (0 if words else 2)
     assert ("'trust' must be confirmed on the command line" in err) is not bool(words)
 
 
-def test_what_a_baseline_holds_is_not_offered_to_be_fixed(project: Project) -> None:
+def test_findings_in_a_baseline_are_not_counted_as_fixable(project: Project) -> None:
     project.write(
         "a.urdf",
         '<robot name="r"><material name="m"><color rgba="255 0 0 1"/></material>'
@@ -112,7 +112,7 @@ def test_what_a_baseline_holds_is_not_offered_to_be_fixed(project: Project) -> N
         assert "fix" not in out
 
 
-def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
+def test_a_baseline_hides_known_findings(project: Project) -> None:
     code, out, _ = project.check(".", "--baseline", "known.json", "--write-baseline")
     assert code == 0
     assert out == "no new findings in 2 files (1 finding in the baseline)\n"
@@ -159,7 +159,7 @@ def test_a_baseline_works_from_every_directory(project: Project, monkeypatch) ->
     )
 
 
-def test_what_is_wrong_with_a_baseline(project: Project) -> None:
+def test_invalid_baselines(project: Project) -> None:
     code, out, err = project.check(".", "--write-baseline")
     assert (code, out) == (2, "")
     assert err == "error: --write-baseline needs --baseline FILE to write to\n"

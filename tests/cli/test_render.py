@@ -37,7 +37,7 @@ def test_an_image_is_written_and_a_missing_mesh_is_named(
     assert ((r > 140) & (g > 60) & (b < 60)).sum() > 10  # its orange
 
 
-def test_of_many_missing_meshes_some_are_named_and_the_others_counted(
+def test_many_missing_meshes_are_counted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     lost = '<visual><geometry><mesh filename="lost.stl"/></geometry></visual>'
@@ -46,7 +46,7 @@ def test_of_many_missing_meshes_some_are_named_and_the_others_counted(
     assert main(["render", str(robot), "-o", str(tmp_path / "robot.png"), *SMALL]) == 0
     notes = capsys.readouterr().err.splitlines()
     assert len(notes) == 6
-    assert notes[-1] == "note: drawn as striped boxes: 7 meshes more"
+    assert notes[-1] == "note: drawn as striped boxes: 7 more meshes"
 
 
 @pytest.mark.parametrize("suffix", ["png", "webp", "jpg"])
@@ -68,7 +68,7 @@ def test_a_transparent_background_keeps_the_shadow(tmp_path: Path) -> None:
 FEW = ["--size", "48x32", "--quality", "draft", "--background", "transparent"]
 
 
-def test_what_knows_no_transparency_is_on_white(tmp_path: Path) -> None:
+def test_formats_without_transparency_have_a_white_background(tmp_path: Path) -> None:
     """A GIF, too: test_a_turntable_and_a_sweep."""
     path = tmp_path / "robot.jpg"
     assert main(["render", ARM, "-o", str(path), *FEW]) == 0
@@ -106,12 +106,12 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
         ([ARM, "--diff", ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--layers", "frame"], "did you mean"),
         ([ARM, "--diff"], "two files"),
-        ([ARM, "--diff", "--thumbnail", ARM], "exclude one another"),
+        ([ARM, "--diff", "--thumbnail", ARM], "cannot be combined"),
         ([ARM, "--sweep", "knee"], "no joint 'knee'"),
         ([ARM, "--diff", ARM, "--view", "all"], "only one"),
     ],
 )
-def test_what_cannot_be_done_is_said(
+def test_usage_errors(
     words: list[str], reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "robot.png"
@@ -122,14 +122,14 @@ def test_what_cannot_be_done_is_said(
     assert not path.exists()
 
 
-def test_a_name_that_is_no_image_is_refused(
+def test_a_file_name_without_image_suffix_is_rejected(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["render", ARM, "-o", str(tmp_path / "robot.txt"), *SMALL]) == 2
     assert "write .png" in capsys.readouterr().err
 
 
-def test_without_numpy_it_says_what_to_install(tmp_path: Path) -> None:
+def test_missing_numpy_is_reported_with_the_install_command(tmp_path: Path) -> None:
     program = (
         "import sys; sys.modules['numpy'] = None\n"
         "from urdfkit.cli import main\n"
@@ -146,7 +146,7 @@ def test_without_numpy_it_says_what_to_install(tmp_path: Path) -> None:
     assert install_command("render") in done.stderr
 
 
-def test_no_library_for_graphics_is_loaded(tmp_path: Path) -> None:
+def test_no_graphics_library_is_loaded(tmp_path: Path) -> None:
     """Neither a GPU's nor a display's; and no mesh library that takes a second to import."""
     program = (
         "import sys\n"
@@ -170,7 +170,7 @@ def test_no_library_for_graphics_is_loaded(tmp_path: Path) -> None:
     assert [name for name in loaded if name.startswith(graphics)] == []
 
 
-def test_an_image_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_file_name_is_rejected(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["render", ARM]) == 2
     assert "-o" in capsys.readouterr().err
 
@@ -182,7 +182,7 @@ def test_an_image_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) 
         ('<robot name="r"><link name="a"/></robot>', "--layers frames,names"),
     ],
 )
-def test_an_image_of_nothing_is_refused(
+def test_an_empty_image_is_rejected(
     content: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "r.urdf"
@@ -192,7 +192,7 @@ def test_an_image_of_nothing_is_refused(
     assert not (tmp_path / "r.png").exists()
 
 
-def test_letters_that_no_font_has_are_reported(
+def test_letters_without_a_font_are_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "r.urdf"
@@ -203,7 +203,7 @@ def test_letters_that_no_font_has_are_reported(
     assert "note: no font here has" in capsys.readouterr().err
 
 
-def test_layers_findings_and_a_sheet_go_together(tmp_path: Path) -> None:
+def test_layers_findings_and_several_views_can_be_combined(tmp_path: Path) -> None:
     path = tmp_path / "robot.png"
     words = ["--view", "iso,top", "--layers", "visual,collision,frames,names", "--findings"]
     assert main(["render", MODEL, "-o", str(path), *SMALL, *words]) == 0

@@ -32,9 +32,7 @@ def test_files_by_suffix(tmp_path: Path) -> None:
     ("robot", "severity", "code"),
     [(MISSION, "error", 1), (GRIPPER, "error", 0), (GRIPPER, "warning", 0)],
 )
-def test_findings_make_it_fail_if_asked(
-    robot: str, severity: str, code: int, tmp_path: Path
-) -> None:
+def test_fail_on(robot: str, severity: str, code: int, tmp_path: Path) -> None:
     words = ["report", robot, "-o", str(tmp_path / "r.md")]
     assert main([*words, "--fail-on", severity]) == code
     assert main(words) == 0
@@ -50,9 +48,7 @@ def test_findings_make_it_fail_if_asked(
         ([MISSION, "--target", "mars"], "unknown target 'mars'"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["report", *words]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""

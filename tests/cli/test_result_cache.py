@@ -211,7 +211,7 @@ def test_a_file_that_becomes_a_directory_is_seen(workspace: Path) -> None:
         {"GIT_CONFIG_COUNT": "1", "GIT_CONFIG_KEY_0": "a.b", "GIT_CONFIG_VALUE_0": "c"},
     ],
 )
-def test_what_git_depends_on_is_seen(tmp_path: Path, variables: dict[str, str]) -> None:
+def test_files_of_git_are_seen(tmp_path: Path, variables: dict[str, str]) -> None:
     workspace = tmp_path / "ws"
     workspace.mkdir()
     subprocess.run(["git", "init", "-q", str(workspace)], check=True)
@@ -266,7 +266,7 @@ def test_what_is_not_kept(workspace: Path, more: list[str]) -> None:
     shutil.rmtree(package)
 
 
-def test_rules_of_the_configuration_are_not_kept(workspace: Path) -> None:
+def test_checks_with_external_rules_are_not_cached(workspace: Path) -> None:
     package = workspace / "own_rules"
     shutil.copytree(ROOT / "examples/own_rule/acme_rules", package)
     (workspace / "rules.toml").write_text("rule-packages = ['own_rules']\n")
@@ -276,7 +276,7 @@ def test_rules_of_the_configuration_are_not_kept(workspace: Path) -> None:
     (workspace / "rules.toml").unlink()
 
 
-def test_an_error_is_not_kept(workspace: Path) -> None:
+def test_an_error_is_not_cached(workspace: Path) -> None:
     for _ in range(2):
         done = run(workspace, "check", "none.urdf")
         assert done.returncode == 2
@@ -284,7 +284,7 @@ def test_an_error_is_not_kept(workspace: Path) -> None:
 
 
 @pytest.mark.parametrize("words", [["arm/urdf/arm.urdf.xacro"], ["."], ["--jobs", "2", "."]])
-def test_all_that_is_opened_is_noted(workspace: Path, words: list[str]) -> None:
+def test_all_opened_files_are_logged(workspace: Path, words: list[str]) -> None:
     done = subprocess.run(
         [sys.executable, "-c", AUDITED, "check", *words],
         check=False,
@@ -331,13 +331,13 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def entry(cache: Path, tmp_path: Path) -> ResultEntry:
     """One that holds, of a command line that is never checked."""
-    asked = result_cache.question(["check", "a.urdf"])
+    asked = result_cache.cache_key(["check", "a.urdf"])
     assert asked is not None
     out = (str(tmp_path / "out\n.txt"), b"a\0b\n")
     return ResultEntry(asked, 5, [("k", str(tmp_path / "none"), "-")], 1, [out])
 
 
-def test_an_entry_is_repeated(entry: ResultEntry) -> None:
+def test_an_entry_is_replayed(entry: ResultEntry) -> None:
     assert result_cache.replay(["check", "a.urdf"]) is None
     result_recording.store(entry)
     assert decode(encode(entry)) == entry
@@ -345,9 +345,9 @@ def test_an_entry_is_repeated(entry: ResultEntry) -> None:
     assert Path(entry.outputs[0][0]).read_bytes() == b"a\0b\n"
 
 
-def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
+def test_a_damaged_entry_is_ignored(entry: ResultEntry) -> None:
     data = encode(entry)
-    path = Path(result_entry.path_of(entry.question))
+    path = Path(result_entry.path_of(entry.key))
     path.parent.mkdir(parents=True)
     broken = [data[:size] for size in range(len(data))]
     broken += [data[:at] + b"\xff" + data[at + 1 :] for at in range(len(data))]
@@ -357,61 +357,61 @@ def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
-def test_a_pipe_in_place_of_an_entry_is_none(entry: ResultEntry) -> None:
-    path = result_entry.path_of(entry.question)
+def test_a_pipe_instead_of_an_entry_is_ignored(entry: ResultEntry) -> None:
+    path = result_entry.path_of(entry.key)
     os.makedirs(os.path.dirname(path))
     os.mkfifo(path)
     assert result_cache.replay(["check", "a.urdf"]) is None
     result_recording.store(entry)
 
 
-def test_an_entry_answers_one_question(entry: ResultEntry) -> None:
-    other = entry._replace(question=entry.question + b"x")
-    path = Path(result_entry.path_of(entry.question))
+def test_an_entry_is_for_one_key(entry: ResultEntry) -> None:
+    other = entry._replace(key=entry.key + b"x")
+    path = Path(result_entry.path_of(entry.key))
     path.parent.mkdir(parents=True)
     path.write_bytes(encode(other))  # of the same name, as two checksums may be
     assert result_cache.replay(["check", "a.urdf"]) is None
 
 
-def test_another_version_asks_something_else(
+def test_another_version_has_another_key(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     installed = tmp_path / "site-packages"
     installed.mkdir()
     monkeypatch.syspath_prepend(installed)
-    asked = [result_cache.question(["check", "a"])]
+    asked = [result_cache.cache_key(["check", "a"])]
     os.utime(installed, (1, 1))
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     (installed / "numpy").mkdir()
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     monkeypatch.setattr(result_cache, "__version__", "9")
-    asked.append(result_cache.question(["check", "a"]))
+    asked.append(result_cache.cache_key(["check", "a"]))
     assert len(set(asked)) == 4
 
 
-def test_an_extra_that_appears_on_the_path_asks_something_else(
+def test_an_installed_extra_changes_the_key(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.syspath_prepend(tmp_path)
-    asked = result_cache.question(["check", "a"])
+    asked = result_cache.cache_key(["check", "a"])
     (tmp_path / "robot.png").touch()
-    assert result_cache.question(["check", "a"]) == asked
+    assert result_cache.cache_key(["check", "a"]) == asked
     (tmp_path / "manifold3d.cpython-311-x86_64-linux-gnu.so").touch()
-    again = result_cache.question(["check", "a"])
+    again = result_cache.cache_key(["check", "a"])
     assert again != asked
     (tmp_path / "manifold3d-3.0.1.dist-info").mkdir()
-    assert result_cache.question(["check", "a"]) not in (asked, again)
+    assert result_cache.cache_key(["check", "a"]) not in (asked, again)
 
 
 @pytest.mark.parametrize("place", ["/dev/full", "/dev/null/cache"])
-def test_where_nothing_can_be_written_nothing_is_kept(
+def test_an_unwritable_cache_is_ignored(
     entry: ResultEntry, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
     monkeypatch.setattr(result_entry, "path_of", lambda _: f"{place}/entry")
     result_recording.store(entry)
 
 
-def test_a_full_disk_leaves_nothing_behind(
+def test_a_full_disk_leaves_no_file(
     entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> None:
@@ -422,7 +422,7 @@ def test_a_full_disk_leaves_nothing_behind(
     assert list((cache / "results").iterdir()) == []
 
 
-def test_the_older_half_goes(
+def test_the_older_half_is_removed(
     entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(result_recording, "MAX_BYTES", 50)
@@ -434,17 +434,17 @@ def test_the_older_half_goes(
         os.utime(old, (number, number))
     result_recording.store(entry)
     left = {path.name for path in (cache / "results").iterdir()}
-    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.question)).name}
+    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.key)).name}
 
 
-def test_few_runs_look_at_all_entries(
+def test_few_runs_list_all_entries(
     entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     looks: list[str] = []
     monkeypatch.setattr(result_recording, "_make_room", looks.append)
     monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 10_000)
     for number in range(200):
-        result_recording.store(entry._replace(question=b"%d" % number))
+        result_recording.store(entry._replace(key=b"%d" % number))
     written = sum(path.stat().st_size for path in (cache / "results").iterdir())
     assert written / 20_000 < len(looks) < written / 5_000
 

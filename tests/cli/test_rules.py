@@ -41,7 +41,7 @@ def test_the_same_as_json(capsys: pytest.CaptureFixture[str]) -> None:
     }
 
 
-def test_codes_prefixes_and_names_choose_rules(capsys: pytest.CaptureFixture[str]) -> None:
+def test_codes_prefixes_and_names_select_rules(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["rules", "tre", "missing-file"]) == 0
     codes = [line[:6] for line in capsys.readouterr().out.splitlines()]
     assert codes == ["MSH001", *(code for code in rule_index.codes() if code.startswith("TRE"))]

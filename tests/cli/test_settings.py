@@ -46,7 +46,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_the_settings_mean_the_same(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_shown_settings_are_equivalent(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (project / "urdfkit.toml").write_text(SETTINGS)
     before = load("urdfkit.toml")
     assert main(["check", "r.urdf", "--show-settings"]) == 0
@@ -61,7 +61,9 @@ def test_the_settings_mean_the_same(project: Path, capsys: pytest.CaptureFixture
     )
 
 
-def test_the_command_line_wins(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_line_takes_precedence(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (project / "urdfkit.toml").write_text("width = 90\nfail-on = 'error'")
     words = ["--select", "MSH,GEO002", "--fail-on", "info", "--target", "moveit", "a:=1"]
     assert main(["check", "r.urdf", "--show-settings", *words]) == 0
@@ -70,4 +72,4 @@ def test_the_command_line_wins(project: Path, capsys: pytest.CaptureFixture[str]
     expected = ('select = ["CFG003", "GEO002", "MSH"]', 'targets = ["moveit"]', 'fail-on = "info"')
     assert {*expected, "width = 90", 'a = "1"'} <= set(lines)
     assert main(["check", "r.urdf", "--show-settings", "--isolated"]) == 0
-    assert "# there is no configuration file" in capsys.readouterr().out
+    assert "# no configuration file" in capsys.readouterr().out

@@ -14,7 +14,7 @@ for library in ("mujoco", "trimesh"):
 ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
-def test_a_robot_that_behaves(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_without_faults(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["simulate", str(ARM)]) == 0
     assert capsys.readouterr().out.splitlines()[:2] == [
         "its root is welded to the world",
@@ -22,7 +22,7 @@ def test_a_robot_that_behaves(capsys: pytest.CaptureFixture[str]) -> None:
     ]
 
 
-def test_one_that_does_not(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_with_faults(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     box = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
     inertial = (
         '<inertial><mass value="1"/>'
@@ -52,13 +52,17 @@ def test_one_that_does_not(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert (first[0].tag, suite[-1][0].tag) == ("failure", "system-out")
 
 
-def test_what_cannot_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_robots_that_cannot_be_simulated(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "two.urdf").write_text('<robot name="r"><link name="a"/><link name="b"/></robot>')
     assert main(["simulate", str(tmp_path / "two.urdf")]) == 2
     assert "do not form one tree" in capsys.readouterr().err
 
 
-def test_its_release_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_image_and_animation_of_the_release(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     image = pytest.importorskip("PIL.Image")
     from urdfkit.cli import simulate
     from urdfkit.render import animation

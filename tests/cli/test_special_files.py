@@ -138,7 +138,7 @@ def limits() -> Iterator[None]:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(("suffix", "line"), LINES, ids=[line.split(" /")[0] for _, line in LINES])
-def test_it_is_one_error_line(
+def test_a_special_file_is_one_error_line(
     suffix: str,
     line: str,
     kind: str,
@@ -168,7 +168,7 @@ def test_it_is_one_error_line(
 
 @pytest.mark.parametrize("kind", ["pipe", "socket", "directory", "loop"])
 @pytest.mark.parametrize("suffix", OUTPUTS)
-def test_nor_is_it_waited_for_to_write(
+def test_writing_to_a_pipe_does_not_block(
     suffix: str, kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / f"it{suffix}"
@@ -185,7 +185,7 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}<link n
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_a_robot_names_is_a_finding(
+def test_a_special_file_in_a_robot_is_a_finding(
     kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "LICENSE").touch()

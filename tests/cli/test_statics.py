@@ -14,7 +14,7 @@ ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 BASE = str(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
 
 
-def test_the_weakest_joint_and_what_would_suffice(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_weakest_joint_and_the_required_effort(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pinocchio")
     assert main(["statics", ARM, "--payload", "5kg@forearm"]) == 0
     page = capsys.readouterr().out
@@ -44,10 +44,10 @@ def test_links_without_gravity_in_gazebo_have_no_weight(
     assert "forearm" in found["weightless"]
     assert {one["joint"]: one["worst"] for one in found["joints"]}["elbow"] == 0
     assert main(["statics", str(tmp_path / "arm.urdf")]) == 0
-    assert "it is off in Gazebo" in capsys.readouterr().out
+    assert "no gravity in Gazebo on" in capsys.readouterr().out
 
 
-def test_what_the_world_holds_cannot_tip_over(
+def test_a_robot_fixed_to_the_world_cannot_tip_over(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("pinocchio")
@@ -59,9 +59,7 @@ def test_what_the_world_holds_cannot_tip_over(
     assert max(map(len, page.splitlines())) <= 80
 
 
-def test_what_it_stands_on_fits_a_terminal(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_contact_links_fit_a_terminal(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pinocchio")
     text = Path(ARM).read_text(encoding="utf-8").replace('"base"', f'"{"base_" * 15}"')
     (tmp_path / "arm.urdf").write_text(text, encoding="utf-8")
@@ -81,7 +79,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert document["stability"]["links"] == ["base"]
 
 
-def test_without_pinocchio_it_says_what_is_missing(
+def test_missing_pinocchio_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
@@ -108,9 +106,7 @@ def test_without_pinocchio_it_says_what_is_missing(
         (["--samples", "-1"], "-1 is not in the range"),
     ],
 )
-def test_what_cannot_be_done_is_said(
-    words: list[str], reported: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], reported: str, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pinocchio")
     assert main(["statics", ARM, *words]) == 2
     assert reported in capsys.readouterr().err

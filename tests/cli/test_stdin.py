@@ -32,7 +32,7 @@ def gripper(monkeypatch: pytest.MonkeyPatch) -> None:
     ],
     ids=lambda words: words[0],
 )
-def test_a_command_says_of_it_what_it_says_of_the_file(
+def test_standard_input_gives_the_result_of_the_file(
     words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(FILE.parent)
@@ -59,7 +59,7 @@ def test_the_element_of_trace_may_be_in_it(capsys: pytest.CaptureFixture[str]) -
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
 )
-def test_what_needs_a_file_says_so(
+def test_commands_that_need_a_file_report_it(
     words: list[str],
     reason: str,
     capsys: pytest.CaptureFixture[str],
@@ -74,7 +74,7 @@ def test_what_needs_a_file_says_so(
 
 
 @pytest.mark.parametrize("command", ["expand", "report --quick", "diff", "check --format json"])
-def test_a_dash_behind_o_is_standard_output(
+def test_a_dash_after_o_is_standard_output(
     command: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,

@@ -13,7 +13,7 @@ from tests.conftest import ROOT
 
 @UNIX
 @pytest.mark.parametrize("words", [["rules"], ["check", "-"], ["check", "-", "--format", "json"]])
-def test_a_reader_that_goes_away_is_no_error(words: list[str]) -> None:
+def test_a_closed_pipe_is_not_an_error(words: list[str]) -> None:
     """The exit code is still that of the check."""
     reader, writer = os.pipe()
     os.close(reader)
@@ -67,7 +67,7 @@ def test_a_full_disk() -> None:
 
 
 @UNIX
-def test_an_error_that_nobody_reads_is_an_error_still() -> None:
+def test_an_error_on_a_closed_stream_has_its_exit_code() -> None:
     reader, writer = os.pipe()
     os.close(reader)
     for words in (["tree", "none.urdf"], ["chek"], ["check", "none.urdf"]):

@@ -25,7 +25,7 @@ def trace(
     return capsys.readouterr().out.replace(str(file), "FILE").splitlines()
 
 
-def test_a_value_is_followed_through_arguments_to_a_property(
+def test_a_value_is_traced_through_arguments_to_a_property(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert trace(tmp_path, capsys, "link/a/inertial/mass@value") == [
@@ -48,7 +48,7 @@ def test_a_call_with_many_arguments_is_cut(
 
 
 @pytest.mark.parametrize("address", ["link/b", "link/a@nothing"])
-def test_what_is_not_there_is_said(
+def test_an_unknown_element_is_reported(
     address: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "r.xacro"

@@ -18,7 +18,7 @@ def test_every_format_names_every_link(form: str, capsys: pytest.CaptureFixture[
     assert all(name in drawn for name in ("mount", "palm", "left_finger", "right_finger"))
 
 
-def test_it_cannot_draw_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_file_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tree", "no.urdf"]) == 2
     assert capsys.readouterr().out == ""
 
@@ -32,7 +32,7 @@ def test_a_launch_file_without_a_robot(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 @pytest.mark.parametrize("command", ["tree", "info", "mass", "kinematics", "statics"])
-def test_no_name_steers_the_terminal(
+def test_control_characters_in_names_are_escaped(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """U+009B begins a control sequence, U+202E turns the direction of writing."""

@@ -39,7 +39,7 @@ def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> 
 
 
 @pytest.mark.parametrize("group", [[], MESH])
-def test_what_each_command_does_is_reported_on_one_line_of_80_columns(
+def test_short_help_of_each_command_fits_80_columns(
     group: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("COLUMNS", "80")
@@ -55,7 +55,7 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
     assert capsys.readouterr().out.startswith(" ".join(["Usage: urdfkit", *command]) + " ")
 
 
-def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+def test_ignoring_an_unknown_rule_is_a_warning(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", GOOD, "--ignore", "QQQ,XLM001"]) == 0
     assert capsys.readouterr().err.splitlines() == [
         "warning: --ignore: no rule 'QQQ'; 'urdfkit rules' lists them",
@@ -85,7 +85,7 @@ def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixtur
         (["rules", "--format", "yaml"], "'text', 'json'"),
     ],
 )
-def test_what_cannot_be_done_is_one_line_and_exit_2(
+def test_usage_errors_are_one_line_and_exit_2(
     words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(words) == 2
@@ -96,7 +96,7 @@ def test_what_cannot_be_done_is_one_line_and_exit_2(
     assert reason in captured.err
 
 
-def test_an_error_does_not_steer_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+def test_control_characters_in_errors_are_escaped(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "no\x1b[2J\n.urdf"]) == 2
     assert capsys.readouterr().err == "error: no\\x1b[2J .urdf: file not found\n"
 
@@ -124,7 +124,7 @@ def test_a_typo_in_the_name_of_a_command(
         (["inertia", GOOD, "--mass", "1", "--density", "1"], "--mass, --density and --material"),
     ],
 )
-def test_usage_errors_begin_like_all_others(
+def test_usage_errors_begin_like_other_errors(
     words: list[str], message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(words) == 2

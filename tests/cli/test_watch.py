@@ -75,7 +75,7 @@ def watching(project: Path) -> Iterator[Watching]:
     process.end()
 
 
-def test_an_include_that_changes_vanishes_and_comes_back(watching: Watching, project: Path) -> None:
+def test_an_include_that_is_changed_removed_and_restored(watching: Watching, project: Path) -> None:
     assert not any("NAM001" in line for line in watching.until("watching "))
     parts, text = project / "parts.xacro", f'{HEAD}<link name="a"/><link name="a"/></robot>'
     parts.write_text(text)
@@ -92,10 +92,10 @@ def test_an_include_that_changes_vanishes_and_comes_back(watching: Watching, pro
 
 
 @pytest.mark.parametrize("words", [["-"], ["r.urdf", "--fix"], ["r.urdf", "--add-ignore"]])
-def test_what_cannot_be_watched(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_unwatchable_inputs(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", *words, "--watch"]) == 2
-    assert capsys.readouterr().err.startswith("error: --watch takes ")
+    assert capsys.readouterr().err.startswith("error: --watch ")
 
 
-def test_a_watched_check_is_no_result_to_repeat() -> None:
-    assert result_cache.question(["check", "r.xacro", "--watch"]) is None
+def test_a_watched_check_is_not_cached() -> None:
+    assert result_cache.cache_key(["check", "r.xacro", "--watch"]) is None

@@ -68,19 +68,19 @@ def on_terminal(*words: str) -> list[str]:
         ["rules", "TRE"],
     ],
 )
-def test_lines_are_wrapped_for_people(words: list[str]) -> None:
+def test_lines_are_wrapped_on_a_terminal(words: list[str]) -> None:
     lines = on_terminal(*words)
     assert max(map(len, lines)) <= 80
     assert len(lines) > 1
 
 
-def test_errors_are_one_line_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
+def test_errors_are_one_line_without_a_terminal(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", ROBOT, "--format", "x"]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert len(line) > 100
 
 
-def test_comments_below_a_patch_fit(capsys: pytest.CaptureFixture[str]) -> None:
+def test_comments_below_a_patch_fit_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["migrate", str(ROOT / ROBOT), "--to", "gz-harmonic"]) == 1
     comments = [line for line in capsys.readouterr().out.splitlines() if line.startswith("#")]
     assert len(comments) > 8
@@ -96,7 +96,7 @@ def test_comments_below_a_patch_fit(capsys: pytest.CaptureFixture[str]) -> None:
         (["mesh", ROBOT], f"unknown command '{ROBOT}'; to check that file: urdfkit check {ROBOT}"),
     ],
 )
-def test_usage_errors_in_the_words_of_people(
+def test_usage_errors_are_plain(
     words: list[str],
     message: str,
     capsys: pytest.CaptureFixture[str],
@@ -108,7 +108,7 @@ def test_usage_errors_in_the_words_of_people(
 
 
 @pytest.mark.parametrize(("columns", "expected"), [("40", 40), ("200", 200), ("0", 80), ("x", 80)])
-def test_the_width_is_that_of_the_variable(
+def test_the_variable_columns_sets_the_width(
     columns: str, expected: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", columns)

@@ -48,7 +48,7 @@ def test_generation(file: str, tags: str, build: str, generation: str, tmp_path:
     assert inferred(plugin(file, tags), tmp_path, build) == (generation,)
 
 
-def test_names_are_taken_in_one_order() -> None:
+def test_names_are_sorted() -> None:
     assert parse(["moveit", "ros2", "moveit"]) == Targets(("ros2", "moveit"))
     assert parse(TARGETS) == Targets(tuple(TARGETS))
     assert set(GAZEBO) < set(TARGETS)
@@ -73,7 +73,7 @@ def test_any_of() -> None:
     assert not Targets(("ros1",)).any_of(GAZEBO)
 
 
-def test_what_was_given_is_not_inferred() -> None:
+def test_given_targets_are_not_inferred() -> None:
     source = Source("robot.urdf", whole_robot(BASE + plugin("gz-sim-imu-system", "")).encode())
     given = parse(["mujoco"])
     assert Context(source, Resolver(environment={}), targets=given).targets == given
@@ -81,7 +81,7 @@ def test_what_was_given_is_not_inferred() -> None:
     assert inferred == Targets(("gz-harmonic",), ("gz-harmonic: plugin gz-sim-imu-system",))
 
 
-def test_a_plain_robot_gives_nothing_away() -> None:
+def test_a_plain_robot_implies_no_target() -> None:
     source = Source("robot.urdf", whole_robot(BASE).encode())
     assert Context(source, Resolver(environment={})).targets == Targets(())
 

@@ -48,9 +48,9 @@ def test_the_farthest_are_outliers() -> None:
 
 
 def test_failures_say_why() -> None:
-    found = summarise([row("a", status="timeout", reason="not done after 60 s")])
+    found = summarise([row("a", status="timeout", reason="not finished after 60 s")])
     assert found.statuses == {"timeout": 1}
-    assert found.failures == (("a", "timeout", "not done after 60 s"),)
+    assert found.failures == (("a", "timeout", "not finished after 60 s"),)
     assert (found.clean, found.with_errors) == (0, 0)
 
 

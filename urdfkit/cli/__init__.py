@@ -53,9 +53,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
-        from urdfkit.cli.own_process import run_apart
+        from urdfkit.cli.own_process import run_forked
 
-        return _leave(guarded(lambda each: run_apart(lambda: guarded(_run, each), _leave), words))
+        return _leave(guarded(lambda each: run_forked(lambda: guarded(_run, each), _leave), words))
     return _leave(guarded(_replay_or_run, words))
 
 
@@ -112,10 +112,10 @@ def _replay_or_run(words: list[str]) -> int:
     code = result_cache.replay(words)
     if code is not None:
         return code
-    if question := result_cache.question(words):
+    if key := result_cache.cache_key(words):
         from urdfkit.cli import result_recording
 
-        result_recording.begin(question)
+        result_recording.begin(key)
     return _run(words)
 
 
@@ -158,7 +158,7 @@ def fail(code: int, error: str, *more: str) -> int:
     from urdfkit.cli import output
 
     try:
-        output.tell(f"error: {error}", *more)
+        output.log(f"error: {error}", *more)
     except OSError:
         pass  # standard error is closed
     return code

@@ -22,14 +22,14 @@ from urdfkit.text.source import shown
 @choice("--for", "consumer", of=CONSUMERS, help="Convert the meshes that this program cannot read.")
 @option("--force", "Replace OUT if it is a bundle.")
 @limited
-def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
+def command(inputs: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     """Write a robot with all of its files, for use elsewhere.
 
-    OUT has the expanded URDF, the meshes with their materials and textures, and bundle.json, which
-    says where each file comes from and what was changed. References are relative to the URDF; for
+    OUT contains the expanded URDF, the meshes with their materials and textures, and bundle.json,
+    which lists the source of each file and its changes. References are relative to the URDF; for
     ros, OUT is a package and they begin with package://.
 
-    Exit codes: 0 done, 1 the program will reject the robot all the same, 2 a file is missing or
+    Exit codes: 0 done, 1 the program still rejects the robot, 2 a file is missing or
     cannot be read or written, or FILE is a part of a robot.
 
     Examples:
@@ -37,25 +37,25 @@ def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
         urdfkit bundle robot.urdf.xacro -o robot.zip --for mujoco
     """
     with progress_bar() as bar:
-        context = robot(asked, bar)
+        context = robot(inputs, bar)
     bundle, rejections = write(context, out, consumer=consumer, force=force)
     output.page((*_summary(bundle, out), *_reasons(consumer, rejections)))
     return int(bool(rejections))
 
 
 def _summary(bundle: Bundle, out: str) -> Iterator[str]:
-    meshes = len({one.new for one in bundle.renamed if "meshes/" in one.new})
-    size = output.size(sum(one.size for one in bundle.contents))
+    meshes = len({reference.new for reference in bundle.renamed if "meshes/" in reference.new})
+    size = output.size(sum(entry.size for entry in bundle.contents))
     yield f"wrote {shown(out)}: {bundle.urdf}, {counted(meshes, 'mesh file')}, {size}"
-    changed = Counter(one.change for one in bundle.contents if one.change)
+    changed = Counter(entry.change for entry in bundle.contents if entry.change)
     for change, number in changed.items():
         yield from output.indented(f"{counted(number, 'file')}: {change}")
     for element, value in bundle.outside:
-        yield from output.indented(f"{element} still names {value}")
+        yield from output.indented(f"{element} still refers to {value}")
 
 
 def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
-        yield f"rejected by {CONSUMERS[consumer].what} all the same:"
-    for one in rejections:
-        yield from output.indented(f"{one.span}: {one.message} ({one.code})")
+        yield f"rejected by {CONSUMERS[consumer].title} anyway:"
+    for rejection in rejections:
+        yield from output.indented(f"{rejection.span}: {rejection.message} ({rejection.code})")

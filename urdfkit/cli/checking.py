@@ -39,25 +39,25 @@ def run_check(values: Mapping[str, Any]) -> int:
         from urdfkit.cli.watch import watch
 
         return watch(run_check, values)
-    chosen = choices(values)
+    settings = check_settings(values)
     if values["show_files"]:
-        output.write(_files(values, chosen))
+        output.write(_files(values, settings))
         return 0
     if values["show_settings"]:
         from urdfkit.cli.settings import shown_settings
 
-        output.write(shown_settings(chosen, fail_on(values, chosen)))
+        output.write(shown_settings(settings, fail_on(values, settings)))
         return 0
-    return (_add_ignores if values["add_ignore"] else _report)(values, chosen)
+    return (_add_ignores if values["add_ignore"] else _report)(values, settings)
 
 
-def _report(values: Mapping[str, Any], chosen: Options) -> int:
-    outputs = options.outputs(values, fail_on(values, chosen).value)
+def _report(values: Mapping[str, Any], settings: Options) -> int:
+    outputs = options.outputs(values, fail_on(values, settings).value)
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
         from urdfkit.lint.fixable import counted
 
-        fixes = apply_fixes(values, chosen)
+        fixes = apply_fixes(values, settings)
         if values["diff"]:
             return int(bool(fixes.files))
         if not values["quiet"]:
@@ -67,20 +67,20 @@ def _report(values: Mapping[str, Any], chosen: Options) -> int:
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
-        report = _with_baseline(_check(values, chosen), known, values)
+        report = _with_baseline(_check(values, settings), known, values)
         if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
-            report = _with_fixable(report, values, chosen)
+            report = _with_fixable(report, values, settings)
     _show_crashes(report)
     if not any(name in _FOR_PEOPLE and not file for name, file in outputs):
         for typo in report.argument_typos:
             options.warn(typo)
     written = _write(report, outputs, values)
-    code = report.exit_code(fail_on(values, chosen))
+    code = report.exit_code(fail_on(values, settings))
     code = 0 if code == 1 and values["exit_zero"] else code
-    if _is_cacheable(values, chosen) and not (report.crashed or _is_huge(report)):
+    if _is_cacheable(values, settings) and not (report.crashed or _is_huge(report)):
         from urdfkit.cli import result_recording
 
-        result_recording.keep(code, written)
+        result_recording.finish(code, written)
     return code
 
 
@@ -130,16 +130,16 @@ def _has_fixes(report: Report) -> bool:
     return not _is_huge(report) and any(finding.fix for finding in report.diagnostics)
 
 
-def _is_cacheable(values: Mapping[str, Any], chosen: Options) -> bool:
+def _is_cacheable(values: Mapping[str, Any], settings: Options) -> bool:
     """False for a check that writes files, or whose result depends on more than files."""
     writes = values["fix"] or values["write_baseline"] or values["changed"]
     # External rules and trusted models may run any code.
     return not (
-        writes or chosen.with_config().trust or chosen.rules or chosen.config.external_rules
+        writes or settings.with_config().trust or settings.rules or settings.config.external_rules
     )
 
 
-def choices(values: Mapping[str, Any]) -> Options:
+def check_settings(values: Mapping[str, Any]) -> Options:
     """The options of the command line as options of ``urdfkit.check``."""
     files = options.files(values)
     added = options.add_rules(values)  # first: other options contain their codes
@@ -162,13 +162,13 @@ def choices(values: Mapping[str, Any]) -> Options:
     )
 
 
-def _files(values: Mapping[str, Any], chosen: Options) -> str:
+def _files(values: Mapping[str, Any], settings: Options) -> str:
     """The descriptions that would be checked, with their arguments, and the skipped files."""
     from urdfkit.lint.unchecked import unread_files
 
-    chosen = chosen.with_config()
-    resolver = Resolver(chosen.packages)
-    plan, read = planned(options.files(values), resolver, chosen), reader(chosen, resolver)
+    settings = settings.with_config()
+    resolver = Resolver(settings.packages)
+    plan, read = planned(options.files(values), resolver, settings), reader(settings, resolver)
     sets = [pair for job in plan.jobs for pair in as_launched(job, read)]
     lines = [
         " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
@@ -182,7 +182,7 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
     return "".join(f"{printable(line)}\n" for line in dict.fromkeys(lines))
 
 
-def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
+def _add_ignores(values: Mapping[str, Any], settings: Options) -> int:
     """Write comments for the findings at or above ``--fail-on``, or for the selected ones."""
     from urdfkit.core.words import counted
     from urdfkit.lint.added_ignores import add_ignores
@@ -190,11 +190,11 @@ def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
 
     files = options.files(values)
     if "-" in files or values["fix"]:
-        raise options.UsageError("--add-ignore takes files, not '-', and no --fix")
-    report = _with_baseline(_check(values, chosen), _baseline(values), values)
-    least = Severity.INFO if values["select"] else fail_on(values, chosen)
+        raise options.UsageError("--add-ignore cannot be combined with '-' or --fix")
+    report = _with_baseline(_check(values, settings), _baseline(values), values)
+    least = Severity.INFO if values["select"] else fail_on(values, settings)
     findings = [found for found in report.diagnostics if found.severity.rank <= least.rank]
-    added = add_ignores(findings, files, chosen, force=values["force"])
+    added = add_ignores(findings, files, settings, force=values["force"])
     if values["diff"]:
         output.write_diff("".join(file.diff() for file in added.files), values["color"])
         return int(bool(added.files))
@@ -207,18 +207,18 @@ def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
     return 0
 
 
-def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
+def fail_on(values: Mapping[str, Any], settings: Options) -> Severity:
     """The lowest severity that makes the exit code 1."""
-    return Severity(values["fail_on"] or chosen.config.fail_on)
+    return Severity(values["fail_on"] or settings.config.fail_on)
 
 
-def _check(values: Mapping[str, Any], chosen: Options) -> Report:
+def _check(values: Mapping[str, Any], settings: Options) -> Report:
     name = values["stdin_filename"] or STANDARD_INPUT
     files = options.files(values)
     progress = _progress(files)
     try:
         sources = [_standard_input(name) if file == "-" else file for file in files]
-        return check_with(chosen._replace(progress=progress), sources, spills=True)
+        return check_with(settings._replace(progress=progress), sources, spills=True)
     finally:
         if progress is not None:
             progress.clear()
@@ -230,16 +230,16 @@ def _standard_input(name: str) -> Source:
     return stdin.read(name)
 
 
-def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
+def _with_fixable(report: Report, values: Mapping[str, Any], settings: Options) -> Report:
     """The report with the number of fixable findings, unless it is of standard input."""
     from urdfkit.lint.fixable import fixable
 
     files = options.files(values)
-    return report if "-" in files else report._replace(fixable=fixable(report, chosen, files))
+    return report if "-" in files else report._replace(fixable=fixable(report, settings, files))
 
 
 def apply_fixes(
-    values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
+    values: Mapping[str, Any], settings: Options, *, generate_meshes: bool = False
 ) -> Fixes:
     """Fix the files in place, print the changes as a diff (--diff), or only find them (--check)."""
     from urdfkit.lint.fix import changes, fix
@@ -249,13 +249,17 @@ def apply_fixes(
         raise options.UsageError("standard input cannot be fixed in place; pass a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
-    chosen = chosen._replace(progress=progress)
+    settings = settings._replace(progress=progress)
     try:
         if values["diff"] and not generate_meshes:
-            fixes = changes(files, chosen, unsafe=unsafe, force=force)
+            fixes = changes(files, settings, unsafe=unsafe, force=force)
         else:
             fixes = fix(
-                *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=chosen
+                *files,
+                unsafe=unsafe,
+                force=force,
+                generate_meshes=generate_meshes,
+                options=settings,
             )
         if values["diff"]:
             output.write_diff(fixes.diff(), values["color"])
@@ -266,7 +270,7 @@ def apply_fixes(
         if not fixes.meshes:
             return fixes
         # The generated meshes may lead to further findings and fixes.
-        again = fix(*files, unsafe=unsafe, force=force, options=chosen)
+        again = fix(*files, unsafe=unsafe, force=force, options=settings)
         again.write()
     finally:
         if progress is not None:
@@ -282,11 +286,11 @@ def apply_fixes(
 
 def _print_fixes(fixes: Fixes) -> None:
     """Print the fixed files and the reasons for unapplied fixes to standard error."""
-    output.tell(*(f"fixed {shown(file.path)}" for file in fixes.files))
+    output.log(*(f"fixed {shown(file.path)}" for file in fixes.files))
     reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
-        output.tell(f"not fixed ({count}): {reason}")
+        output.log(f"not fixed ({count}): {reason}")
 
 
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:

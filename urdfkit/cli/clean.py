@@ -1,4 +1,4 @@
-"""``urdfkit clean``: removes what is kept between runs."""
+"""``urdfkit clean``: removes the cache."""
 
 import os
 from contextlib import suppress
@@ -20,16 +20,16 @@ def command() -> int:
     Examples:
         urdfkit clean
     """
-    found = contents()
+    cache = contents()
     try:
-        for entry in found.files:
+        for entry in cache.files:
             with suppress(FileNotFoundError):  # removed by another process
                 os.unlink(entry)
-        for directory in found.directories:
+        for directory in cache.directories:
             _remove(directory)
     except OSError as error:
         raise UnwritableFile(f"{error.filename}: cannot be removed: {error.strerror}") from error
-    output.page([f"{cache_directory() or 'no cache'}: {len(found.files)} entries removed"])
+    output.page([f"{cache_directory() or 'no cache'}: {len(cache.files)} entries removed"])
     return 0
 
 

@@ -1,4 +1,4 @@
-"""``urdfkit completion``, and what a shell completes: the values that click does not know."""
+"""``urdfkit completion``, and completion of values that click cannot complete."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 @described("completion")
 @click.argument("shell", type=click.Choice(SHELLS))
 def command(shell: str) -> int:
-    """Print a script by which a shell completes options.
+    """Print a completion script for a shell.
 
-    Completed are targets, codes, formats, views, and the links and joints of the robot on the
-    command line; elsewhere file names.
+    It completes options, targets, codes, formats, views, links and joints of the robot on the
+    command line, and file names.
 
     Exit codes: 0 done, 2 usage error.
 
@@ -67,19 +67,19 @@ def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
     """The completions of a word.
 
     Args:
-        words: before it, without the name of the program.
+        words: the words before it, without the program name.
     """
     values = _OF_OPTIONS.get(words[-1]) if words else None
     if words[:1] == ["explain"]:
         values = _codes
     if values is None:
         return [CompletionItem(incomplete, type="file")]
-    before, comma, last = incomplete.rpartition(",")
+    complete, comma, last = incomplete.rpartition(",")
     try:
-        found = [value for value in values(words) if value.startswith(last)]
-    except (ImportError, UrdfkitError):  # there is no robot, or an extra is missing
+        matches = [value for value in values(words) if value.startswith(last)]
+    except (ImportError, UrdfkitError):  # no readable robot, or an extra is missing
         return []
-    return [CompletionItem(before + comma + value) for value in found]
+    return [CompletionItem(complete + comma + value) for value in matches]
 
 
 def _targets(_: list[str]) -> Iterable[str]:
@@ -116,7 +116,7 @@ def _robot(words: list[str]) -> Context:
     """The robot of a command line.
 
     Raises:
-        UrdfkitError: it names none, or one that cannot be read.
+        UrdfkitError: there is no robot, or it cannot be read.
     """
     from urdfkit.lint.loading import read
 

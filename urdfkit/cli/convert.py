@@ -1,4 +1,4 @@
-"""``urdfkit convert``: a robot in the format of another program, with what is lost."""
+"""``urdfkit convert``: a robot in the format of another program, with the losses."""
 
 from __future__ import annotations
 
@@ -32,21 +32,21 @@ if TYPE_CHECKING:
     of=FIXED,
     help="Give links of fixed joints bodies, or merge them into their parents.",
 )
-@choice("--collision", of=COLLISIONS, help="What a collision mesh becomes.")
+@choice("--collision", of=COLLISIONS, help="Replacement of collision meshes.")
 @choice(
     "--exclude",
     of=EXCLUSIONS,
-    help="Which links do not collide: those that the SRDF disables, or also computed ones.",
+    help="Pairs of links that do not collide: disabled in the SRDF, or also computed.",
 )
 @option("--force", "Replace OUT if it is a conversion.")
 @in_formats("text", "json")
 @limited
-def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any) -> int:
+def command(inputs: dict[str, Any], to: str, out: str, format: str, **options: Any) -> int:
     """Convert a robot to another format, with meshes and a proof.
 
-    MJCF for MuJoCo, USD for Isaac Sim and Newton, SDF for Gazebo, or URDF without xacro. OUT has
-    the model, its meshes, and conversion.json, which says what became of every element and
-    attribute. What was written is read again and compared with the robot.
+    MJCF for MuJoCo, USD for Isaac Sim and Newton, SDF for Gazebo, or URDF without xacro. OUT
+    contains the model, its meshes, and conversion.json with the result for every element and
+    attribute. The output is read again and compared with the robot.
 
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
 
@@ -58,24 +58,24 @@ def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any)
         urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives
     """
     with progress_bar() as bar:
-        context = robot(asked, bar)
-    found = convert(context, out, to=to, **options)
-    output.json_or_page(form, lambda: found.facts, _page(found, out))
+        context = robot(inputs, bar)
+    conversion = convert(context, out, to=to, **options)
+    output.json_or_page(format, lambda: conversion.facts, _page(conversion, out))
     return 0
 
 
-def _page(found: Conversion, out: str) -> Iterator[str]:
+def _page(conversion: Conversion, out: str) -> Iterator[str]:
     root = {"free": "; its root floats", "fixed": "; its root is welded to the world", "": ""}
-    yield f"wrote {shown(out)}: {found.file}{root[found.root]}"
-    counts = (counted(number, what) for what, number in found.counts.items() if number)
+    yield f"wrote {shown(out)}: {conversion.file}{root[conversion.root]}"
+    counts = (counted(number, thing) for thing, number in conversion.counts.items() if number)
     yield from output.indented(", ".join(counts))
-    yield from output.indented(found.proof.agreed)
+    yield from output.indented(conversion.proof.agreed)
     for result in (Result.APPROXIMATED, Result.LOST):
-        parts = list(found.alike(result))
+        parts = list(conversion.grouped(result))
         if parts:
             yield f"{result.value}:"
         for note, entries in parts:
-            tags = dict.fromkeys(one.tag for one in entries)
+            tags = dict.fromkeys(entry.tag for entry in entries)
             first = entries[0]
             more = f", and {counted(len(entries) - 1, 'more place')}" if entries[1:] else ""
             yield from output.indented(f"{', '.join(tags)}: {note} ({first.span}{more})")

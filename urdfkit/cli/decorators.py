@@ -67,8 +67,8 @@ def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Com
 
 
 def in_formats(*formats: str) -> Callable[[Command], Command]:
-    """Add the option ``--format`` as parameter ``form``; the first format is the default."""
-    return choice("--format", "form", of=formats, help="Output format.")
+    """Add the option ``--format`` as parameter ``format``; the first format is the default."""
+    return choice("--format", "format", of=formats, help="Output format.")
 
 
 def to_file(name: str, help: str) -> Callable[[Command], Command]:

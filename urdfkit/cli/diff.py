@@ -22,7 +22,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 
 @described("diff")
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
-@click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
+@click.option("--format", "format", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
 @to_file("output_file", "Write to FILE; its suffix is the format.")
 @option(
     "--fail-on KINDS",
@@ -39,7 +39,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 )
 @limited
 def command(
-    form: str | None,
+    format: str | None,
     output_file: str | None,
     fail_on: str,
     tolerance: tuple[str, ...],
@@ -63,7 +63,7 @@ def command(
         raise options.UsageError("expected two files; xacro arguments have the form name:=value")
     if "-" in files:
         raise options.UsageError("standard input cannot be compared; pass a file")
-    name = _format(form, output_file)
+    name = _format(format, output_file)
     render = import_module(f"urdfkit.output.comparison.{name}").render
     if lang:
         if name != "html":
@@ -87,9 +87,9 @@ def command(
     return int(not counted.isdisjoint(comparison.kinds))
 
 
-def _format(form: str | None, output_file: str | None) -> str:
-    if form or not output_file:
-        return form or "text"
+def _format(format: str | None, output_file: str | None) -> str:
+    if format or not output_file:
+        return format or "text"
     for suffix, name in SUFFIXES.items():
         if output_file.lower().endswith(suffix):
             return name
@@ -105,15 +105,15 @@ def _kinds(text: str) -> set[str]:
 
 
 def _tolerances(words: tuple[str, ...]) -> Tolerances:
-    found: dict[str, float] = {}
+    tolerances: dict[str, float] = {}
     for word in words:
         name, _, text = word.partition("=")
         if name not in _NUMBERS:
             raise options.UsageError(f"--tolerance {word}: write one of {', '.join(_NUMBERS)}")
         try:
-            found[name] = float(text)
+            tolerances[name] = float(text)
         except ValueError:
-            found[name] = -1.0
-        if not found[name] >= 0:
+            tolerances[name] = -1.0
+        if not tolerances[name] >= 0:
             raise options.UsageError(f"--tolerance {word}: write a number from 0")
-    return Tolerances(**found)  # type: ignore[arg-type]
+    return Tolerances(**tolerances)  # type: ignore[arg-type]

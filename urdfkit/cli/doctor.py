@@ -117,24 +117,24 @@ def _environment() -> Iterator[str]:
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "GZ_SIM_RESOURCE_PATH"):
         yield f"{name}: {os.environ.get(name) or 'not set'}"
     cache = cache_directory()
-    found = contents()
-    held = f" ({len(found.files)} entries, {found.size / 1e6:.1f} MB)" if cache else ""
-    yield f"cache: {cache or 'none'}{held}"
+    stored = contents()
+    summary = f" ({len(stored.files)} entries, {stored.size / 1e6:.1f} MB)" if cache else ""
+    yield f"cache: {cache or 'none'}{summary}"
 
 
 def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     """The entry points of a directory, and the skipped files."""
     resolver = Resolver({**config.packages, **options.packages(values)})
-    found = discover(path, config, resolver)
+    discovered = discover(path, config, resolver)
     configured = " (named by the configuration)" if config.robots else ""
-    yield f"{path}: {counted(len(found.robots), 'robot')}{configured}"
-    for robot in found.robots:
+    yield f"{path}: {counted(len(discovered.robots), 'robot')}{configured}"
+    for robot in discovered.robots:
         words = [f"{name}:={value}" for name, value in robot.arguments.items()]
         yield "  " + " ".join([shown(robot.file), *words])
-    for library in found.libraries:
+    for library in discovered.libraries:
         yield f"  {shown(library)}: defines no link, and no file includes it"
-    for other, reason in found.others.items():
-        yield f"  {shown(other)}: {reason}"
+    for file, reason in discovered.others.items():
+        yield f"  {shown(file)}: {reason}"
     yield from _packages(os.path.join(path, "x"), resolver)
 
 
@@ -144,16 +144,16 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     entry = config.entry(path, options.arguments(values), values["variant"])
     names = options.words(values, "target") or config.targets
     resolver = Resolver(packages)
-    given = parse(names) if names else None
+    chosen_targets = parse(names) if names else None
     trust = values["trust"] or config.trust
     source = Source.of(stdin.opened(path))
-    context = Context(source, resolver, entry.arguments, trust=trust, targets=given)
+    context = Context(source, resolver, entry.arguments, trust=trust, targets=chosen_targets)
     words = (f"{name}:={value}" for name, value in entry.arguments.items())
     kind = "plain XML" if context.reading.xacro is None else "xacro"
     yield f"{path}: {' '.join((kind, *words))}"
     yield from _packages(path, resolver)
     if context.reading.document is not None:
-        yield from _targets(context, given)
+        yield from _targets(context, chosen_targets)
     report = check(
         source,
         arguments=entry.arguments,
@@ -171,8 +171,8 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     packages = resolver.packages
     root = packages.root(path)
     known = packages.known(path)
-    why = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
-    yield f"  packages are searched in {shown(root.directory)} ({why})"
+    cause = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
+    yield f"  packages are searched in {shown(root.directory)} ({cause})"
     siblings = [level.root for level in packages.levels(path) if not level.inside]
     yield from (f"    and next to it, in {shown(directory)}" for directory in siblings)
     for name, directory in sorted(known.items()):
@@ -187,9 +187,9 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
         yield from (f"    and in {variable}: {shown(directory)}" for directory in directories)
 
 
-def _targets(context: Context, given: Targets | None) -> Iterator[str]:
-    if given is not None:
-        yield f"  targets: {', '.join(given.names)} (given)"
+def _targets(context: Context, targets: Targets | None) -> Iterator[str]:
+    if targets is not None:
+        yield f"  targets: {', '.join(targets.names)} (given)"
         return
     inferred = context.inferred_targets
     yield f"  targets: {', '.join(inferred.names) or 'none detected; select with --target'}"

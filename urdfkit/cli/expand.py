@@ -36,7 +36,7 @@ _IGNORED = partial(
 @option("--verbosity LEVEL", "0 is the same as -q, as in xacro.", type=int)
 @_IGNORED("-i", "--inorder", is_flag=True)
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     target: str | None,
     deps: bool,
     map_file: str | None,
@@ -60,9 +60,9 @@ def command(
     from urdfkit.workspace.resolve import Resolver
     from urdfkit.xacro import expand
 
-    file = only_file(asked)
+    file = only_file(inputs)
     source = _read(file, root_dir)
-    read = reading(asked, file if file == "-" else os.path.join(root_dir, file))
+    read = reading(inputs, file if file == "-" else os.path.join(root_dir, file))
     xacro = expand(
         source, Resolver(read.packages), read.arguments, trust=read.trust, root_dir=root_dir
     )
@@ -101,19 +101,19 @@ def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""
         kind = f"{message.kind}: " if message.kind else ""
-        output.tell(f"{kind}{message.text}{where}")
+        output.log(f"{kind}{message.text}{where}")
     if error is None:
         return
-    output.tell(*f"error: {error}".split("\n"))  # with the line breaks of xacro
+    output.log(*f"error: {error}".split("\n"))  # with the line breaks of xacro
     for problem in _errors(xacro):
-        output.tell(f"{problem.span}: {problem.code} {problem.message}")
+        output.log(f"{problem.span}: {problem.code} {problem.message}")
         steps = problem.frame.steps() if problem.frame else ()
         for step in reversed(steps):
-            output.tell(f"  in {step.kind} {step.name}, called at {step.span}")
+            output.log(f"  in {step.kind} {step.name}, called at {step.span}")
         for related in problem.related:
-            output.tell(f"  {related.span}: {related.message}")
+            output.log(f"  {related.span}: {related.message}")
         if problem.help:
-            output.tell(f"  help: {problem.help}")
+            output.log(f"  help: {problem.help}")
 
 
 def _errors(xacro: Xacro) -> Iterator[Problem]:

@@ -25,7 +25,7 @@ _NEEDS = {
 }
 
 
-#: Stands for a space at which no line ends.
+#: Placeholder of a non-breaking space.
 _HARD = "\0"
 
 
@@ -48,11 +48,11 @@ def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
 
 
 def _find(word: str) -> Rule:
-    if about := FAMILIES.get(word.upper()):
-        family = f": a rule family ({about}); 'urdfkit rules {word.upper()}' lists its rules"
+    if title := FAMILIES.get(word.upper()):
+        family = f": a rule family ({title}); 'urdfkit rules {word.upper()}' lists its rules"
         raise UnknownRule(word, family)
-    if renamed := note(word):
-        options.warn(renamed)
+    if rename_note := note(word):
+        options.warn(rename_note)
     try:
         return find_rule(word)
     except UnknownRule:
@@ -94,22 +94,22 @@ def severities(rule: Rule) -> str:
     """Such as ``info, error for gz-harmonic and gz-jetty``."""
     parts = [rule.severity.value]
     for severity in Severity:
-        names = [name for name, one in rule.severities.items() if one is severity]
+        names = [name for name, level in rule.severities.items() if level is severity]
         if names and severity is not rule.severity:
             parts.append(f"{severity.value} for {listed(names)}")
     return ", ".join(parts)
 
 
 def _robots(rule: Rule) -> dict[str, str]:
-    """The robots that a rule has, by their titles; of two that are the same, one."""
+    """The examples of a rule by title, without duplicates."""
     bad, good, fixed = map(rule.example, ("BAD", "GOOD", "FIXED"))
     accepted = "Good, after the fix" if good == fixed else "Good"
-    found = {"Bad": bad, accepted: good, "Fixed": None if good == fixed else fixed}
-    return {title: text for title, text in found.items() if text}
+    examples = {"Bad": bad, accepted: good, "Fixed": None if good == fixed else fixed}
+    return {title: text for title, text in examples.items() if text}
 
 
 def _fill(paragraph: str) -> str:
-    """A paragraph or a list at 80 columns, or fewer; an example stays as it is, code unbroken."""
+    """A paragraph or list at 80 columns or fewer; examples are unchanged, code is not broken."""
     if paragraph.startswith("- "):
         return "\n".join(_filled(item, "  ") for item in re.split(r"\n(?=- )", paragraph))
     if any(line.startswith((" ", "-", "*", "|")) for line in paragraph.splitlines()):
@@ -123,9 +123,9 @@ def _filled(text: str, indentation: str = "") -> str:
     Args:
         indentation: of all lines but the first.
     """
-    whole = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), " ".join(text.split()))
+    line = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), " ".join(text.split()))
     width = min(output.width(), 80)
     filled = fill(
-        whole, width, subsequent_indent=indentation, break_long_words=False, break_on_hyphens=False
+        line, width, subsequent_indent=indentation, break_long_words=False, break_on_hyphens=False
     )
     return filled.replace(_HARD, " ")

@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
-from urdfkit.cli.checking import apply_fixes, choices, fail_on
+from urdfkit.cli.checking import apply_fixes, check_settings, fail_on
 from urdfkit.cli.decorators import examples
 from urdfkit.core.words import counted, few
 from urdfkit.lint.fix_session import Fixes
@@ -25,12 +25,12 @@ _MAX_LINES = 8
 
 
 def _fix(**values: Any) -> int:
-    chosen = choices(values)
-    fixes = apply_fixes(values, chosen, generate_meshes=values["generate_meshes"])
+    settings = check_settings(values)
+    fixes = apply_fixes(values, settings, generate_meshes=values["generate_meshes"])
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         if not fixes.files and not values["quiet"]:
-            output.tell(_total(fixes, "would be fixed"), *_reasons(fixes))  # stdout is a patch
+            output.log(_total(fixes, "would be fixed"), *_reasons(fixes))  # stdout is a patch
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
@@ -38,7 +38,7 @@ def _fix(**values: Any) -> int:
     if fixes.report.crashed:
         return 3
     if values["fail_on"]:
-        return fixes.report.exit_code(fail_on(values, chosen))
+        return fixes.report.exit_code(fail_on(values, settings))
     return int(is_dry and bool(fixes.files or fixes.meshes))
 
 
@@ -61,7 +61,7 @@ command = click.Command(
             metavar="SEVERITY",
             help="Exit with 1 if findings of this severity or above are left.",
         ),
-        *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
+        *(click_option(option) for option in options.CHECK if option.flag[2:] in _OPTIONS),
     ],
     help="""Apply auto-fixes to source files; keep layout and comments.
 
@@ -83,44 +83,45 @@ command = click.Command(
 
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
     yield from _applied(fixes, "would fix" if is_dry else "fixed")
-    made = list(_meshes(fixes, "would generate" if is_dry else "generated"))
-    yield from (*made, "") if made else ()
+    meshes = list(_meshes(fixes, "would generate" if is_dry else "generated"))
+    yield from (*meshes, "") if meshes else ()
     yield from _left(fixes)
     yield _total(fixes, "would be fixed" if is_dry else "fixed")
 
 
 def _applied(fixes: Fixes, verb: str) -> Iterator[str]:
     groups: dict[str, dict[tuple[str, str], list[Diagnostic]]] = {}
-    for one in fixes.applied:
-        assert one.fix is not None
-        path = shown(one.fix.edits[0].span.source.path)
-        groups.setdefault(path, {}).setdefault((one.code, one.fix.title), []).append(one)
+    for fixed in fixes.applied:
+        assert fixed.fix is not None
+        path = shown(fixed.fix.edits[0].span.source.path)
+        groups.setdefault(path, {}).setdefault((fixed.code, fixed.fix.title), []).append(fixed)
     for path, kinds in sorted(groups.items()):
         yield f"{verb} in {printable(path)}:"
-        for (code, title), found in kinds.items():
-            yield _row(f"{code}  {printable(title)}", found)
+        for (code, title), diagnostics in kinds.items():
+            yield _row(f"{code}  {printable(title)}", diagnostics)
         yield ""
 
 
-def _meshes(fixes: Fixes, made: str) -> Iterator[str]:
+def _meshes(fixes: Fixes, verb: str) -> Iterator[str]:
     for mesh in fixes.meshes:
-        yield f"{made} {printable(shown(mesh.path))}:"
+        yield f"{verb} {printable(shown(mesh.path))}:"
         yield from output.indented(mesh.reason)
-    for other in fixes.not_generated:
-        yield f"cannot generate {printable(shown(other.path))}:"
-        yield from output.indented(other.reason)
+    for failure in fixes.not_generated:
+        yield f"cannot generate {printable(shown(failure.path))}:"
+        yield from output.indented(failure.reason)
 
 
 def _left(fixes: Fixes) -> Iterator[str]:
     groups: dict[str, dict[tuple[int, str, str], list[Diagnostic]]] = {}
-    for one, reason in fixes.left:
-        key = (one.severity.rank, f"{one.severity.value:<7}  {one.code}  {one.name}", reason)
-        groups.setdefault(shown(one.span.source.path), {}).setdefault(key, []).append(one)
+    for left, reason in fixes.left:
+        severity = left.severity
+        key = (severity.rank, f"{severity.value:<7}  {left.code}  {left.name}", reason)
+        groups.setdefault(shown(left.span.source.path), {}).setdefault(key, []).append(left)
     # The files with errors first.
     for path, kinds in sorted(groups.items(), key=lambda of_file: (min(of_file[1])[0], of_file[0])):
         yield f"left in {printable(path)}:"
-        for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):
-            yield _row(what + (f" ({_why(reason, found[0])})" if reason else ""), found)
+        for (_, title, reason), findings in sorted(kinds.items(), key=lambda kind: kind[0]):
+            yield _row(title + (f" ({_why(reason, findings[0])})" if reason else ""), findings)
         yield ""
 
 
@@ -131,8 +132,8 @@ def _why(reason: str, diagnostic: Diagnostic) -> str:
     return "unsafe fix: needs --unsafe-fixes" if reason == "unsafe" else printable(reason)
 
 
-def _row(text: str, found: Iterable[Diagnostic]) -> str:
-    lines = [str(line) for line in sorted({one.span.line for one in found})]
+def _row(text: str, diagnostics: Iterable[Diagnostic]) -> str:
+    lines = [str(line) for line in sorted({diagnostic.span.line for diagnostic in diagnostics})]
     row = f"{text}: line{'s' * (len(lines) > 1)} {few(lines, _MAX_LINES)}"
     return f"  {wrap(row, output.width() - 2, indent=6)}"
 

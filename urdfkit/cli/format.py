@@ -80,4 +80,4 @@ def _print_result(result: Formatted, done: str, *, quiet: bool) -> None:
         + (f", {len(result.skipped)} skipped" if result.skipped else "")
         + (f", {len(result.failed)} failed" if result.failed else "")
     )
-    output.tell(*(errors if quiet else lines))
+    output.log(*(errors if quiet else lines))

@@ -1,4 +1,4 @@
-"""``urdfkit gazebo``: what Gazebo makes of a robot."""
+"""``urdfkit gazebo``: a robot after Gazebo's conversion to SDF."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -22,7 +22,7 @@ VERSION = 1
 @one_robot
 @in_formats("text", "json")
 @option("--old", "Convert as sdformat did before 9.10.1 and 12.7.2.")
-def command(asked: dict[str, Any], form: str, old: bool) -> int:
+def command(inputs: dict[str, Any], format: str, old: bool) -> int:
     """Show the robot after Gazebo's conversion from URDF to SDF.
 
     Gazebo merges links connected by fixed joints, drops links without mass together with their
@@ -34,30 +34,30 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     Examples:
         urdfkit gazebo robot.urdf.xacro
     """
-    return show(robot(asked), form, old=old)
+    return show(robot(inputs), format, old=old)
 
 
-def show(context: Context, form: str, *, old: bool) -> int:
+def show(context: Context, format: str, *, old: bool) -> int:
     """Print the conversion of a robot to SDF.
 
     Args:
-        form: ``text`` or ``json``.
+        format: ``text`` or ``json``.
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """
     conversion = SdfConversion(context.tree, OLD if old else NEW)
     rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
-    output.json_or_page(form, lambda: as_json(conversion, rejected), lines)
+    output.json_or_page(format, lambda: as_json(conversion, rejected), lines)
     return 0
 
 
 def _rejection(rejected: list[Rejection]) -> Iterator[str]:
-    """Why Gazebo rejects the robot, and the heading of the result without these errors."""
-    for reader in dict.fromkeys(one.reader for one in rejected):
+    """The reasons why Gazebo rejects the robot, and the heading of the rest."""
+    for reader in dict.fromkeys(rejection.reader for rejection in rejected):
         yield f"{reader} rejects this robot:"
-        for one in (one for one in rejected if one.reader == reader):
-            code = f" ({one.code})" if one.code else ""
-            text = f"  {shown(one.span.source.path)}:{one.span.line}: {one.message}{code}"
+        for _, code, message, span in (item for item in rejected if item.reader == reader):
+            rule = f" ({code})" if code else ""
+            text = f"  {shown(span.source.path)}:{span.line}: {message}{rule}"
             yield from output.wrapped(printable(text), indent=4)
         yield ""
     if rejected:
@@ -130,7 +130,7 @@ def as_json(conversion: SdfConversion, rejected: list[Rejection]) -> dict[str, A
     return {
         "version": VERSION,
         "converter": conversion.converter.name,
-        "rejected": [_rejection_as_json(one) for one in rejected],
+        "rejected": [_rejection_as_json(rejection) for rejection in rejected],
         "links": [_link_as_json(link) for link in conversion.links],
         "joints": [_joint_as_json(joint) for joint in conversion.joints],
         "added": {
@@ -142,13 +142,13 @@ def as_json(conversion: SdfConversion, rejected: list[Rejection]) -> dict[str, A
     }
 
 
-def _rejection_as_json(one: Rejection) -> dict[str, Any]:
+def _rejection_as_json(rejection: Rejection) -> dict[str, Any]:
     return {
-        "by": one.reader,
-        "code": one.code,
-        "message": one.message,
-        "file": shown(one.span.source.path),
-        "line": one.span.line,
+        "by": rejection.reader,
+        "code": rejection.code,
+        "message": rejection.message,
+        "file": shown(rejection.span.source.path),
+        "line": rejection.span.line,
     }
 
 

@@ -1,4 +1,4 @@
-"""``urdfkit importers``: what simulators and dynamics libraries make of a robot."""
+"""``urdfkit importers``: a robot after the import by simulators and dynamics libraries."""
 
 import csv
 from collections.abc import Iterable, Iterator
@@ -14,7 +14,7 @@ from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.ros.importers.changes import changes
-from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, chosen
+from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, selected
 from urdfkit.ros.importers.imported import Imported, ImportedBody, ImportedJoint
 from urdfkit.ros.importers.index_map import IndexMap, index_map
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -31,12 +31,13 @@ STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
 @option("--for NAMES", "Programs. [default: all]", to="names", multiple=True)
 @option("--map FROM:TO", "Indices of FROM in the order of TO.", to="pair")
 @in_formats("text", "json", "csv")
-def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, form: str) -> int:
-    """Show what simulators make of a robot.
+def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, format: str) -> int:
+    """Show how simulators import a robot.
 
     The programs are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints),
     isaac-sim (Isaac Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and
-    yourdfpy; none need be installed. Errors that a program stops at come first.
+    yourdfpy; none of them needs to be installed. Errors that make a program reject the robot come
+    first.
 
     Exit codes: 0 done, 2 the file cannot be read, or two programs have different joints.
 
@@ -45,57 +46,57 @@ def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, for
         urdfkit importers robot.urdf.xacro --for mujoco,pinocchio
         urdfkit importers robot.urdf.xacro --map isaac:mujoco
     """
-    asked_for = words({"for": names}, "for")
+    programs = words({"for": names}, "for")
     if pair is not None:
-        return _map(asked, asked_for, pair, form)
-    if form == "csv" and not asked_for:
+        return _map(inputs, programs, pair, format)
+    if format == "csv" and not programs:
         raise UsageError("--format csv needs --for or --map")
-    if GAZEBO in asked_for:
-        if len(set(asked_for)) > 1 or form == "csv":
-            raise UsageError("--for gazebo stands alone, as text or JSON")
-        return gazebo.show(robot(asked), form, old=False)
-    facts = chosen(asked_for or IMPORTERS)
-    context = robot(asked)
-    robots = [context.imported(one.name) for one in facts]
-    if form == "csv":
+    if GAZEBO in programs:
+        if len(set(programs)) > 1 or format == "csv":
+            raise UsageError("--for gazebo allows no other program, and only text or JSON")
+        return gazebo.show(robot(inputs), format, old=False)
+    facts = selected(programs or IMPORTERS)
+    context = robot(inputs)
+    robots = [context.imported(importer.name) for importer in facts]
+    if format == "csv":
         output.write("".join(_csv(robots)))
         return 0
-    errors = {one.name: _errors(asked, context, one) for one in facts} if asked_for else {}
-    lines = _reports(robots, errors) if asked_for else _overview(robots)
-    output.json_or_page(form, lambda: _as_json(robots, errors), lines)
+    errors = {item.name: _errors(inputs, context, item) for item in facts} if programs else {}
+    lines = _reports(robots, errors) if programs else _overview(robots)
+    output.json_or_page(format, lambda: _as_json(robots, errors), lines)
     return 0
 
 
-def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
+def _map(inputs: dict[str, Any], names: list[str], pair: str, format: str) -> int:
     source, colon, target = pair.partition(":")
     if names:
-        raise UsageError("--map names its programs itself; leave --for out")
+        raise UsageError("--map and --for cannot be combined")
     if not (colon and source and target):
         raise UsageError(f"--map {pair}: expected FROM:TO, such as isaac:mujoco")
     if GAZEBO in (source, target):
-        raise UsageError(f"--map {pair}: gazebo finds joints by name, and has no order of them")
+        raise UsageError(f"--map {pair}: gazebo has no joint order: it finds joints by name")
     try:
-        chosen((source, target))
+        selected((source, target))
     except UnknownImporter as error:
         raise UsageError(f"--map {pair}: {error}") from error
-    context = robot(asked)
-    found = index_map(context.imported(source), context.imported(target))
-    if form == "csv":
-        output.write("".join(_map_csv(found)))
+    context = robot(inputs)
+    result = index_map(context.imported(source), context.imported(target))
+    if format == "csv":
+        output.write("".join(_map_csv(result)))
     else:
-        output.json_or_page(form, lambda: _map_as_json(found), [_map_line(found)])
+        output.json_or_page(format, lambda: _map_as_json(result), [_map_line(result)])
     return 0
 
 
-def _errors(asked: dict[str, Any], context: Context, facts: ImporterFacts) -> list[Diagnostic]:
+def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> list[Diagnostic]:
     """The errors of a check for a program; only those of the tree if it is not a target."""
-    options = check_options(asked, only_file(asked))
+    options = check_options(inputs, only_file(inputs))
     if facts.target:
         options = options._replace(targets=(facts.target,))
     else:
         options = options._replace(select=STRUCTURE)
     report = check(context.source, options=options)
-    return [one for one in report.diagnostics if one.severity is Severity.ERROR]
+    return [error for error in report.diagnostics if error.severity is Severity.ERROR]
 
 
 def _place(span: Span) -> str:
@@ -109,11 +110,11 @@ def _overview(robots: list[Imported]) -> Iterator[str]:
     yield ""
     rows = [(" program   ", f"{'bodies':>6} {'mass / kg':>10} {'DoF':>4}  order  root")]
     orders: dict[tuple[str, ...], str] = {}
-    for one in robots:
-        order = tuple(joint.joint.name for joint in one.joints)
+    for imported in robots:
+        order = tuple(joint.joint.name for joint in imported.joints)
         letter = orders.setdefault(order, _letter(len(orders)))
-        row = f"{len(_moving(one)):>6} {_total(one):>10} {_freedom(one):>4}  {letter:<5}  "
-        rows.append((f" {one.facts.name}", row + _root(one)))
+        row = f"{len(_moving(imported)):>6} {_total(imported):>10} {_freedom(imported):>4}"
+        rows.append((f" {imported.facts.name}", f"{row}  {letter:<5}  {_root(imported)}"))
     yield from output.two_columns(rows)
     yield ""
     for order, letter in orders.items():
@@ -124,41 +125,41 @@ def _letter(number: int) -> str:
     return chr(ord("A") + number)
 
 
-def _moving(one: Imported) -> list[ImportedBody]:
-    world = one.facts.merges_into_world
-    return [body for body in one.bodies if not (world and body.name == "world")]
+def _moving(imported: Imported) -> list[ImportedBody]:
+    world = imported.facts.merges_into_world
+    return [body for body in imported.bodies if not (world and body.name == "world")]
 
 
-def _total(one: Imported) -> str:
-    masses = [body.mass for body in _moving(one)]
+def _total(imported: Imported) -> str:
+    masses = [body.mass for body in _moving(imported)]
     known = [mass for mass in masses if mass is not None]
     return f"{sum(known):.4g}" if len(known) == len(masses) else "?"
 
 
-def _kilograms(one: Imported) -> str:
-    total = _total(one)
+def _kilograms(imported: Imported) -> str:
+    total = _total(imported)
     return "of unknown mass" if total == "?" else f"{total} kg"
 
 
-def _freedom(one: Imported) -> int:
-    return sum(joint.nv for joint in one.joints)
+def _freedom(imported: Imported) -> int:
+    return sum(joint.nv for joint in imported.joints)
 
 
-def _root(one: Imported) -> str:
-    if one.root_is_free is None:
+def _root(imported: Imported) -> str:
+    if imported.root_is_free is None:
         return "welded or free"
-    return "free" if one.root_is_free else "welded"
+    return "free" if imported.root_is_free else "welded"
 
 
 def _reports(robots: list[Imported], errors: dict[str, list[Diagnostic]]) -> Iterator[str]:
-    for number, one in enumerate(robots):
+    for number, imported in enumerate(robots):
         if number:
             yield ""
-        yield from _report(one, errors[one.facts.name])
+        yield from _report(imported, errors[imported.facts.name])
 
 
-def _report(one: Imported, errors: list[Diagnostic]) -> Iterator[str]:
-    facts = one.facts
+def _report(imported: Imported, errors: list[Diagnostic]) -> Iterator[str]:
+    facts = imported.facts
     if errors:
         flag = f" --target {facts.target}" if facts.target else ""
         yield f"{facts.title} may reject this robot: 'urdfkit check{flag}' reports"
@@ -167,57 +168,60 @@ def _report(one: Imported, errors: list[Diagnostic]) -> Iterator[str]:
             yield from output.indented(text)
         yield "Without these errors:"
         yield ""
-    number = len(_moving(one))
+    number = len(_moving(imported))
+    bodies = "1 body" if number == 1 else f"{number} bodies"
     yield from output.wrapped(
-        f"{facts.title}: {counted(len(one.tree.model.links), 'link')} become "
-        f"{number} {'body' if number == 1 else 'bodies'}, {_kilograms(one)}; {_about_root(one)}"
+        f"{facts.title}: {counted(len(imported.tree.model.links), 'link')} become "
+        f"{bodies}, {_kilograms(imported)}; {_about_root(imported)}"
     )
-    yield from _changes(one)
+    yield from _changes(imported)
     yield ""
-    yield from _joints(one)
+    yield from _joints(imported)
 
 
-def _about_root(one: Imported) -> str:
-    how = one.facts.about_root
-    what = "the root is " + ("welded to the world" if one.root_is_free is False else "free")
-    if one.root_is_free is None:
-        return how
-    return f"{what} ({how})" if how else what
+def _about_root(imported: Imported) -> str:
+    alternative = imported.facts.about_root
+    state = "the root is " + ("welded to the world" if imported.root_is_free is False else "free")
+    if imported.root_is_free is None:
+        return alternative
+    return f"{state} ({alternative})" if alternative else state
 
 
-def _changes(one: Imported) -> Iterator[str]:
+def _changes(imported: Imported) -> Iterator[str]:
     """The changes, grouped by file."""
-    for path, group in groupby(changes(one), key=lambda change: change.at.span.source.path):
+    for path, group in groupby(changes(imported), key=lambda change: change.at.span.source.path):
         yield ""
         yield shown(path)
         for change in group:
             yield from output.indented(change.text, f"  {change.at.span.line:>4}  ", " " * 8)
 
 
-def _joints(one: Imported) -> Iterator[str]:
+def _joints(imported: Imported) -> Iterator[str]:
     rows = [("    q    v  joint", "  type")]
     rows += (
         (f"{joint.q:>5}{joint.v:>5}  {', '.join(joint.names)}", f"  {joint.joint.kind}")
-        for joint in one.joints
+        for joint in imported.joints
     )
-    yield from output.two_columns(rows if one.joints else [("no joint moves", "")])
+    yield from output.two_columns(rows if imported.joints else [("no joint moves", "")])
 
 
 def _as_json(robots: list[Imported], errors: dict[str, list[Diagnostic]]) -> dict[str, Any]:
     return {
         "version": VERSION,
-        "importers": [_robot_as_json(one, errors.get(one.facts.name)) for one in robots],
+        "importers": [
+            _robot_as_json(imported, errors.get(imported.facts.name)) for imported in robots
+        ],
     }
 
 
-def _robot_as_json(one: Imported, errors: list[Diagnostic] | None) -> dict[str, Any]:
-    found: dict[str, Any] = {
-        "name": one.facts.name,
-        "title": one.facts.title,
-        "root": _root(one),
+def _robot_as_json(imported: Imported, errors: list[Diagnostic] | None) -> dict[str, Any]:
+    document: dict[str, Any] = {
+        "name": imported.facts.name,
+        "title": imported.facts.title,
+        "root": _root(imported),
         "bodies": [
             {"name": body.name, "mass": body.mass, "links": [link.name for link in body.links]}
-            for body in one.bodies
+            for body in imported.bodies
         ],
         "joints": [
             {
@@ -230,16 +234,18 @@ def _robot_as_json(one: Imported, errors: list[Diagnostic] | None) -> dict[str, 
                 "nv": joint.nv,
                 **_placed(joint.joint.at.span),
             }
-            for joint in one.joints
+            for joint in imported.joints
         ],
-        "changes": [{"text": change.text, **_placed(change.at.span)} for change in changes(one)],
+        "changes": [
+            {"text": change.text, **_placed(change.at.span)} for change in changes(imported)
+        ],
     }
     if errors is not None:
-        found["errors"] = [
+        document["errors"] = [
             {"code": error.code, "message": error.message, **_placed(error.span)}
             for error in errors
         ]
-    return found
+    return document
 
 
 def _placed(span: Span) -> dict[str, Any]:
@@ -248,19 +254,21 @@ def _placed(span: Span) -> dict[str, Any]:
 
 def _csv(robots: list[Imported]) -> Iterator[str]:
     header = ("importer", "joint", "type", "q", "nq", "v", "nv", "file", "line")
-    yield _csv_text(header, (_row(one, joint) for one in robots for joint in one.joints))
+    yield _csv_text(
+        header, (_row(imported, joint) for imported in robots for joint in imported.joints)
+    )
 
 
-def _row(robot: Imported, one: ImportedJoint) -> tuple[object, ...]:
-    at, numbers = one.joint.at.span, (one.q, one.nq, one.v, one.nv)
-    place = shown(at.source.path), at.line
-    return (robot.facts.name, one.joint.name, one.joint.kind, *numbers, *place)
+def _row(robot: Imported, joint: ImportedJoint) -> tuple[object, ...]:
+    span, numbers = joint.joint.at.span, (joint.q, joint.nq, joint.v, joint.nv)
+    location = shown(span.source.path), span.line
+    return (robot.facts.name, joint.joint.name, joint.joint.kind, *numbers, *location)
 
 
-def _map_csv(found: IndexMap) -> Iterator[str]:
-    names = (joint.joint.name for joint in found.joints)
-    rows = zip(names, range(len(found.joints)), found.indices, strict=True)
-    yield _csv_text(("joint", found.target, found.source), rows)
+def _map_csv(result: IndexMap) -> Iterator[str]:
+    names = (joint.joint.name for joint in result.joints)
+    rows = zip(names, range(len(result.joints)), result.indices, strict=True)
+    yield _csv_text(("joint", result.target, result.source), rows)
 
 
 def _csv_text(header: Iterable[object], rows: Iterable[Iterable[object]]) -> str:
@@ -269,17 +277,17 @@ def _csv_text(header: Iterable[object], rows: Iterable[Iterable[object]]) -> str
     return text.getvalue()
 
 
-def _map_line(found: IndexMap) -> str:
-    source, target = found.source.replace("-", "_"), found.target.replace("-", "_")
+def _map_line(result: IndexMap) -> str:
+    source, target = result.source.replace("-", "_"), result.target.replace("-", "_")
     name = f"{source}_to_{target}"
-    return f"{name} = {list(found.indices)}  # q_{target} = q_{source}[{name}]"
+    return f"{name} = {list(result.indices)}  # q_{target} = q_{source}[{name}]"
 
 
-def _map_as_json(found: IndexMap) -> dict[str, Any]:
+def _map_as_json(result: IndexMap) -> dict[str, Any]:
     return {
         "version": VERSION,
-        "from": found.source,
-        "to": found.target,
-        "joints": [joint.joint.name for joint in found.joints],
-        "indices": list(found.indices),
+        "from": result.source,
+        "to": result.target,
+        "joints": [joint.joint.name for joint in result.joints],
+        "indices": list(result.indices),
     }

@@ -38,7 +38,7 @@ VERSION = 1
 @one_robot
 @limited
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     mass: float | None,
     density: float | None,
     material: str | None,
@@ -46,7 +46,7 @@ def command(
     write: bool,
     diff: bool,
     color: str,
-    form: str,
+    format: str,
     **geometry: Any,
 ) -> int:
     """Compare inertias with those of the geometry; suggest values.
@@ -62,33 +62,33 @@ def command(
         urdfkit inertia robot.urdf.xacro --link arm --material steel
     """
     if sum(value is not None for value in (mass, density, material)) > 1:
-        raise options.UsageError("--mass, --density and --material exclude one another")
+        raise options.UsageError("--mass, --density and --material cannot be combined")
     if any(value is not None and not 0 < value < inf for value in (mass, density)):
         raise options.UsageError("--mass and --density must be more than 0, and finite")
     if material is not None:
         density = DENSITIES[material]
     with progress_bar("mesh files") as bar:
-        context = robot(asked, bar)
+        context = robot(inputs, bar)
         proposals = propose(context, mass=mass, density=density, links=links, **geometry)
-    chosen = [one for one in proposals if links or one.is_doubtful]
+    subset = [proposal for proposal in proposals if links or proposal.is_doubtful]
     if write or diff:
-        return _write(chosen, color, is_diff=diff)
-    output.json_or_page(form, lambda: as_json(proposals), [*table(proposals), *proposed(chosen)])
+        return _write(subset, color, is_diff=diff)
+    output.json_or_page(format, lambda: as_json(proposals), [*table(proposals), *proposed(subset)])
     return 0
 
 
-def _write(chosen: Sequence[InertiaProposal], color: str, *, is_diff: bool) -> int:
+def _write(proposals: Sequence[InertiaProposal], color: str, *, is_diff: bool) -> int:
     """Write suggested values, or print them as a diff; the exit code is 1 if a write fails."""
     lines: list[str] = []
-    files, left = rewrites(chosen)
+    files, unchanged = rewrites(proposals)
     if is_diff:
         output.write_diff("".join(file.diff() for file in files), color)
     else:
         rewriting.write(files)
         lines += [f"wrote {shown(file.path)}" for file in files]
-    lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
+    lines += [f"link '{name}' is unchanged: {reason}" for name, reason in unchanged.items()]
     output.page(lines or ["nothing to write"] * (not files))
-    return int(bool(left))
+    return int(bool(unchanged))
 
 
 def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
@@ -96,48 +96,48 @@ def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     head = " ".join(f"{word:>9}" for word in ("mass / kg", "ixx", "iyy", "izz"))
     rows = [("link", f"{'':<9} {head}")]
     notes: dict[str, list[str]] = {}
-    for one in proposals:
-        rows.append((one.link.name, _row("declared", one.declared)))
-        for note in (one.reason, *(one.shape_mass.notes if one.shape_mass else ())):
+    for proposal in proposals:
+        rows.append((proposal.link.name, _row("declared", proposal.declared)))
+        for note in (proposal.reason, *(proposal.shape_mass.notes if proposal.shape_mass else ())):
             if note:
-                notes.setdefault(note, []).append(one.link.name)
-        if one.computed is None:
-            rows.append(("", one.verdict))
+                notes.setdefault(note, []).append(proposal.link.name)
+        if proposal.computed is None:
+            rows.append(("", proposal.verdict))
             continue
         name = (
-            one.shape_mass.source.removeprefix("the ").partition(" of ")[0]
-            if one.shape_mass
+            proposal.shape_mass.source.removeprefix("the ").partition(" of ")[0]
+            if proposal.shape_mass
             else ""
         )
-        verdict = one.verdict + (f" x{one.factor:.3g}" if one.verdict == "differs" else "")
-        rows.append(("", f"{_row(name, one.computed)}  {verdict}"))
+        factor = f" x{proposal.factor:.3g}" if proposal.verdict == "differs" else ""
+        rows.append(("", f"{_row(name, proposal.computed)}  {proposal.verdict}{factor}"))
     yield from output.two_columns(rows)
     for note, names in notes.items():
         yield from output.indented(f"{', '.join(names)}: {note}", first="", rest="  ")
 
 
-def _row(what: str, values: MassProperties | None) -> str:
+def _row(label: str, values: MassProperties | None) -> str:
     if values is None:
-        return f"{what:<9} {'-':>9}"
+        return f"{label:<9} {'-':>9}"
     tensor = values.tensor
-    return f"{what:<9} {output.aligned((values.mass, tensor.ixx, tensor.iyy, tensor.izz))}"
+    return f"{label:<9} {output.aligned((values.mass, tensor.ixx, tensor.iyy, tensor.izz))}"
 
 
-def proposed(chosen: Sequence[InertiaProposal]) -> Iterator[str]:
+def proposed(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     """The suggested values; links with the same values share a line."""
-    alike: dict[str, list[InertiaProposal]] = {}
-    for one in chosen:
-        if one.computed is not None:
-            alike.setdefault("\n".join(one.lines()), []).append(one)
-    for text, links in alike.items():
+    groups: dict[str, list[InertiaProposal]] = {}
+    for proposal in proposals:
+        if proposal.computed is not None:
+            groups.setdefault("\n".join(proposal.lines()), []).append(proposal)
+    for text, links in groups.items():
         yield ""
         yield from output.indented(", ".join(map(_name, links)) + ":", first="", rest="")
         yield from (f"  {line}" for line in text.splitlines())
 
 
-def _name(one: InertiaProposal) -> str:
-    others = f" with {', '.join(one.links[1:])}" if len(one.links) > 1 else ""
-    return f"{one.link.name}{others} ({one.verdict})"
+def _name(proposal: InertiaProposal) -> str:
+    others = f" with {', '.join(proposal.links[1:])}" if len(proposal.links) > 1 else ""
+    return f"{proposal.link.name}{others} ({proposal.verdict})"
 
 
 def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
@@ -145,18 +145,18 @@ def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
         "version": VERSION,
         "links": [
             {
-                "name": one.link.name,
-                "links": list(one.links),
-                "verdict": one.verdict,
-                "factor": one.factor if one.factor < float("inf") else None,
-                "declared": _properties(one.declared),
-                "computed": _properties(one.computed),
-                "source": one.shape_mass.source if one.shape_mass else None,
-                "volume": one.shape_mass.properties.mass if one.shape_mass else None,
-                "notes": list(one.shape_mass.notes) if one.shape_mass else [],
-                "reason": one.reason,
+                "name": proposal.link.name,
+                "links": list(proposal.links),
+                "verdict": proposal.verdict,
+                "factor": proposal.factor if proposal.factor < float("inf") else None,
+                "declared": _properties(proposal.declared),
+                "computed": _properties(proposal.computed),
+                "source": proposal.shape_mass.source if proposal.shape_mass else None,
+                "volume": proposal.shape_mass.properties.mass if proposal.shape_mass else None,
+                "notes": list(proposal.shape_mass.notes) if proposal.shape_mass else [],
+                "reason": proposal.reason,
             }
-            for one in proposals
+            for proposal in proposals
         ],
     }
 

@@ -30,7 +30,7 @@ _LABEL = 12
 @posed
 @in_formats("text", "json")
 @limited
-def command(asked: dict[str, Any], form: str) -> int:
+def command(inputs: dict[str, Any], format: str) -> int:
     """Show a summary of a robot on one page.
 
     Links, joints and degrees of freedom, mass, size and reach, meshes, sensors and plugins. Mass
@@ -43,69 +43,69 @@ def command(asked: dict[str, Any], form: str) -> int:
         urdfkit info robot.urdf.xacro --pose ready --format json
     """
     with progress_bar("mesh files") as bar:
-        context = robot(asked, bar)
-        found = summarise(context, positions(context, asked))
-    output.json_or_page(form, lambda: as_json(found), render(found))
+        context = robot(inputs, bar)
+        overview = summarise(context, positions(context, inputs))
+    output.json_or_page(format, lambda: as_json(overview), render(overview))
     return 0
 
 
-def render(found: Overview) -> Iterator[str]:
-    kind = "xacro" if found.is_xacro else "URDF"
-    yield f"{found.name or '(no name)'}: {kind}, {shown(found.file)}"
-    targets = ", ".join(found.targets) or "not detected; select it with --target"
+def render(overview: Overview) -> Iterator[str]:
+    kind = "xacro" if overview.is_xacro else "URDF"
+    yield f"{overview.name or '(no name)'}: {kind}, {shown(overview.file)}"
+    targets = ", ".join(overview.targets) or "not detected; select it with --target"
     yield from _entry("target", targets)
     yield ""
-    yield from _structure(found.structure)
+    yield from _structure(overview.structure)
     yield ""
-    where = "at the given pose" if found.pose else "all joints at zero"
-    yield from _weight(found, where)
-    yield from _size(found)
+    pose = "at the given pose" if overview.pose else "all joints at zero"
+    yield from _weight(overview, pose)
+    yield from _size(overview)
     yield ""
-    yield from _shapes(found.shapes)
-    if found.sensors or found.plugins:
+    yield from _shapes(overview.shapes)
+    if overview.sensors or overview.plugins:
         yield ""
-    yield from _sensors(found.sensors)
-    for filename, names in _grouped(found.plugins).items():
+    yield from _sensors(overview.sensors)
+    for filename, names in _grouped(overview.plugins).items():
         yield from _entry("plugin", f"{filename or '(no file)'}: {_list(_repeated(names))}")
-    if found.skipped:
+    if overview.skipped:
         yield ""
-    for reason in found.skipped:
+    for reason in overview.skipped:
         yield from _entry("not shown", reason)
 
 
-def _structure(found: Structure) -> Iterator[str]:
-    depth = f"; {counted(found.depth, 'joint')} down to {found.deepest}" if found.depth else ""
-    roots = f"root {found.roots[0]}" if len(found.roots) == 1 else f"{len(found.roots)} roots"
-    yield from _entry("links", f"{found.links}, {roots}{depth}")
-    if len(found.roots) != 1:
-        yield from _entry("roots", _list(found.roots))
-    kinds = ", ".join(f"{count} {kind or 'without type'}" for kind, count in found.joints.items())
-    yield from _entry("joints", f"{sum(found.joints.values())}{': ' if kinds else ''}{kinds}")
-    free = f": {_list(found.free)}" if found.free else ""
-    yield from _entry("freedom", f"{found.nv}{free} (nq {found.nq}, nv {found.nv})")
-    followers = _grouped((leader, one) for one, leader in found.followers.items())
+def _structure(parts: Structure) -> Iterator[str]:
+    depth = f"; {counted(parts.depth, 'joint')} down to {parts.deepest}" if parts.depth else ""
+    roots = f"root {parts.roots[0]}" if len(parts.roots) == 1 else f"{len(parts.roots)} roots"
+    yield from _entry("links", f"{parts.links}, {roots}{depth}")
+    if len(parts.roots) != 1:
+        yield from _entry("roots", _list(parts.roots))
+    kinds = ", ".join(f"{count} {kind or 'without type'}" for kind, count in parts.joints.items())
+    yield from _entry("joints", f"{sum(parts.joints.values())}{': ' if kinds else ''}{kinds}")
+    free = f": {_list(parts.free)}" if parts.free else ""
+    yield from _entry("freedom", f"{parts.nv}{free} (nq {parts.nq}, nv {parts.nv})")
+    followers = _grouped((leader, follower) for follower, leader in parts.followers.items())
     for leader, names in list(followers.items())[:MOST]:
         verb = "follows" if len(names) == 1 else "follow"
         yield from _entry("mimic", f"{_list(names)} {verb} {leader}")
     if len(followers) > MOST:
         yield from _entry("", f"and {len(followers) - MOST} more are followed")
-    if found.driven:
-        yield from _entry("driven", f"{len(found.driven)} by controllers: {_list(found.driven)}")
+    if parts.driven:
+        yield from _entry("driven", f"{len(parts.driven)} by controllers: {_list(parts.driven)}")
 
 
-def _weight(found: Overview, where: str) -> Iterator[str]:
-    masses, whole = found.weight.by_link, found.weight.whole
+def _weight(overview: Overview, pose: str) -> Iterator[str]:
+    masses, whole = overview.weight.by_link, overview.weight.whole
     if not masses:
-        yield from _entry("mass", "none: no link has one")
+        yield from _entry("mass", "0 kg: no link has a mass")
         return
     shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
-    of_all = f"{len(masses)} of {counted(found.structure.links, 'link')}"
+    of_all = f"{len(masses)} of {counted(overview.structure.links, 'link')}"
     yield from _entry("mass", f"{whole.mass:.6g} kg in {of_all}: {_list(shares)}")
     if whole.properties is None:
         yield from _entry("centre", f"not known: {whole.reason}")
         return
     _, center, tensor = whole.properties
-    yield from _entry("centre", f"{_vector(center)} m in {whole.root}, {where}")
+    yield from _entry("centre", f"{_vector(center)} m in {whole.root}, {pose}")
     noise = 1e-9 * max(map(abs, tensor))
     xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in tensor)
     moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg·m²", f"ixy {xy}, ixz {xz}, iyz {yz}"
@@ -114,9 +114,9 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
     yield from _entry("", f"principal moments {_vector(principal_moments(tensor))}")
 
 
-def _size(found: Overview) -> Iterator[str]:
-    box, reach, left_out = found.shapes.box, found.reach, found.shapes.left_out
-    if len(left_out) > found.shapes.measured:
+def _size(overview: Overview) -> Iterator[str]:
+    box, reach, left_out = overview.shapes.box, overview.reach, overview.shapes.left_out
+    if len(left_out) > overview.shapes.measured:
         box = None  # too few shapes for the size of the robot
         yield from _entry("size", "not known")
     if box:
@@ -132,27 +132,27 @@ def _size(found: Overview) -> Iterator[str]:
         yield from _entry("reach", f"{reach.distance:.4g} m {ends}")
 
 
-def _shapes(found: Shapes) -> Iterator[str]:
-    for role, kinds in (("visuals", found.visuals), ("collisions", found.collisions)):
+def _shapes(shapes: Shapes) -> Iterator[str]:
+    for role, kinds in (("visuals", shapes.visuals), ("collisions", shapes.collisions)):
         parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
-        triangles = (found.triangles or {}).get(role[:-1])
+        triangles = (shapes.triangles or {}).get(role[:-1])
         more = f"; {triangles:,} triangles" if triangles else ""
         yield from _entry(role, f"{sum(kinds.values())}{': ' if parts else ''}{parts}{more}")
-    if found.files:
-        formats = ", ".join(f"{count} {name}" for name, count in found.files.items())
-        yield from _entry("mesh files", f"{formats}; {output.size(found.size)}")
-    if found.missing:
-        names = _list(map(os.path.basename, found.missing))
+    if shapes.files:
+        formats = ", ".join(f"{count} {name}" for name, count in shapes.files.items())
+        yield from _entry("mesh files", f"{formats}; {output.size(shapes.size)}")
+    if shapes.missing:
+        names = _list(map(os.path.basename, shapes.missing))
         yield from _entry("unusable", names)
 
 
-def _sensors(found: Sequence[Sensor]) -> Iterator[str]:
+def _sensors(sensors_: Sequence[Sensor]) -> Iterator[str]:
     """Each sensor; if there are many, the number of each type."""
-    if len(found) <= MOST:
-        for sensor in found:
+    if len(sensors_) <= MOST:
+        for sensor in sensors_:
             yield from _entry("sensor", _sensor(sensor))
         return
-    kinds = _grouped((sensor.type or "without type", sensor.name) for sensor in found)
+    kinds = _grouped((sensor.type or "without type", sensor.name) for sensor in sensors_)
     for kind, names in kinds.items():
         yield from _entry("sensors", f"{len(names)} {kind}: {_list(_repeated(names))}")
 
@@ -185,14 +185,14 @@ def _entry(label: str, text: str) -> list[str]:
 
 
 def _list(names: Iterable[str]) -> str:
-    every = list(names)
-    more = f" and {len(every) - MOST} more" if len(every) > MOST + 1 else ""
-    return ", ".join(every[:MOST] if more else every) + more
+    all_names = list(names)
+    more = f" and {len(all_names) - MOST} more" if len(all_names) > MOST + 1 else ""
+    return ", ".join(all_names[:MOST] if more else all_names) + more
 
 
 def _repeated(names: Iterable[str]) -> list[str]:
     """Distinct names, with their number if they occur several times."""
-    return [f"{name} ({many}x)" if many > 1 else name for name, many in Counter(names).items()]
+    return [f"{name} ({count}x)" if count > 1 else name for name, count in Counter(names).items()]
 
 
 def _vector(values: Iterable[float], size: float = 0.0) -> str:
@@ -202,28 +202,28 @@ def _vector(values: Iterable[float], size: float = 0.0) -> str:
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in numbers)
 
 
-def as_json(found: Overview) -> Mapping[str, Any]:
+def as_json(overview: Overview) -> Mapping[str, Any]:
     """The summary for JSON; lengths in m, masses in kg."""
-    structure, shapes, whole = found.structure, found.shapes, found.weight.whole
+    structure, shapes, whole = overview.structure, overview.shapes, overview.weight.whole
     body = whole.properties
     return {
         "version": VERSION,
-        "name": found.name,
-        "file": found.file,
-        "xacro": found.is_xacro,
-        "targets": list(found.targets),
-        "pose": found.pose,
+        "name": overview.name,
+        "file": overview.file,
+        "xacro": overview.is_xacro,
+        "targets": list(overview.targets),
+        "pose": overview.pose,
         "structure": structure._asdict(),
         "mass": {
             "total": whole.mass,
-            "links": found.weight.by_link,
+            "links": overview.weight.by_link,
             "center": list(body.center) if body else None,
             "inertia": body.tensor._asdict() if body else None,
             "reason": whole.reason,
         },
         "box": {"low": shapes.box.low, "high": shapes.box.high} if shapes.box else None,
         "left_out": shapes.left_out,
-        "reach": found.reach._asdict() if found.reach else None,
+        "reach": overview.reach._asdict() if overview.reach else None,
         "visuals": shapes.visuals,
         "collisions": shapes.collisions,
         "mesh_files": shapes.files,
@@ -232,8 +232,8 @@ def as_json(found: Overview) -> Mapping[str, Any]:
         "missing": list(shapes.missing),
         "sensors": [
             {"name": sensor.name, "type": sensor.type, "on": sensor.reference}
-            for sensor in found.sensors
+            for sensor in overview.sensors
         ],
-        "plugins": [{"name": name, "filename": filename} for filename, name in found.plugins],
-        "skipped": list(found.skipped),
+        "plugins": [{"name": name, "filename": filename} for filename, name in overview.plugins],
+        "skipped": list(overview.skipped),
     }

@@ -1,4 +1,4 @@
-"""``urdfkit init``: a first configuration from what is found."""
+"""``urdfkit init``: a first configuration for the robots of a directory."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -33,13 +33,13 @@ def command(directory: str, only_print: bool) -> int:
     It lists every robot found, the arguments that it needs, and the detected targets. An existing
     configuration is not changed.
 
-    Exit codes: 0 written, 2 no robot found, or there is a configuration already.
+    Exit codes: 0 written, 2 no robot found, or a configuration exists already.
 
     Examples:
         urdfkit init --print
     """
-    found = discover(directory, Config(), Resolver())
-    text = render(found, directory)
+    contents = discover(directory, Config(), Resolver())
+    text = render(contents, directory)
     if only_print:
         output.write(text)
         return 0
@@ -51,13 +51,13 @@ def command(directory: str, only_print: bool) -> int:
     if os.path.islink(path):
         raise UnwritableFile(f"{path}: a link whose target does not exist")
     atomic.write(path, output.encode(text))
-    output.write(f"wrote {path}: {counted(len(found.robots), 'robot')}\n")
+    output.write(f"wrote {path}: {counted(len(contents.robots), 'robot')}\n")
     return 0
 
 
-def render(found: DirectoryContents, directory: str) -> str:
+def render(contents: DirectoryContents, directory: str) -> str:
     resolver = Resolver()
-    robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
+    robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in contents.robots]
     lines = [
         "# Settings of urdfkit. Lines starting with '#' are comments.",
         "",
@@ -70,7 +70,7 @@ def render(found: DirectoryContents, directory: str) -> str:
     ]
     for robot in robots:
         lines += [*robot.lines(), ""]
-    for library in found.libraries:
+    for library in contents.libraries:
         file = os.path.relpath(library, directory).replace(os.sep, "/")
         lines.append(f"# {file}: defines no link, and no file includes it")
     return "\n".join(lines).rstrip() + "\n"
@@ -102,10 +102,10 @@ class _ConfiguredRobot:
 
     def _value(self, name: str, xacro: Xacro) -> str:
         """The first possible value; the others, or an instruction, as a comment."""
-        found = found_values(name, xacro, self._resolver)
-        if found is None:
+        possible = found_values(name, xacro, self._resolver)
+        if possible is None:
             return '""  # required: fill in the value'
-        first, *others = map(_quoted, found.values)
+        first, *others = map(_quoted, possible.values)
         return f"{first}  # or {', '.join(others)}" if others else first
 
 

@@ -1,4 +1,4 @@
-"""``urdfkit kinematics``: where links are, and how they move."""
+"""``urdfkit kinematics``: link frames, transforms, Jacobian, mass matrix."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import degrees
@@ -27,11 +27,11 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 @in_formats("text", "json")
 @limited
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     ends: tuple[str, str] | None,
     jacobian: str | None,
     mass_matrix: bool,
-    form: str,
+    format: str,
 ) -> int:
     """Compute link frames, transforms, Jacobian, mass matrix.
 
@@ -44,75 +44,75 @@ def command(
         urdfkit kinematics robot.urdf.xacro --joint elbow=90deg
         urdfkit kinematics robot.urdf.xacro --transform base_link tool0
     """
-    context = robot(asked)
-    given = positions(context, asked)
-    found: dict[str, Any] = {"version": VERSION, "pose": given}
+    context = robot(inputs)
+    pose = positions(context, inputs)
+    result: dict[str, Any] = {"version": VERSION, "pose": pose}
     if not (ends or jacobian or mass_matrix):
-        found["frames"] = frames(context.tree, given)
+        result["frames"] = frames(context.tree, pose)
     if ends:
-        found["transform"] = transform(context.tree, given, ends[1], ends[0])
-        found["from"], found["to"] = ends
+        result["transform"] = transform(context.tree, pose, ends[1], ends[0])
+        result["from"], result["to"] = ends
     if jacobian or mass_matrix:
-        found |= _dynamics(context, given, jacobian, mass_matrix)
+        result |= _dynamics(context, pose, jacobian, mass_matrix)
     roots = context.tree.root_of
-    output.json_or_page(form, lambda: as_json(found, roots), render(found, roots))
+    output.json_or_page(format, lambda: as_json(result, roots), render(result, roots))
     return 0
 
 
 def _dynamics(
-    context: Context, given: Mapping[str, float], link: str | None, mass_matrix: bool
+    context: Context, pose: Mapping[str, float], link: str | None, mass_matrix: bool
 ) -> dict[str, Any]:
-    """What Pinocchio computes.
+    """Jacobian and mass matrix, computed by Pinocchio.
 
     Raises:
-        UrdfkitError: it is not installed, or cannot be asked this.
+        UrdfkitError: Pinocchio is not installed, or the link is unknown.
     """
     dynamics = context.dynamics
-    found: dict[str, Any] = {"columns": list(dynamics.columns)}
+    result: dict[str, Any] = {"columns": list(dynamics.columns)}
     if link:
-        found["link"] = link
-        found["jacobian"] = dynamics.jacobian(link, given).tolist()
+        result["link"] = link
+        result["jacobian"] = dynamics.jacobian(link, pose).tolist()
     if mass_matrix:
-        found["mass_matrix"] = dynamics.mass_matrix(given).tolist()
-    return found
+        result["mass_matrix"] = dynamics.mass_matrix(pose).tolist()
+    return result
 
 
-def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str]:
+def render(result: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str]:
     """The result as text; angles also in degrees."""
-    where = "at the given pose" if found["pose"] else "all joints at zero"
-    if "frames" in found:
-        yield from _frames(found["frames"], root_of, where)
-    if "transform" in found:
-        frame = found["transform"]
-        yield f"{found['to']} in {found['from']}, {where}"
+    pose_note = "at the given pose" if result["pose"] else "all joints at zero"
+    if "frames" in result:
+        yield from _frames(result["frames"], root_of, pose_note)
+    if "transform" in result:
+        frame = result["transform"]
+        yield f"{result['to']} in {result['from']}, {pose_note}"
         yield f"x y z in m:                 {_exactly(frame.position)}"
         yield f"roll pitch yaw in degrees:  {_exactly(_turn(frame))}"
         yield f"roll pitch yaw in rad:      {_exactly(to_rpy(frame.rotation))}"
-    if "jacobian" in found:
-        yield f"Jacobian of {found['link']}, {where}: a column in each line"
-        columns = zip(found["columns"], zip(*found["jacobian"], strict=True), strict=True)
+    if "jacobian" in result:
+        yield f"Jacobian of {result['link']}, {pose_note}: a column in each line"
+        columns = zip(result["columns"], zip(*result["jacobian"], strict=True), strict=True)
         head = " ".join(f"{name:>9}" for name in _VELOCITY)
         rows = [(name, _numbers(column)) for name, column in columns]
         yield from output.two_columns([("", head), *rows])
-    if "mass_matrix" in found:
-        yield f"mass matrix, {where}, in kg, kg m and kg·m²"
-        yield from _matrix(found["mass_matrix"], found["columns"])
+    if "mass_matrix" in result:
+        yield f"mass matrix, {pose_note}, in kg, kg m and kg·m²"
+        yield from _matrix(result["mass_matrix"], result["columns"])
 
 
 def _frames(
-    found: Mapping[str, Transform], root_of: Mapping[str, str], where: str
+    frames_by_link: Mapping[str, Transform], root_of: Mapping[str, str], pose_note: str
 ) -> Iterator[str]:
     """The frames of each tree, relative to its root."""
-    if not found:
+    if not frames_by_link:
         yield "no frames: no link is a root"
         return
     trees: dict[str, list[str]] = {}
-    for name in found:
+    for name in frames_by_link:
         trees.setdefault(root_of[name], []).append(name)
     for root, names in trees.items():
-        head = f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
+        head = f"frames in {root}, {pose_note}: x y z in m, roll pitch yaw in degrees"
         yield from output.wrapped(head)
-        yield from output.two_columns((name, _placed(found[name])) for name in names)
+        yield from output.two_columns((name, _placed(frames_by_link[name])) for name in names)
 
 
 def _placed(frame: Transform) -> str:
@@ -151,16 +151,16 @@ def _numbers(values: Iterable[float]) -> str:
     return output.aligned(values, noise=1e-12)
 
 
-def as_json(found: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, Any]:
+def as_json(result: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, Any]:
     """The result for JSON, in m and rad; rotations are three rows."""
-    document = dict(found)
-    if "frames" in found:
+    document = dict(result)
+    if "frames" in result:
         document["frames"] = {
             name: {"root": root_of[name], **_frame(frame)}
-            for name, frame in found["frames"].items()
+            for name, frame in result["frames"].items()
         }
-    if "transform" in found:
-        document["transform"] = _frame(found["transform"])
+    if "transform" in result:
+        document["transform"] = _frame(result["transform"])
     return document
 
 

@@ -12,7 +12,7 @@ from urdfkit.core.installation import install_command
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 
-#: Names of commands in other tools, with our command.
+#: Commands of other tools, with the command of urdfkit.
 _ELSEWHERE = {
     "lint": "check",
     "validate": "check",

@@ -24,11 +24,11 @@ VERSION = 1
 @posed
 @in_formats("text", "json", "csv", "markdown")
 @limited
-def command(asked: dict[str, Any], form: str) -> int:
+def command(inputs: dict[str, Any], format: str) -> int:
     """Show the mass properties of every link and of the whole robot.
 
-    Declared mass, centre of mass and principal moments, next to the density and the moments that
-    the geometry of the link gives. The whole robot is taken at one pose.
+    Declared mass, centre of mass and principal moments, next to the density and the moments of the
+    link's geometry. The properties of the whole robot are for one pose.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
 
@@ -37,60 +37,60 @@ def command(asked: dict[str, Any], form: str) -> int:
         urdfkit mass robot.urdf.xacro --format csv > masses.csv
     """
     with progress_bar("mesh files") as bar:
-        context = robot(asked, bar)
-        found = mass_properties(context, positions(context, asked))
-    if form == "text":
-        output.page(render(found))
+        context = robot(inputs, bar)
+        masses = mass_properties(context, positions(context, inputs))
+    if format == "text":
+        output.page(render(masses))
     else:
-        write = {"json": as_json, "csv": as_csv, "markdown": as_markdown}[form]
-        output.write(write(found))
+        write = {"json": as_json, "csv": as_csv, "markdown": as_markdown}[format]
+        output.write(write(masses))
     return 0
 
 
-def render(found: MassTable) -> Iterator[str]:
-    """Two tables: masses and places, then moments and axes."""
-    if found.rows and not any(row.properties.mass for row in found.rows):
-        yield "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some"
+def render(masses: MassTable) -> Iterator[str]:
+    """Two tables: masses and centres, then moments and axes."""
+    if masses.rows and not any(row.properties.mass for row in masses.rows):
+        yield "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' suggests values"
         return
-    yield from _masses(found)
+    yield from _masses(masses)
     yield ""
-    yield from _moments(found)
-    yield from _unknown(found)
+    yield from _moments(masses)
+    yield from _unknown(masses)
 
 
-def _masses(found: MassTable) -> Iterator[str]:
+def _masses(masses: MassTable) -> Iterator[str]:
     head = f"{'mass / kg':>9} {'share':>6} {'centre of mass / m':>29} {'kg/m³':>8}"
     rows = [("link", head)]
-    for row in found.rows:
+    for row in masses.rows:
         density = "" if row.density is None else f"{row.density:.4g}"
-        share = row.properties.mass / found.whole.mass if found.whole.mass else 0.0
+        share = row.properties.mass / masses.whole.mass if masses.whole.mass else 0.0
         mass, center = row.properties.mass, _three(row.properties.center)
         rows.append((row.link, f"{mass:>9.5g} {share:>6.1%} {center} {density:>8}"))
-    body = found.whole.properties
+    body = masses.whole.properties
     center = _three(body.center) if body else ""
-    rows.append(("total", f"{found.whole.mass:>9.6g} {'':>6} {center}"))
+    rows.append(("total", f"{masses.whole.mass:>9.6g} {'':>6} {center}"))
     yield from output.two_columns(rows)
 
 
-def _moments(found: MassTable) -> Iterator[str]:
+def _moments(masses: MassTable) -> Iterator[str]:
     yield "principal moments in kg·m², their axes, and the moments of the shapes"
     rows = []
-    for row in found.rows:
+    for row in masses.rows:
         shapes = _three(row.of_shapes[0], 8) if row.of_shapes else ""
         rows.append((row.link, f"{_three(row.moments, 8)}  {_axes(row.axes):<6} {shapes}"))
-    if found.moments and found.axes:
-        rows.append(("total", f"{_three(found.moments, 8)}  {_axes(found.axes)}"))
+    if masses.moments and masses.axes:
+        rows.append(("total", f"{_three(masses.moments, 8)}  {_axes(masses.axes)}"))
     yield from output.two_columns(rows)
 
 
-def _unknown(found: MassTable) -> Iterator[str]:
+def _unknown(masses: MassTable) -> Iterator[str]:
     reasons: dict[str, list[str]] = {}
-    where = f"centre of mass in the frame of {found.whole.root}"
-    if found.whole.mass:
-        reasons[f"no centre of mass: {found.whole.reason}" if found.whole.reason else where] = [
-            "total"
-        ]
-    for row in found.rows:
+    frame_note = f"centre of mass in the frame of {masses.whole.root}"
+    if masses.whole.mass:
+        reasons[
+            f"no centre of mass: {masses.whole.reason}" if masses.whole.reason else frame_note
+        ] = ["total"]
+    for row in masses.rows:
         for reason in (row.reason, *(row.shape_mass.notes if row.shape_mass else ())):
             if reason:
                 reasons.setdefault(reason, []).append(row.link)
@@ -112,26 +112,26 @@ def _axes(axes: Rotation) -> str:
 
 
 def _three(values: Iterable[float], width: int = 9) -> str:
-    every = list(values)
-    noise = 1e-9 * max(map(abs, every))
-    return output.aligned(every, noise, width)
+    numbers = list(values)
+    noise = 1e-9 * max(map(abs, numbers))
+    return output.aligned(numbers, noise, width)
 
 
-def as_json(found: MassTable) -> str:
+def as_json(masses: MassTable) -> str:
     """The table for JSON; in kg, m, kg·m² and kg/m³, axes as columns."""
     document = {
         "version": VERSION,
-        "root": found.whole.root,
-        "total": _total(found),
-        "links": [_link(row) for row in found.rows],
+        "root": masses.whole.root,
+        "total": _total(masses),
+        "links": [_link(row) for row in masses.rows],
     }
     return dumped(document)
 
 
-def _total(found: MassTable) -> dict[str, Any]:
-    body, moments, axes = found.whole.properties, found.moments, found.axes
+def _total(masses: MassTable) -> dict[str, Any]:
+    body, moments, axes = masses.whole.properties, masses.moments, masses.axes
     known = _numbers(body, moments, axes) if body and moments and axes else {}
-    return {**known, "mass": found.whole.mass, "reason": found.whole.reason}
+    return {**known, "mass": masses.whole.mass, "reason": masses.whole.reason}
 
 
 def _numbers(body: MassProperties, moments: Vector, axes: Rotation) -> dict[str, Any]:
@@ -160,7 +160,7 @@ def _link(row: MassRow) -> dict[str, Any]:
     return {"name": row.link, **_numbers(row.properties, row.moments, row.axes), **known}
 
 
-def as_csv(found: MassTable) -> str:
+def as_csv(masses: MassTable) -> str:
     """One row for each link, and one without a name for the whole robot."""
     from urdfkit.output.report.csv import cell  # with all of the report
 
@@ -170,19 +170,19 @@ def as_csv(found: MassTable) -> str:
         "link mass cx cy cz ixx ixy ixz iyy iyz izz i1 i2 i3 volume density shape_i1 shape_i2 "
         "shape_i3".split()
     )
-    for row in found.rows:
+    for row in masses.rows:
         shapes: list[float | str] = [""] * 5
         if row.shape_mass and row.of_shapes and row.density is not None:
             shapes = [row.shape_mass.properties.mass, row.density, *row.of_shapes[0]]
         mass, center, tensor = row.properties
         writer.writerow([cell(row.link), mass, *center, *tensor, *row.moments, *shapes])
-    body, moments = found.whole.properties, found.moments
+    body, moments = masses.whole.properties, masses.moments
     known = [*body.center, *body.tensor, *moments] if body and moments else [""] * 12
-    writer.writerow(["", found.whole.mass, *known, *[""] * 5])
+    writer.writerow(["", masses.whole.mass, *known, *[""] * 5])
     return text.getvalue()
 
 
-def as_markdown(found: MassTable) -> str:
+def as_markdown(masses: MassTable) -> str:
     """A table for a README or an issue."""
     moments_of = "principal moments / kg·m²"
     header = ["link", "mass / kg", "centre of mass / m", moments_of, "density / kg/m³"]
@@ -194,11 +194,11 @@ def as_markdown(found: MassTable) -> str:
             _plain(row.moments),
             "" if row.density is None else f"{row.density:.4g}",
         ]
-        for row in found.rows
+        for row in masses.rows
     ]
-    body, moments = found.whole.properties, found.moments
+    body, moments = masses.whole.properties, masses.moments
     known = [_plain(body.center), _plain(moments)] if body and moments else ["", ""]
-    rows.append(["**total**", f"**{found.whole.mass:.6g}**", *known, ""])
+    rows.append(["**total**", f"**{masses.whole.mass:.6g}**", *known, ""])
     return table(header, rows)
 
 

@@ -15,8 +15,8 @@ from urdfkit.errors import MissingLibrary, UnreadableFile
 def command(directory: str, write: bool) -> int:
     """Offer check, explain, trace, expand, fix and render to agents.
 
-    Speaks the Model Context Protocol over standard input and output. The tools take files below
-    DIRECTORY and change none, unless --write is given. It needs the extra [mcp].
+    Uses the Model Context Protocol over standard input and output. The tools accept files below
+    DIRECTORY, and change files only with --write. It needs the extra [mcp].
 
     Exit codes: 0 the client has disconnected, 2 usage error, or the extra is not installed.
 

@@ -1,7 +1,7 @@
-"""The tools of ``urdfkit mcp``. Each runs a command of urdfkit in a process of its own.
+"""The tools of ``urdfkit mcp``, each of which runs a command of urdfkit in a separate process.
 
-So it has the limits of that command, and a crash ends one answer. What a client sends is never an
-option: paths begin with a dot, codes and names of arguments are words.
+Thus the limits of the command apply, and a crash affects one answer only. Texts of a client are
+never options: paths begin with a dot, codes and names of arguments are words.
 """
 
 import os
@@ -23,17 +23,17 @@ from urdfkit.core.words import counted
 
 #: Bytes of an answer: 2,000 tokens of two and a half bytes each.
 MAX_BYTES = 5000
-#: Seconds after which a command is ended that has no limit of its own.
+#: Seconds after which a command without its own limit is stopped.
 MAX_SECONDS = 330
-#: Columns of what is printed.
+#: Columns of the output.
 _WIDTH = "100"
-#: ``python -m`` would import from the current directory, which may be anybody's.
+#: ``python -m`` would import from the current directory, which is not trusted.
 _PROGRAM = "import sys; sys.path[:] = filter(None, sys.path); from urdfkit.cli import main; main()"
 _WORD = re.compile(r"\w[\w-]*")
 
 _INSTRUCTIONS = """\
-Checks robot models in URDF and xacro. Call check first; explain says what a code means. trace says
-where a value comes from through macros and includes, expand shows the model without them. fix shows
+Checks robot models in URDF and xacro. Call check first; explain describes a rule by its code. trace
+shows the source of a value through macros and includes, expand the model without them. fix shows
 the safe fixes as a diff. Paths are relative to the workspace. Answers are cut to a page: pass
 'start' to read on."""
 
@@ -42,7 +42,7 @@ class Tools:
     """The tools that an MCP client can call.
 
     Args:
-        directory: the only one whose files are taken.
+        directory: the only directory whose files are accepted.
         may_write: True if ``fix`` may write.
     """
 
@@ -64,7 +64,7 @@ class Tools:
             path: of a URDF, xacro or launch file, or a directory.
             arguments: xacro arguments by name.
             select: only these rules: codes such as MSH001, or their beginnings.
-            infos: show infos, too, and every finding in full.
+            infos: also show infos, and all details of each finding.
             start: first line of the answer.
         """
         words = [*self._robot(path, arguments), *_codes(select), *["--info"] * infos]
@@ -81,16 +81,16 @@ class Tools:
     def trace(
         self, path: str, element: str, arguments: dict[str, str] | None = None, start: int = 1
     ) -> str:
-        """Say where an element or a value of an expanded xacro comes from.
+        """Show the source of an element or a value of an expanded xacro.
 
         Args:
             element: such as link/base_link, or link/base_link/inertial/mass@value.
             arguments: xacro arguments by name.
         """
-        file, *given = self._robot(path, arguments)
+        file, *words = self._robot(path, arguments)
         if element.startswith("-"):
-            raise ToolError(f"'{element}' is no element")
-        return _page(self._run("trace", file, element, *given), start)
+            raise ToolError(f"'{element}' is not an element")
+        return _page(self._run("trace", file, element, *words), start)
 
     def expand(self, path: str, arguments: dict[str, str] | None = None, start: int = 1) -> str:
         """Expand a xacro to URDF, as the xacro command does.
@@ -114,20 +114,20 @@ class Tools:
 
         Args:
             path: of a URDF, xacro or launch file, or a directory.
-            select: only the findings of these rules; infos are fixed only if they are named.
-            unsafe: fixes, too, that may change what the robot does.
-            write: apply them, if the server was started with --write.
+            select: only these rules; infos are fixed only if their rule is listed here.
+            unsafe: also apply fixes that may change the behaviour of the robot.
+            write: apply the fixes, if the server was started with --write.
             start: first line of the answer.
         """
         if write and not self._may_write:
             raise ToolError("nothing is written: the server was started without --write")
         words = [*self._robot(path, None), *_codes(select), *["--unsafe-fixes"] * unsafe]
         text = self._run("fix", *words, "--diff")
-        if not text:  # what is left, and why
+        if not text:  # show the remaining findings and the reasons
             return _page(self._run("fix", *words, "--check"), start)
         if write:
             for file in re.findall(r"^\+\+\+ (.+)$", text, re.MULTILINE):
-                self._inside(file)  # the repository may be larger than what was given
+                self._inside(file)  # the repository may be larger than the directory
             text = self._run("fix", *words)
         return _page(text, start)
 
@@ -156,27 +156,27 @@ class Tools:
         """The words for a file of the workspace and its arguments.
 
         Raises:
-            ToolError: it lies outside, or is not there.
+            ToolError: the file is outside of the workspace, or does not exist.
         """
         file = self._inside(path)
         if not disk.exists(file):
             raise ToolError(f"{path}: file not found")
-        given = (arguments or {}).items()
+        pairs = (arguments or {}).items()
         file = os.path.join(os.curdir, os.path.relpath(file, self._root))
-        return [file, *(f"{_word(name)}:={value}" for name, value in given)]
+        return [file, *(f"{_word(name)}:={value}" for name, value in pairs)]
 
     def _inside(self, path: str) -> str:
         """The real path of a file of the workspace.
 
         Raises:
-            ToolError: it lies outside.
+            ToolError: the file is outside of the workspace.
         """
         try:
-            named = os.fsencode(path)
-        except UnicodeEncodeError:  # half of a pair of surrogates
-            named = b"\0"
-        if b"\0" in named:
-            raise ToolError("no file can have such a name")
+            encoded = os.fsencode(path)
+        except UnicodeEncodeError:  # a lone surrogate
+            encoded = b"\0"
+        if b"\0" in encoded:
+            raise ToolError("not a valid file name")
         file = disk.real(os.path.join(self._root, path))
         if os.path.commonpath((file, self._root)) != self._root:
             raise ToolError(f"{path} is outside of the workspace")
@@ -186,10 +186,10 @@ class Tools:
         """Run a command and return what it prints.
 
         Raises:
-            ToolError: it says that it cannot be done.
+            ToolError: the command fails.
         """
         try:
-            done = subprocess.run(
+            process = subprocess.run(
                 [sys.executable, "-c", _PROGRAM, *words],
                 capture_output=True,
                 check=False,
@@ -199,12 +199,12 @@ class Tools:
                 timeout=MAX_SECONDS,
             )
         except subprocess.TimeoutExpired as error:
-            raise ToolError(f"not done after {MAX_SECONDS} s") from error
+            raise ToolError(f"not finished after {MAX_SECONDS} s") from error
         except ValueError as error:  # a NUL in an argument
             raise ToolError(str(error)) from error
-        if done.returncode not in (0, 1) and not done.stdout:
-            raise ToolError(done.stderr[:MAX_BYTES].decode("utf-8", "replace").strip())
-        return done.stdout.decode("utf-8", "replace")
+        if process.returncode not in (0, 1) and not process.stdout:
+            raise ToolError(process.stderr[:MAX_BYTES].decode("utf-8", "replace").strip())
+        return process.stdout.decode("utf-8", "replace")
 
 
 def server(directory: str, *, may_write: bool) -> MCPServer:
@@ -234,13 +234,13 @@ def _tool(function: Callable[..., Any], *, is_read_only: bool) -> Tool:
 
 
 def _word(text: str) -> str:
-    """A code or a name; nothing that is an option.
+    """A code or a name, which cannot be an option.
 
     Raises:
-        ToolError: it is none.
+        ToolError: the text is not a word.
     """
     if not _WORD.fullmatch(text):
-        raise ToolError(f"'{text}' is no name: letters, digits, '_' and '-'")
+        raise ToolError(f"'{text}' is not a name: only letters, digits, '_' and '-'")
     return text
 
 
@@ -252,16 +252,16 @@ def _page(text: str, start: int) -> str:
     """The part of a text that fits in an answer, and how to get the rest."""
     lines = text.splitlines()
     if not 1 <= start <= max(len(lines), 1):
-        raise ToolError(f"there are {counted(len(lines), 'line')}, and no line {start}")
+        raise ToolError(f"there is no line {start}, only {counted(len(lines), 'line')}")
     shown: list[str] = []
-    left = MAX_BYTES
+    remaining = MAX_BYTES
     for line in lines[start - 1 :]:
         data = line.encode("utf-8", "replace")
-        left -= len(data) + 1
-        if left < 0 and shown:
+        remaining -= len(data) + 1
+        if remaining < 0 and shown:
             break
         cut = data[:MAX_BYTES].decode("utf-8", "ignore")
-        shown.append(line if left >= 0 else f"{cut} ... (the line is longer)")
+        shown.append(line if remaining >= 0 else f"{cut} ... (the line is longer)")
     end = start - 1 + len(shown)
     if end < len(lines):
         shown.append(f"[lines {start} to {end} of {len(lines)}; start={end + 1} shows more]")

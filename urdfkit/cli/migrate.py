@@ -1,4 +1,4 @@
-"""``urdfkit migrate``: what a model needs to run in another Gazebo."""
+"""``urdfkit migrate``: changes of a model for another generation of Gazebo."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,27 +20,27 @@ from urdfkit.text.terminal import printable, wrap
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
 )
 @COLOR
-def command(asked: dict[str, Any], target: str, color: str) -> int:
+def command(inputs: dict[str, Any], target: str, color: str) -> int:
     """Show the changes that a model needs for another Gazebo.
 
-    What has a successor is printed as a diff for 'patch -p0'; nothing is written. Changes that need
-    a decision, and what the world needs, follow as comments.
+    Replacements are printed as a diff for 'patch -p0'; nothing is written. Changes that need a
+    decision, and requirements of the world, follow as comments.
 
     Exit codes: 0 nothing to do, 1 changes are needed, 2 the file cannot be read.
 
     Examples:
         urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch
     """
-    file = only_file(asked)
-    how = reading(asked, file)
+    file = only_file(inputs)
+    opts = reading(inputs, file)
     source = stdin.opened(file)
-    migration = migrate(source, target, how.arguments, how.packages, how.trust)
+    migration = migrate(source, target, opts.arguments, opts.packages, opts.trust)
     if not any(migration):
-        robot = read(source, arguments=how.arguments, packages=how.packages, trust=how.trust)
+        robot = read(source, arguments=opts.arguments, packages=opts.packages, trust=opts.trust)
         if not robot.is_readable or not robot.model.links:
             output.note(f"{file}: has no links; macros change with the robot that calls them")
     for file, reason in migration.unread.items():
-        output.tell(f"error: {file}: {reason}; see 'urdfkit check {file}'")
+        output.log(f"error: {file}: {reason}; see 'urdfkit check {file}'")
     output.write_diff("".join(render(migration, target)), color)
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 

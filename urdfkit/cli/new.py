@@ -12,10 +12,10 @@ from urdfkit.output.package_templates import KINDS, create
 
 @described("new")
 @click.argument("name")
-@click.option("--kind", type=click.Choice(KINDS), required=True, help="What the robot is.")
+@click.option("--kind", type=click.Choice(KINDS), required=True, help="Kind of robot.")
 @option("-o, --output DIR", "Directory to write NAME in.", to="out", default=os.curdir)
 def command(name: str, kind: str, out: str) -> int:
-    """Write a ROS 2 package with a sound robot to start from.
+    """Write a ROS 2 package with a valid robot to start from.
 
     For ROS 2 Jazzy and Gazebo Harmonic: xacro with macros, controllers, a bridge, a world, a launch
     file and RViz. Nothing is overwritten.

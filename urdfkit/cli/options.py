@@ -1,8 +1,8 @@
 """The table of options of ``urdfkit check``, and the interpretation of their values.
 
 Importing click takes longer than checking a small robot. So ``quick`` parses ordinary command
-lines, and click all others, including help and errors: both use this table, with the same results.
-Other commands use click only.
+lines, and click parses all others, including help and errors; both use this table. Other commands
+use click only.
 """
 
 from __future__ import annotations
@@ -270,7 +270,7 @@ def warn(text: str) -> None:
     disk.depends_on_more()
     from urdfkit.cli import output
 
-    output.tell(f"warning: {text}")
+    output.log(f"warning: {text}")
 
 
 def _text(values: Mapping[str, Any], fail_on: str) -> str:

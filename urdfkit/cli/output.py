@@ -68,7 +68,7 @@ def write(text: str) -> bytes:
             binary.write(data)
         sys.stdout.flush()
     except OSError as error:
-        give_up(error)
+        handle_write_error(error)
     return data
 
 
@@ -90,7 +90,7 @@ def _colored(line: str) -> str:
     return f"\x1b[{code}m{line}\x1b[0m" if code else line
 
 
-def give_up(error: OSError) -> None:
+def handle_write_error(error: OSError) -> None:
     """Handle a failed write to standard output; a closed pipe is not an error.
 
     Raises:
@@ -177,10 +177,10 @@ def page(lines: Iterable[str]) -> None:
 
 def note(text: str) -> None:
     """Write a note to standard error."""
-    tell(f"note: {text}")
+    log(f"note: {text}")
 
 
-def tell(*texts: str) -> None:
+def log(*texts: str) -> None:
     """Write lines to standard error; they are wrapped for a terminal only."""
     for text in map(printable, map(shown_text, texts)):
         if sys.stderr is not None:
@@ -188,13 +188,13 @@ def tell(*texts: str) -> None:
             print(wrap(text, width(), indent=2) if is_shown else text, file=sys.stderr, flush=True)
 
 
-def json_or_page(form: str, document: Callable[[], object], lines: Iterable[str]) -> None:
+def json_or_page(format: str, document: Callable[[], object], lines: Iterable[str]) -> None:
     """Write the result of a command, as JSON or as lines of text.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
     """
-    if form == "json":
+    if format == "json":
         from urdfkit.core.strict_json import dumped
 
         write(dumped(document()))

@@ -31,17 +31,17 @@ class _Stopped(Exception):
     """The process received SIGTERM."""
 
 
-def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
+def run_forked(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
     """The exit code of a function, which runs in its own process.
 
     Args:
         leave: ends that process with an exit code.
     """
-    lifeline, ours = os.pipe()
+    lifeline, own_end = os.pipe()
     reports, reporting = os.pipe()
     process = os.fork()
     if process == 0:
-        os.close(ours)
+        os.close(own_end)
         os.close(reports)
         _depend_on(lifeline)
         limits.answer_to(reporting)
@@ -55,7 +55,7 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
         messages = _read(reports)
         status = os.waitpid(process, 0)[1]
     except (KeyboardInterrupt, _Stopped) as error:
-        os.close(ours)  # ends the process, see _depend_on
+        os.close(own_end)  # ends the process, see _depend_on
         _await_end(process)
         return 130 if isinstance(error, KeyboardInterrupt) else 143
     return _code(status, messages)
@@ -109,7 +109,7 @@ def _code(status: int, messages: str) -> int:
     where = _where(messages)
     if "Timeout (" in messages:
         limit = re.findall(r"^limit (.*)$", messages, re.MULTILINE)[-1]
-        return fail(2, f"not done after {limit}{where}; --timeout raises the limit")
+        return fail(2, f"not finished after {limit}{where}; --timeout raises the limit")
     if os.WIFEXITED(status):
         if messages.endswith(_END.decode()):
             return os.WEXITSTATUS(status)
@@ -123,8 +123,8 @@ def _code(status: int, messages: str) -> int:
 
 def _where(messages: str) -> str:
     """The progress of the process, and the function of urdfkit in which it ended, if known."""
-    done = re.findall(r"^done (.*)$", messages, re.MULTILINE)
-    progress = f": {done[-1]} done" if done else ""
+    counts = re.findall(r"^done (.*)$", messages, re.MULTILINE)
+    progress = f": {counts[-1]} done" if counts else ""
     main_thread = re.split("hread 0x", messages)[-1]  # faulthandler lists it last
     for path, function in _FRAME.findall(main_thread):
         _, package, module = path.replace(os.sep, "/").rpartition("/urdfkit/")

@@ -19,22 +19,22 @@ posed = with_options(
 )
 
 
-def positions(context: Context, asked: Mapping[str, Any]) -> dict[str, float]:
+def positions(context: Context, inputs: Mapping[str, Any]) -> dict[str, float]:
     """The joint positions of the options; reports those outside the limits.
 
     Raises:
         UsageError: ``--joint`` has no ``=``.
         PoseError: there is no such joint or pose.
     """
-    given = {}
-    for word in asked["joint"]:
+    words = {}
+    for word in inputs["joint"]:
         key, equals, value = word.rpartition("=")
         if not (key and equals):
             raise options.UsageError(
                 f"--joint {word}: expected NAME=VALUE: the joint and its position"
             )
-        given[key] = value
-    found = pose(context, given, asked["pose"])
-    for sentence in outside_limits(context.tree, found):
+        words[key] = value
+    pose_by_joint = pose(context, words, inputs["pose"])
+    for sentence in outside_limits(context.tree, pose_by_joint):
         output.note(sentence)
-    return found
+    return pose_by_joint

@@ -1,4 +1,4 @@
-"""How far a long job is, on a terminal."""
+"""The progress of a long job, on a terminal."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
 
     from urdfkit.core.progress import Progress
 
-#: Seconds before anything is shown: most checks are over by then.
+#: Seconds before the bar is shown: most checks take less.
 DELAY = 1.0
 _WIDTH = 30
 
 
 class ProgressBar:
-    """A line on standard error that is drawn over and over, and wiped in the end.
+    """A line on standard error that is redrawn, and cleared at the end.
 
     Args:
-        things: that are counted, where that is not plain to see.
-        rated: show how many there are in a second, and the time that is left.
+        things: the counted things, in the plural.
+        rated: show the rate and the remaining time.
     """
 
     def __init__(self, stream: TextIO, things: str = "", *, rated: bool = False) -> None:
@@ -40,13 +40,13 @@ class ProgressBar:
         self._is_visible = False
 
     def __call__(self, done: int, total: int) -> None:
-        """Draw it, once the job has lasted for a while; of 0 while nobody knows how many."""
+        """Draw the bar, once the job has lasted for a while; ``total`` is 0 if unknown."""
         self._state = (done, total)
         left = DELAY - (time.monotonic() - self._start)
         if left <= 0:
             self._show()
         elif self._timer is None:
-            # The very first thing may take long; then nobody else calls in time.
+            # The first thing may take long, and this is not called again in time.
             from threading import Timer
 
             self._timer = Timer(left, self._show)

@@ -54,10 +54,10 @@ _NAMED = 5
     "--quality",
     type=click.Choice(["draft", "default", "high"]),
     default="default",
-    help="Antialiasing, and what it takes.",
+    help="Antialiasing quality.",
 )
 @limited
-def command(asked: dict[str, Any], **values: Any) -> int:
+def command(inputs: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
 
     Needs neither a display nor a graphics card. A missing or broken mesh is drawn as a striped box
@@ -70,20 +70,20 @@ def command(asked: dict[str, Any], **values: Any) -> int:
         urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg
         urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow
     """
-    files, wanted = options.files(asked), 2 if values["diff"] else 1
-    if len(files) != wanted:
-        many = "two files" if wanted == 2 else "one file"
-        raise options.UsageError(f"render takes {many}; xacro arguments are written name:=value")
+    files, count = options.files(inputs), 2 if values["diff"] else 1
+    if len(files) != count:
+        number = "two files" if count == 2 else "one file"
+        raise options.UsageError(f"render takes {number}; xacro arguments are written name:=value")
     kinds = [name for name in ("diff", "sweep", "turntable", "thumbnail") if values[name]]
     if len(kinds) > 1:
-        raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} exclude one another")
+        raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} cannot be combined")
     if not (values["output"] or values["turntable"]):
         raise options.UsageError("render needs -o FILE, such as -o robot.png")
     if values["diff"]:
-        scene = _difference(files, asked, values)
+        scene = _difference(files, inputs, values)
     else:
-        robot = read_robot(asked)
-        pose = positions(robot, asked)
+        robot = read_robot(inputs)
+        pose = positions(robot, inputs)
         scene = _scene(robot, pose, values)
         if not scene.items:
             raise UrdfkitError(_nothing(files[0], robot))
@@ -153,18 +153,18 @@ def _animation(
     output.page([f"wrote {shown(path)}"])
 
 
-def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
+def _difference(files: Sequence[str], inputs: dict[str, Any], values: dict[str, Any]) -> Scene:
     """The image of both states side by side, and the second state."""
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
     with scratch() as directory:
         scenes = []
-        chosen = check_options(asked, last_file(files))
+        read_settings = check_options(inputs, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
-            where = os.path.join(os.path.realpath(directory), name)
-            robot = RobotState(file, where, chosen).context
-            scenes.append(_scene(robot, positions(robot, asked), values))
+            path = os.path.join(os.path.realpath(directory), name)
+            robot = RobotState(file, path, read_settings).context
+            scenes.append(_scene(robot, positions(robot, inputs), values))
         before, after = scenes
         image = render.difference(
             before,
@@ -209,7 +209,7 @@ def _views(values: dict[str, Any]) -> Sequence[str]:
 def _one_view(values: dict[str, Any]) -> str:
     named = _views(values)
     if len(named) != 1:
-        raise options.UsageError("--view: only one view here")
+        raise options.UsageError("--view: only one view is possible here")
     return named[0]
 
 
@@ -238,14 +238,14 @@ def _nothing(file: str, robot: Context) -> str:
 
 
 def _print_notes(scene: Scene) -> None:
-    """Say on standard error which meshes are boxes in the image, and which letters escapes."""
+    """Print notes on meshes that are drawn as boxes, and on letters without a font."""
     from urdfkit import render
 
     for mesh in scene.missing[:_NAMED]:
-        which = f"the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
-        output.note(f"drawn as a striped box: {which} ({mesh.reason})")
-    if others := scene.missing[_NAMED:]:
-        output.note(f"drawn as striped boxes: {len(others)} meshes more")
+        description = f"the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
+        output.note(f"drawn as a striped box: {description} ({mesh.reason})")
+    if more := scene.missing[_NAMED:]:
+        output.note(f"drawn as striped boxes: {len(more)} more meshes")
     for note in scene.notes:
         output.note(note)
     if letters := render.unwritable(label.text for label in scene.labels):

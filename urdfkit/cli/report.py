@@ -1,4 +1,4 @@
-"""``urdfkit report``: all that is known of a robot, as one file."""
+"""``urdfkit report``: a report of a robot in one file."""
 
 import os
 from collections.abc import Mapping
@@ -23,8 +23,12 @@ from urdfkit.text.source import shown
 @to_file("output_file", "Write .html, .md, .json or .csv to FILE.")
 @choice("--lang", of=LANGUAGES, help="Language of the page.")
 @option("--quick", "Skip images, statics and collisions.")
-@choice("--table", of=COLUMNS, help="Of a .csv.")
-@click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
+@choice("--table", of=COLUMNS, help="Table of a .csv report.")
+@click.option(
+    "--fail-on",
+    type=click.Choice(["error", "warning", "info"]),
+    help="Severity that makes the exit code 1.",
+)
 @limited
 def command(
     output_file: str | None, lang: str, quick: bool, table: str, fail_on: str | None, **values: Any
@@ -44,14 +48,14 @@ def command(
         urdfkit report robot.urdf.xacro -o masses.csv --table links
     """
     file, counts = only_file(values), dict.fromkeys(Severity, 0)
-    chosen, source = check_options(values, file), stdin.opened(file)
-    variants = chosen.config.entries(file, chosen.arguments, chosen.variant)
+    settings, source = check_options(values, file), stdin.opened(file)
+    variants = settings.config.entries(file, settings.arguments, settings.variant)
     for variant in variants:
         with progress_bar() as bar:
             text, document = report(
                 source,
                 form_of(output_file) if output_file else "markdown",
-                chosen._replace(variant=variant.name),
+                settings._replace(variant=variant.name),
                 language=lang,
                 table=table,
                 quick=quick,

@@ -1,10 +1,10 @@
 """Cache of check results: an unchanged check replays its earlier output.
 
-An entry is a file named by a checksum of the question: the command line, the working directory, the
+An entry is a file named by a checksum of the key: the command line, the working directory, the
 terminal's variables, and the versions of urdfkit, Python and the installed packages. It contains
 the queries of the check to the file system and the environment, with their answers
 (`core/file_log.py`), and the output. An entry is ignored if an answer has changed, if it is
-damaged, or if it is for another question.
+damaged, or if it is for another key.
 
 This module is imported first, and imports as little as possible.
 """
@@ -24,7 +24,7 @@ _STANDARD_LIBRARY = os.path.dirname(os.__file__)
 _OF_THE_TERMINAL = ("COLUMNS", "FORCE_COLOR", "NO_COLOR", "TERM", "URDFKIT_DEBUG")
 
 
-def question(words: list[str]) -> bytes | None:
+def cache_key(words: list[str]) -> bytes | None:
     """The inputs of a command line that are known before files are read, as a cache key.
 
     None if its result is not cached.
@@ -75,15 +75,15 @@ def _terminal() -> list[str]:
 
 def replay(words: list[str]) -> int | None:
     """Replay an earlier check and return its exit code; None if it is not in the cache."""
-    asked = question(words)
-    if asked is None or sys.stdout is None:
+    key = cache_key(words)
+    if key is None or sys.stdout is None:
         return None
     try:
-        with opened(path_of(asked)) as file:
+        with opened(path_of(key)) as file:
             entry = decode(file.read())
     except (OSError, ValueError):
         return None
-    if entry.question != asked:
+    if entry.key != key:
         return None
     now = time.time_ns()
     answers = file_log.present_answers(entry.answers, entry.since)
@@ -108,7 +108,7 @@ def _write(entry: ResultEntry) -> int:
             sys.stdout.buffer.write(data)
             sys.stdout.flush()
         except OSError as error:
-            from urdfkit.cli.output import give_up
+            from urdfkit.cli.output import handle_write_error
 
-            give_up(error)
+            handle_write_error(error)
     return entry.code

@@ -15,7 +15,7 @@ _LAYOUT = b"urdfkit result 2"
 class ResultEntry(Record):
     """The cached result of a check."""
 
-    question: bytes  # the key of the entry
+    key: bytes  # the key of the entry
     since: int  # start of the check in nanoseconds since the epoch
     answers: list[tuple[str, str, str]]  # of the file system and environment: kind, path, answer
     code: int  # exit code
@@ -28,9 +28,9 @@ def directory() -> str | None:
     return os.path.join(cache, "results") if cache else None
 
 
-def path_of(question: bytes) -> str:
-    """The file of the entry for a question."""
-    return os.path.join(directory() or "", f"{zlib.crc32(question):08x}")
+def path_of(key: bytes) -> str:
+    """The file of the entry for a key."""
+    return os.path.join(directory() or "", f"{zlib.crc32(key):08x}")
 
 
 def encode(entry: ResultEntry) -> bytes:
@@ -41,8 +41,8 @@ def encode(entry: ResultEntry) -> bytes:
     for path, data in entry.outputs:
         fields += (path, str(len(data)))
     head = b"\0".join(map(os.fsencode, fields))
-    sizes = f"{len(entry.question)} {len(head)}\n".encode()
-    body = b"".join((sizes, entry.question, head, *(data for _, data in entry.outputs)))
+    sizes = f"{len(entry.key)} {len(head)}\n".encode()
+    body = b"".join((sizes, entry.key, head, *(data for _, data in entry.outputs)))
     return b"%s %08x\n%s" % (_LAYOUT, zlib.crc32(body), body)
 
 

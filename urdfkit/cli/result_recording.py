@@ -16,18 +16,18 @@ MAX_BYTES = 64 * 1024 * 1024
 #: Average number of bytes written between two checks of the total size.
 BYTES_BETWEEN_LOOKS = 1024 * 1024
 
-#: The question whose result is recorded, and its start in nanoseconds since the epoch.
+#: The key whose result is recorded, and its start in nanoseconds since the epoch.
 _begun: tuple[bytes, int] | None = None
 
 
-def begin(question: bytes) -> None:
+def begin(key: bytes) -> None:
     """Start recording the files that this process depends on."""
     global _begun  # noqa: PLW0603 - one process answers one command line
-    _begun = (question, time.time_ns())
+    _begun = (key, time.time_ns())
     disk.log_to(FileLog())
 
 
-def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
+def finish(code: int, outputs: list[tuple[str, bytes]]) -> None:
     """Store the result of the recorded check; no effect without a recording.
 
     Args:
@@ -46,7 +46,7 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
 
 def store(entry: ResultEntry) -> None:
     """Write an entry; ignores failures."""
-    path = result_entry.path_of(entry.question)
+    path = result_entry.path_of(entry.key)
     directory = os.path.dirname(path)
     try:
         os.makedirs(directory, exist_ok=True)
@@ -61,8 +61,8 @@ def store(entry: ResultEntry) -> None:
 
 def _make_room(directory: str) -> None:
     """Remove the older half of the entries of a full directory."""
-    with os.scandir(directory) as found:
-        entries = [(entry.stat().st_mtime, entry.stat().st_size, entry.path) for entry in found]
+    with os.scandir(directory) as scanned:
+        entries = [(entry.stat().st_mtime, entry.stat().st_size, entry.path) for entry in scanned]
     if sum(size for _, size, _ in entries) < MAX_BYTES:
         return
     for _, _, path in sorted(entries)[: (len(entries) + 1) // 2]:

@@ -52,14 +52,14 @@ read_by_options = with_options(*_READING)
 def one_robot(command: Callable[..., int]) -> Callable[..., int]:
     """Add the arguments ``FILE [NAME:=VALUE]...`` and the options for reading it to a command.
 
-    The command gets all values, and those of `posed`, as ``asked``, for the functions `robot`,
+    The command receives all values, and those of `posed`, as ``inputs`` for the functions `robot`,
     `reading` and `positions`.
     """
 
     @wraps(command)
     def collected(**values: Any) -> int:
-        asked = {key: values.pop(key) for key in _KEYS if key in values}
-        return command(asked=asked, **values)
+        inputs = {key: values.pop(key) for key in _KEYS if key in values}
+        return command(inputs=inputs, **values)
 
     words = click.argument(options.FILES, nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
     return read_by_options(words(collected))
@@ -122,34 +122,34 @@ class ReadOptions(Record):
     trust: bool  # let the model run any expression and read any file
 
 
-def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
+def reading(inputs: Mapping[str, Any], file: str) -> ReadOptions:
     """The options for reading the robot in a file.
 
     Args:
-        asked: the values of the arguments and options of `one_robot`.
+        inputs: the values of the arguments and options of `one_robot`.
 
     Raises:
         ConfigError: the robot has several variants and none is selected, or the variant is unknown.
     """
-    config = options.config(asked, file) or Config()
-    entry = config.entry(file, options.arguments(asked), asked["variant"])
-    packages = {**config.packages, **options.packages(asked)}
-    return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
+    config = options.config(inputs, file) or Config()
+    entry = config.entry(file, options.arguments(inputs), inputs["variant"])
+    packages = {**config.packages, **options.packages(inputs)}
+    return ReadOptions(entry.arguments, packages, inputs["trust"] or config.trust)
 
 
-def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context:
+def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Context:
     """The robot of a command line.
 
     Args:
-        asked: the values of the arguments and options of `one_robot`.
+        inputs: the values of the arguments and options of `one_robot`.
         progress: called with the number of mesh files read and the number of all mesh files.
 
     Raises:
         UsageError: there is no file, or more than one.
         UrdfkitError: the file cannot be read.
     """
-    file = only_file(asked)
-    read_options = reading(asked, file)
+    file = only_file(inputs)
+    read_options = reading(inputs, file)
     try:
         context = read(
             stdin.opened(file),
@@ -161,18 +161,18 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
     except UnreadableRobot as error:
         if not error.problems:
             raise
-        raise first_of(error, file) from error
+        raise first_error(error, file) from error
     require_robot(context)
     for launched in context.launched:
         values = " ".join(f"{name}:={value}" for name, value in launched.arguments.items())
         output.note(f"read with {values} of {shown(launched.launch)}")
-    for name, suggested in unknown_arguments(context, options.arguments(asked)).items():
+    for name, suggested in unknown_arguments(context, options.arguments(inputs)).items():
         hint = f"; did you mean '{suggested}'?" if suggested else ""
         output.note(f"the robot has no argument '{name}'{hint}")
     return context
 
 
-def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
+def first_error(error: UnreadableRobot, file: str) -> UnreadableRobot:
     """The error with its first reason only: a missing package is often missing in every file."""
     problems = cast("tuple[Problem, ...]", error.problems)
     # Findings that are not errors may not be the reason.

@@ -14,9 +14,9 @@ from urdfkit.lint.rules import Rule
 
 @described("rules")
 @click.argument("words", nargs=-1, metavar="[CODE]...")
-@choice("--format", "kind", of=["text", "json"], help="Text table, or JSON with full explanations.")
+@choice("--format", "format", of=["text", "json"], help="Text table, or JSON with explanations.")
 @RULES
-def command(words: tuple[str, ...], kind: str, rules: tuple[str, ...]) -> int:
+def command(words: tuple[str, ...], format: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.
 
     CODE is a code, a prefix of codes such as MSH, or a name: only these are listed. Installed
@@ -32,9 +32,9 @@ def command(words: tuple[str, ...], kind: str, rules: tuple[str, ...]) -> int:
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})
-    wanted = {code for word in words for code in matching(word)}
-    chosen = [rule for rule in all_rules() if not words or rule.code in wanted]
-    output.write((_json if kind == "json" else _text)(chosen))
+    codes = {code for word in words for code in matching(word)}
+    selected = [rule for rule in all_rules() if not words or rule.code in codes]
+    output.write((_json if format == "json" else _text)(selected))
     return 0
 
 

@@ -25,7 +25,7 @@ PAGE = "summary.html"
 
 
 class _Scan(click.Command):
-    """The command, and under its name another one: ``urdfkit scan summary``."""
+    """The command, with the subcommand ``urdfkit scan summary``."""
 
     def make_context(
         self,
@@ -45,7 +45,7 @@ class _Scan(click.Command):
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @option("--timeout SECONDS", "Limit of time for a model.", type=click.FloatRange(0.01), default=60)
 @option("--memory GIB", "Limit of memory for a model.", type=click.FloatRange(0.1), default=4)
-@choice("--engine", of=["local", "dask"], help="Who runs the processes.")
+@choice("--engine", of=["local", "dask"], help="Engine that runs the processes.")
 @option("--address URL", "Address of the Dask scheduler.", default="", show_default=False)
 @option("--select CODES", "Run only these rules.", multiple=True)
 @option("--ignore CODES", "Do not run these rules.", multiple=True)
@@ -64,15 +64,15 @@ def command(
     """Check collections of models: a row for each model and finding.
 
     SOURCE is a directory (its .urdf and .urdf.xacro files), a description, a glob, a .zip or .tar
-    archive, or a .txt file that lists these. DIR gets results.jsonl as the models are done and, if
-    pyarrow is installed, models.parquet and findings.parquet at the end. The same command again
-    goes on where the last run ended. 'urdfkit scan summary DIR' summarises DIR.
+    archive, or a .txt file that lists these. Results are written to results.jsonl in DIR during the
+    run and, if pyarrow is installed, to models.parquet and findings.parquet at the end. The same
+    command resumes an interrupted run. 'urdfkit scan summary DIR' summarises DIR.
 
-    A model that crashes, hangs or takes too much memory gets a row that says so, and so does an
+    A model that crashes, hangs or takes too much memory has a row with the reason, as does an
     archive or a list that cannot be read.
 
-    Exit codes: 0 done, 2 usage error, or a source that has no model or cannot be read, 130 stopped
-    by Ctrl-C.
+    Exit codes: 0 done, 2 usage error, or a source has no model or cannot be read, 130 stopped by
+    Ctrl-C.
 
     Examples:
         urdfkit scan partnet-mobility/ -o results
@@ -80,7 +80,7 @@ def command(
         urdfkit scan models/ -o results --engine dask --address tcp://host:8786
         urdfkit scan summary results
     """
-    chosen = Options(
+    settings = Options(
         packages=options.packages(values),
         select=options.selected(values),
         ignore=options.ignored(values),
@@ -92,7 +92,7 @@ def command(
         scanned = scan(
             sources,
             directory,
-            Settings(chosen, timeout, int(memory * 2**30)),
+            Settings(settings, timeout, int(memory * 2**30)),
             engine=engine,
             address=address,
             jobs=jobs or limits.processors(),
@@ -124,8 +124,8 @@ def summary(directory: str) -> int:
     Examples:
         urdfkit scan summary results
     """
-    found = summarise(journal.rows(directory))
-    page_text = page.html(found, f"Scan {os.path.basename(os.path.abspath(directory))}")
+    result = summarise(journal.rows(directory))
+    page_text = page.html(result, f"Scan {os.path.basename(os.path.abspath(directory))}")
     atomic.write(os.path.join(directory, PAGE), output.encode(page_text))
-    output.page(page.text(found))
+    output.page(page.text(result))
     return 0

@@ -17,23 +17,19 @@ from urdfkit.text.terminal import printable, wrap
 _FAMILY = 3
 
 
-def shown_settings(chosen: Options, fail_on: Severity) -> str:
+def shown_settings(settings: Options, fail_on: Severity) -> str:
     """The settings of a check as TOML, including those of the command line.
 
     Args:
         fail_on: the lowest severity that makes the exit code 1.
     """
-    return "".join(f"{line}\n" for line in _lines(chosen, fail_on))
+    return "".join(f"{line}\n" for line in _lines(settings, fail_on))
 
 
-def _lines(chosen: Options, fail_on: Severity) -> Iterator[str]:
-    resolved = chosen.resolved()
+def _lines(settings: Options, fail_on: Severity) -> Iterator[str]:
+    resolved = settings.resolved()
     config = resolved.config
-    yield (
-        f"# from {printable(shown(config.path))}"
-        if config.path
-        else "# there is no configuration file"
-    )
+    yield (f"# from {printable(shown(config.path))}" if config.path else "# no configuration file")
     yield wrap(f"select = {_listed(_rules(resolved))}", WIDTH, indent=4)
     yield f"fail-on = {_text(fail_on.value)}"
     targets = f"targets = {_listed(resolved.targets)}"
@@ -48,8 +44,8 @@ def _lines(chosen: Options, fail_on: Severity) -> Iterator[str]:
     yield f"trust = {_value(resolved.trust)}"
     directories = {name: os.path.abspath(path) for name, path in resolved.packages.items()}
     yield from _table("packages", directories)
-    yield from _table("arguments", {**config.arguments, **chosen.arguments})
-    yield from _table("severity", {code: one.value for code, one in config.severities.items()})
+    yield from _table("arguments", {**config.arguments, **settings.arguments})
+    yield from _table("severity", {code: level.value for code, level in config.severities.items()})
     for code, options in config.options.items():
         yield from _table(f"rules.{code}", options)
     yield from _of_files(config)
@@ -59,14 +55,14 @@ def _lines(chosen: Options, fail_on: Severity) -> Iterator[str]:
 
 def _rules(resolved: Options) -> Iterator[str]:
     """The rules that run: families whose rules all run, and codes."""
-    chosen = set(resolved.select)
+    selected = set(resolved.select)
     known = sorted({*rule_index.codes(), *rule_index.external()})
     for family, group in groupby(known, key=lambda code: code[:_FAMILY]):
         codes = list(group)
-        whole = chosen.issuperset(codes)
-        yield from [family] if whole else ()
-        for code in filter(chosen.__contains__, codes):
-            if resolved.previews(code) if rule_index.get(code).preview else not whole:
+        is_whole = selected.issuperset(codes)
+        yield from [family] if is_whole else ()
+        for code in filter(selected.__contains__, codes):
+            if resolved.previews(code) if rule_index.get(code).preview else not is_whole:
                 yield code
 
 

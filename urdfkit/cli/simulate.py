@@ -1,4 +1,4 @@
-"""``urdfkit simulate``: does a robot behave in MuJoCo?"""
+"""``urdfkit simulate``: faults of a robot in MuJoCo."""
 
 from __future__ import annotations
 
@@ -23,18 +23,20 @@ SIZE, MOVING = (1280, 720), (640, 400)
 @described("simulate")
 @one_robot
 @choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
-@option("--gif FILE", "Animation of its release: .gif, .webp or .apng.")
-@option("--png FILE", "Image of the end of its release: .png, .webp ...")
+@option("--gif FILE", "Animation of the release: .gif, .webp or .apng.")
+@option("--png FILE", "Image at the end of the release: .png, .webp ...")
 @in_formats("text", "json", "junit")
 @limited
-def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, form: str) -> int:
-    """Simulate a robot in MuJoCo; report what it should not do.
+def command(
+    inputs: dict[str, Any], base: str, gif: str | None, png: str | None, format: str
+) -> int:
+    """Simulate a robot in MuJoCo; report faulty behaviour.
 
     Links that overlap or collide while a joint moves; a robot that gains energy or diverges when it
-    is released; joints that cannot be moved or held with their effort, or do not follow; a robot
-    that sinks, jitters or tips over when it is dropped.
+    is released; joints that cannot be moved or held with their effort, or do not follow commands; a
+    robot that sinks, jitters or tips over when it is dropped.
 
-    Exit codes: 0 it behaves, 1 it does not, 2 it cannot be simulated.
+    Exit codes: 0 no faults, 1 faults, 2 the robot cannot be simulated.
 
     Examples:
         urdfkit simulate robot.urdf.xacro
@@ -42,24 +44,24 @@ def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, 
         urdfkit simulate robot.urdf.xacro --gif released.gif
     """
     with progress_bar() as bar:
-        context = robot(asked, bar)
+        context = robot(inputs, bar)
     with progress_bar("tests") as bar:
-        found = simulate(context, base=base, progress=bar)
+        simulation = simulate(context, base=base, progress=bar)
     if gif or png:
         _draw(context, base, gif, png)
-    if form == "junit":
+    if format == "junit":
         from urdfkit.output.simulation.junit import render
 
-        output.write(render(found, context.source.path))
+        output.write(render(simulation, context.source.path))
     else:
-        output.json_or_page(form, lambda: found.facts, _page(found))
-    return int(not found.passes)
+        output.json_or_page(format, lambda: simulation.facts, _page(simulation))
+    return int(not simulation.passes)
 
 
-def _page(found: Simulation) -> Iterator[str]:
-    yield "its root stands on a floor" if found.is_free else "its root is welded to the world"
-    for one in found.verdicts:
-        yield from output.indented(str(one))
+def _page(simulation: Simulation) -> Iterator[str]:
+    yield "its root stands on a floor" if simulation.is_free else "its root is welded to the world"
+    for verdict in simulation.verdicts:
+        yield from output.indented(str(verdict))
 
 
 def _draw(context: Context, base: str, gif: str | None, png: str | None) -> None:
@@ -72,7 +74,7 @@ def _draw(context: Context, base: str, gif: str | None, png: str | None) -> None
     moments = motion(context, base=base, images=FRAMES)
     scenes = [scene._replace(frames=frames) for frames in moments]
     if gif:
-        shots = render.followed([(one, {}) for one in scenes], size=MOVING)
+        shots = render.followed([(frame, {}) for frame in scenes], size=MOVING)
         render.save_animation(render.animated(shots), gif)
     if png:
         render.save(render.render_image(scenes[-1], ["iso"], size=SIZE), png)

@@ -1,4 +1,4 @@
-"""``urdfkit statics``: can the robot hold itself, and does it stand."""
+"""``urdfkit statics``: gravity torques against effort limits, and stability."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ MAX_SAMPLES = 1_000_000
 @in_formats("text", "json")
 @limited
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     payload: tuple[str, ...],
     samples: int,
     seed: int,
     contact: tuple[str, ...],
     visuals: bool,
-    form: str,
+    format: str,
 ) -> int:
     """Compare gravity torques with effort limits; test for tipping.
 
@@ -64,114 +64,114 @@ def command(
         urdfkit statics robot.urdf.xacro --payload 2@tool0
         urdfkit statics robot.urdf.xacro --pose ready
     """
-    context = robot(asked)
-    given = positions(context, asked)
-    carried = _payload(context, payload)
-    loads = _statics(context, given, carried, samples, seed)
+    context = robot(inputs)
+    pose = positions(context, inputs)
+    payload_masses = _payload(context, payload)
+    loads = _statics(context, pose, payload_masses, samples, seed)
     contacts = [context.model.require_link(link).name for link in contact] or None
-    stands = standing(context, given, contacts, payload=carried, visuals=visuals)
-    lines = [*render(loads, context.model, posed=bool(given)), ""]
-    lines += (line for text in describe(stands) for line in output.wrapped(text))
-    output.json_or_page(form, lambda: as_json(loads, stands), lines)
+    contact_result = standing(context, pose, contacts, payload=payload_masses, visuals=visuals)
+    lines = [*render(loads, context.model, posed=bool(pose)), ""]
+    lines += (line for text in describe(contact_result) for line in output.wrapped(text))
+    output.json_or_page(format, lambda: as_json(loads, contact_result), lines)
     return 0
 
 
 def _payload(context: Context, words: tuple[str, ...]) -> dict[str, float]:
-    found: dict[str, float] = {}
+    masses: dict[str, float] = {}
     for word in words:
         mass, at, link = word.partition("@")
         value = number(mass.removesuffix("kg"))
         if not at or value is None or value < 0:
             raise options.UsageError(f"--payload {word}: expected KG@LINK: a mass in kg and a link")
         context.model.require_link(link)
-        found[link] = found.get(link, 0.0) + value
-    return found
+        masses[link] = masses.get(link, 0.0) + value
+    return masses
 
 
 def _statics(
-    context: Context, given: dict[str, float], payload: dict[str, float], samples: int, seed: int
+    context: Context, pose: dict[str, float], payload: dict[str, float], samples: int, seed: int
 ) -> Statics:
-    bare = context.dynamics
+    unloaded = context.dynamics
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.physics.dynamics.statics import statics
 
-    loaded = Dynamics(context.tree, payload) if payload else bare
+    loaded = Dynamics(context.tree, payload) if payload else unloaded
     with progress_bar() as bar:
-        return statics(loaded, given, samples=samples, seed=seed, progress=bar)
+        return statics(loaded, pose, samples=samples, seed=seed, progress=bar)
 
 
-def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
+def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
     """A table of the joints, the weakest first, with notes."""
-    carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
-    poses = f"{found.poses} poses and a search for the worst"
-    if not found.searched:
-        poses = f"zero pose only: {len(found.loads)} joints are too many to search for the worst"
-    yield f"gravity on {found.mass:.6g} kg{carried}, {poses}"
-    if found.weightless:
-        yield from output.wrapped(f"not on {', '.join(found.weightless)}: it is off in Gazebo")
-    if not found.loads:
+    payload = "".join(f" with {mass:g} kg at {link}" for link, mass in loads.payload.items())
+    poses = f"{loads.poses} poses and a search for the worst"
+    if not loads.searched:
+        poses = f"zero pose only: {len(loads.loads)} joints are too many to search for the worst"
+    yield f"gravity on {loads.mass:.6g} kg{payload}, {poses}"
+    if loads.weightless:
+        yield from output.wrapped(f"no gravity in Gazebo on {', '.join(loads.weightless)}")
+    if not loads.loads:
         yield "no actuated joint"
         return
     yield ""
     first = "at pose" if posed else "at zero"
     rows = [("joint", f"{first:>9} {'worst':>9}  {'effort':>8}  {'used':>6}")]
-    for load in found.loads:
+    for load in loads.loads:
         unit = effort_unit(model.joints_by_name[load.joint])
         limit = "unknown" if load.effort is None else f"{load.effort:.4g}"
         used = "" if load.used is None else f"{load.used:.0%}"
         held = output.aligned((load.at_pose, load.worst), NOISE)
         rows.append((load.joint, f"{held}  {limit:>8}  {used:>6}  {unit}"))
     yield from output.two_columns(rows)
-    weakest = found.weakest
+    weakest = loads.weakest
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
         yield ""
         yield from output.wrapped(f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}")
-    for load in found.loads:
+    for load in loads.loads:
         if load.is_exceeded:
             unit = effort_unit(model.joints_by_name[load.joint])
             yield f"{load.joint} exceeds its effort limit: needs >= {load.worst:.4g} {unit}"
 
 
-def describe(stands: Standing) -> Iterator[str]:
+def describe(contact_result: Standing) -> Iterator[str]:
     """The support polygon and the stability of the robot."""
-    found = stands.stability
-    if stands.links:
-        yield f"stands on {', '.join(stands.links)}"
-    if found is None:
-        yield VERDICTS[stands.verdict]
+    stability = contact_result.stability
+    if contact_result.links:
+        yield f"stands on {', '.join(contact_result.links)}"
+    if stability is None:
+        yield VERDICTS[contact_result.verdict]
     else:
-        x, y, z = (0.0 if abs(value) < NOISE else value for value in found.center)
-        yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
-        yield _safety(found, stands.verdict)
-    if stands.visual_only:
-        counted = "counted" if stands.visuals else "ignored (--visuals counts it)"
-        yield f"visual without collision, {counted}: {', '.join(stands.visual_only)}"
+        x, y, z = (0.0 if abs(value) < NOISE else value for value in stability.center)
+        yield f"centre of mass at {x:.4g} {y:.4g} m, {z - stability.ground:.4g} m above the ground"
+        yield _safety(stability, contact_result.verdict)
+    if contact_result.visual_only:
+        counted = "counted" if contact_result.visuals else "ignored (--visuals counts it)"
+        yield f"visual without collision, {counted}: {', '.join(contact_result.visual_only)}"
 
 
-def _safety(found: Stability, verdict: str) -> str:
-    if found.tips:
-        out = f"{-found.margin:.4g} m outside the support polygon"
-        unless = VERDICTS[verdict].removeprefix(VERDICTS["tips"])
-        return f"tips over {found.tip_direction}{unless}: the centre of mass is {out}"
-    slope = f"{degrees(found.angle):.3g} deg"
-    return f"margin {found.margin:.4g} m; tips over {found.tip_direction} on a slope of {slope}"
+def _safety(stability: Stability, verdict: str) -> str:
+    if stability.tips:
+        distance = f"{-stability.margin:.4g} m outside the support polygon"
+        condition = VERDICTS[verdict].removeprefix(VERDICTS["tips"])
+        return f"tips over {stability.tip_direction}{condition}: the centre of mass is {distance}"
+    slope = f"{stability.tip_direction} on a slope of {degrees(stability.angle):.3g} deg"
+    return f"margin {stability.margin:.4g} m; tips over {slope}"
 
 
-def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
+def as_json(loads: Statics, contact_result: Standing) -> dict[str, Any]:
     """The result for JSON; in N·m or N, m, rad."""
-    weakest = found.weakest
+    weakest = loads.weakest
     return {
         "version": VERSION,
-        "mass": found.mass,
-        "payload": found.payload,
-        "poses": found.poses,
-        "weightless": found.weightless,
-        "searched": found.searched,
+        "mass": loads.mass,
+        "payload": loads.payload,
+        "poses": loads.poses,
+        "weightless": loads.weightless,
+        "searched": loads.searched,
         "joints": [
             {**load._asdict(), "used": load.used, "exceeded": load.is_exceeded}
-            for load in found.loads
+            for load in loads.loads
         ],
         "weakest": weakest.joint if weakest else None,
-        "stability": stands.facts(),
+        "stability": contact_result.facts(),
     }

@@ -7,7 +7,7 @@ import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.decorators import described
-from urdfkit.cli.robot import first_of, read_by_options, reading
+from urdfkit.cli.robot import first_error, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
@@ -25,10 +25,10 @@ _MOST = 100
 @click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
 @read_by_options
-def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -> int:
+def command(file: str, address: str, arguments: tuple[str, ...], **values: Any) -> int:
     """Show the source of an element or a value of an expanded xacro.
 
-    ELEMENT is a path below the robot such as link/base_link/inertial/inertia; findings have it.
+    ELEMENT is a path below the robot such as link/base_link/inertial/inertia, as in findings.
     With @ATTRIBUTE the names in its expression are followed through macro arguments and
     properties down to the number, in a xacro or a YAML file.
 
@@ -43,29 +43,29 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
     from urdfkit.xacro import expand
 
     source = Source.of(stdin.opened(file))
-    read = reading({**asked, options.FILES: (file, *arguments)}, file)
+    read = reading({**values, options.FILES: (file, *arguments)}, file)
     resolver = Resolver(read.packages)
     xacro = expand(source, resolver, read.arguments, trust=read.trust, traced=True)
     if xacro.document is None:
         error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
-        raise first_of(error, file)
-    found = find(xacro.document, address)
-    inputs = xacro.inputs(found) if isinstance(found, Attribute) else ()
-    output.page(render(found, inputs))
+        raise first_error(error, file)
+    target = find(xacro.document, address)
+    inputs = xacro.inputs(target) if isinstance(target, Attribute) else ()
+    output.page(render(target, inputs))
     return 0
 
 
-def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
+def render(target: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
     """The lines with the origin of an element or attribute."""
-    if isinstance(found, Attribute):
-        yield f"{found.path} = {found.value}"
-        yield f'  {found.span}  {found.name}="{found.span.text}"'
+    if isinstance(target, Attribute):
+        yield f"{target.path} = {target.value}"
+        yield f'  {target.span}  {target.name}="{target.span.text}"'
     else:
-        yield found.path
-        yield f"  {found.span}  {_one_line(found.span)}"
+        yield target.path
+        yield f"  {target.span}  {_one_line(target.span)}"
     for origin in _without_tables(inputs):
         yield from _origin(origin, 2)
-    yield from _calls(found.via)
+    yield from _calls(target.via)
 
 
 def _origin(origin: Origin, level: int) -> Iterator[str]:

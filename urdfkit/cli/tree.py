@@ -12,7 +12,7 @@ from urdfkit.output.diagrams import FORMATS, text
 @described("tree")
 @one_robot
 @in_formats(*FORMATS)
-def command(asked: dict[str, Any], form: str) -> int:
+def command(inputs: dict[str, Any], format: str) -> int:
     """Draw the kinematic tree of a robot.
 
     Each link is drawn below its parent, with the joint between them: its type, axis, limits of
@@ -24,9 +24,9 @@ def command(asked: dict[str, Any], form: str) -> int:
         urdfkit tree robot.urdf.xacro
         urdfkit tree robot.urdf.xacro --format svg > tree.svg
     """
-    context = robot(asked)
-    if form == "text":
+    context = robot(inputs)
+    if format == "text":
         output.write(text.render(context.tree, output.width()))
     else:
-        output.write(import_module(f"urdfkit.output.diagrams.{form}").render(context.tree))
+        output.write(import_module(f"urdfkit.output.diagrams.{format}").render(context.tree))
     return 0

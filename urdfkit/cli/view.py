@@ -1,4 +1,4 @@
-"""``urdfkit view``: a robot in the browser, as it is being written."""
+"""``urdfkit view``: a robot in the browser, reloaded when its files change."""
 
 import sys
 import webbrowser
@@ -47,5 +47,5 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     try:
         serve(file, check_options(values, file), Translator(lang), port=port, opened=opened)
     except KeyboardInterrupt:
-        pass  # the way to end it
+        pass  # Ctrl-C ends the server
     return 0

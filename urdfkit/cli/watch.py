@@ -35,9 +35,9 @@ def watch(check: Check, values: Mapping[str, Any]) -> int:
         KeyboardInterrupt: Ctrl-C.
     """
     if "-" in options.files(values):
-        raise options.UsageError("--watch takes files, not standard input")
+        raise options.UsageError("--watch needs files, not standard input")
     if any(values[key] for key in ("fix", "add_ignore", "write_baseline")):
-        raise options.UsageError("--watch takes no option that changes files")
+        raise options.UsageError("--watch cannot be combined with options that change files")
     while True:
         if sys.stdout is not None and sys.stdout.isatty():
             output.write("\x1b[2J\x1b[H")
@@ -61,7 +61,7 @@ def _checked(check: Check, values: Mapping[str, Any]) -> _Queries:
     except EOFError as error:
         process.join()
         if process.exitcode:
-            raise UrdfkitError(f"the check has died (exit code {process.exitcode})") from error
+            raise UrdfkitError(f"the check crashed (exit code {process.exitcode})") from error
         raise KeyboardInterrupt from error
     process.join()
     return queries

@@ -66,10 +66,10 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
 def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
     if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
         return []
-    from urdfkit.ros.launch.robot_arguments import given  # for robots with launch files
+    from urdfkit.ros.launch.robot_arguments import passed_arguments  # for robots with launch files
 
     no_arguments = context.reading.document is not None and not _defaults(context)
-    return given(job.path, names, context.resolver, only_parameters=no_arguments)
+    return passed_arguments(job.path, names, context.resolver, only_parameters=no_arguments)
 
 
 def _with_missing(

@@ -17,7 +17,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.include_graph import INCLUDE
-from urdfkit.ros.launch.robot_arguments import declared, given
+from urdfkit.ros.launch.robot_arguments import declared, passed_arguments
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source, shown
@@ -65,7 +65,7 @@ def reported(found: ArgumentValues) -> str:
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The possible values of an argument of a description; None if there are none."""
     robot = xacro.sources[0].path
-    if sets := given(robot, (name,), resolver):
+    if sets := passed_arguments(robot, (name,), resolver):
         values = dict.fromkeys(each.arguments[name] for each in sets)
         return ArgumentValues(tuple(values), sets[0].launch)
     for launch, choices in declared(robot, resolver):

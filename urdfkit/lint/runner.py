@@ -149,7 +149,7 @@ class _RuleRun:
         path = self.context.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return []
-        if self.context.given_targets and self.context.targets.passes_over(family):
+        if self.context.given_targets and self.context.targets.ignore(family):
             return []
         try:
             return rule_index.applicable(family, codes, self.context)

@@ -1,8 +1,7 @@
 """Targets: the programs that read the robot, on which severities depend.
 
-The same model suffers differently in each: a root link with inertia makes KDL warn while Gazebo
-needs it. Targets are given, or inferred from the model itself: its plugins and
-the build system of its package.
+A root link with inertia, for example, makes KDL warn, but Gazebo requires it. Targets are given by
+the user, or detected from the plugins of the model and the build system of its package.
 """
 
 from __future__ import annotations
@@ -18,15 +17,15 @@ from urdfkit.ros.catalog import data, names, record
 from urdfkit.text.document import Element
 from urdfkit.workspace.manifest import Manifest
 
-#: Their names; each has a file of facts. ROS comes first, whose parsers most others build on.
+#: Names of targets; each has a file of facts. ROS is first, as most others use its parsers.
 TARGETS = tuple(sorted(names("targets"), key=lambda name: (not name.startswith("ros"), name)))
 
 CLASSIC = ("classic-ros1", "classic-ros2")
 GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
-#: Every Gazebo; they convert URDF to SDF with the same library.
+#: All generations of Gazebo, which convert URDF to SDF with the same library.
 GAZEBO = (*CLASSIC, *GZ)
 
-#: How the names of packages begin that are for one of the two.
+#: Prefixes of the packages and plugins of each generation.
 _CLASSIC_PACKAGES = ("gazebo_ros", "gazebo_plugins")
 _GZ_PACKAGES = ("ros_gz", "ros_ign", "gz_", "ign_")
 _CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
@@ -52,7 +51,7 @@ class Targets(Record):
 
     @property
     def applies_units(self) -> bool:
-        """True unless all are known and take the numbers of COLLADA files as metres."""
+        """False if all targets are known to ignore the units of COLLADA files."""
         return not self.all_are("ignores_units")
 
     @property
@@ -61,72 +60,71 @@ class Targets(Record):
 
     def that(self, fact: str) -> tuple[str, ...]:
         """The targets for which a fact is true."""
-        return tuple(one.name for one in self.facts if getattr(one, fact))
+        return tuple(target.name for target in self.facts if getattr(target, fact))
 
     def all_are(self, fact: str) -> bool:
         """True if there are targets, and a fact is true for all of them."""
-        return bool(self.names) and all(getattr(one, fact) for one in self.facts)
+        return bool(self.names) and all(getattr(target, fact) for target in self.facts)
 
-    def passes_over(self, family: str) -> bool:
-        """True if none of some targets reads what a family of rules is about."""
-        return bool(self.names) and all(family in one.unread for one in self.facts)
+    def ignore(self, family: str) -> bool:
+        """True if there are targets, and none of them reads the elements of a family of rules."""
+        return bool(self.names) and all(family in target.unread for target in self.facts)
 
 
 class TargetFacts(Record):
-    """What one program makes of a robot, where it is not what urdfdom and RViz make of it."""
+    """Differences between a program and urdfdom with RViz in reading a robot."""
 
     name: str  # of the target
-    title: str  # what it stands for
-    unread: tuple[str, ...] = ()  # families of rules about what the program does not read
-    #: The formats that it loads; empty if that is not known, or depends on the machine.
+    title: str  # in messages
+    unread: tuple[str, ...] = ()  # families of rules about elements that it does not read
+    #: Mesh formats that it loads; empty if unknown, or dependent on the computer.
     meshes: tuple[str, ...] = ()
-    leaves_out_visuals: bool = False  # True if it takes a robot whose visuals are in other formats
-    drops_visuals: bool = False  # True if it loads no visuals unless it is asked to
+    leaves_out_visuals: bool = False  # True if it ignores visuals in other formats
+    drops_visuals: bool = False  # True if it loads no visuals by default
     loads_first_object: bool = False  # True if it loads only the first object or group of an OBJ
     collides_hulls: bool = False  # True if the convex hulls of meshes collide, not their triangles
-    #: True if a link collides with the one above, where that is welded to the world.
+    #: True if a link collides with its parent link if that is welded to the world.
     collides_with_welded: bool = False
-    #: Of rules, where they differ for it, by their codes: what it rejects is an ``error``, what it
-    #: takes is none.
+    #: Severities by code of rules that have another severity for it: ``error`` if it rejects the
+    #: robot.
     severities: Mapping[str, str] = {}
     simulates: bool = False  # True if forces move the links, so that they need a mass
-    #: True if it makes a KDL tree of the robot, which lacks the inertia of the root.
+    #: True if it builds a KDL tree of the robot, which lacks the inertia of the root.
     builds_kdl: bool = False
-    finds_packages: bool = True  # False if it ignores packages: a mesh is a path
-    #: True if it looks for such a path in the directory of the URDF and in all above it.
+    finds_packages: bool = True  # False if it does not resolve packages
+    #: True if it searches a path in the directory of the URDF and its parent directories.
     searches_above: bool = False
-    ignores_units: bool = False  # True if the numbers of COLLADA files are metres to it
-    ignores_limits: bool = False  # True if it takes a joint without ``<limit>``, effort or velocity
-    reads_capsules: bool = False  # True if it reads ``<capsule>`` in each version of URDF
-    ignores_quaternions: bool = False  # True if it reads no ``quat_xyzw``, in no version of URDF
+    ignores_units: bool = False  # True if it ignores the units of COLLADA files
+    ignores_limits: bool = False  # True if ``<limit>``, effort and velocity are optional
+    reads_capsules: bool = False  # True if it reads ``<capsule>`` in all versions of URDF
+    ignores_quaternions: bool = False  # True if it does not read ``quat_xyzw`` in any version
     reads_ball_joints: bool = False  # True if it reads joints of the type ``spherical``
-    #: True if floating and ball joints and limits must be those that MJCF allows.
+    #: True if floating and ball joints and limits must be valid in MJCF.
     reads_joints_as_mjcf: bool = False
     #: True if it reads numbers as C does: hexadecimal, with any white space, ``inf`` in limits.
     reads_c_numbers: bool = False
-    ignores_unknown_leaders: bool = False  # True if it takes a mimic of a joint that is missing
+    ignores_unknown_leaders: bool = False  # True if it accepts a mimic of a missing joint
     #: Tags of elements that may have the same name: ``joint``, ``material``.
     repeatable_names: tuple[str, ...] = ()
     rejects_recoloured: bool = False  # True if it rejects a material with two colours
     reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
     reads_planes: bool = False  # True if it reads the shape ``<plane>``
     reads_unnamed_materials: bool = False  # True if a material needs no name
-    reserves_world: bool = False  # True if a link ``world`` is the world
-    adds_world: bool = False  # True if joints may name the world, which no link stands for
-    #: True if it rejects a mimic of a joint that one number does not move.
+    reserves_world: bool = False  # True if a link ``world`` is the world itself
+    adds_world: bool = False  # True if joints may reference the world without a link for it
+    #: True if it rejects a mimic of a joint without exactly one degree of freedom.
     needs_movable_mimic: bool = False
-    needs_usd_names: bool = False  # True if names are those of USD, which begin with no digit
-    rejects_repeated: bool = False  # True if it rejects an element that is there twice
+    needs_usd_names: bool = False  # True if names must be valid in USD: no digit first
+    rejects_repeated: bool = False  # True if it rejects a repeated element
     rejects_massless: bool = False  # True if it rejects a moving link without mass
-    #: In kg/m³, of the collisions of a link without ``<inertial>``, whose mass it computes; 0 if it
-    #: computes none.
+    #: Density in kg/m³ of the collisions of a link without ``<inertial>``; 0 if not computed.
     density: float = 0.0
-    #: True if moments must hold the triangle inequality to their last digit.
+    #: True if moments must satisfy the triangle inequality without tolerance.
     rejects_rounding: bool = False
-    least_moment: float = 0.0  # in kg·m²; it rejects tensors with less. 0 if it takes all
-    rejects_empty_shapes: bool = False  # True if it rejects a collision one edge of which is 0
-    least_volume: float = 0.0  # in m³; it rejects collision meshes with less. 0 if it takes all
-    most_triangles: int = 0  # of an STL file that it loads; 0 if it loads all
+    least_moment: float = 0.0  # in kg·m²; it rejects lower moments. 0 without a bound
+    rejects_empty_shapes: bool = False  # True if it rejects a collision with an edge of 0
+    least_volume: float = 0.0  # in m³; it rejects smaller collision meshes. 0 without a bound
+    most_triangles: int = 0  # in an STL file that it loads; 0 without a bound
 
 
 @cache
@@ -135,10 +133,10 @@ def facts_of(name: str) -> TargetFacts:
 
 
 def parse(names: Iterable[str]) -> Targets:
-    """Targets given by name.
+    """Targets by name.
 
     Raises:
-        UnknownTarget: with the nearest.
+        UnknownTarget: a name is unknown; suggests the nearest name.
     """
     chosen = set(names)
     for name in chosen:
@@ -149,15 +147,15 @@ def parse(names: Iterable[str]) -> Targets:
 
 
 def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
-    """The targets that a model and its package.xml imply, each with the reason."""
+    """The targets detected from a model and its package.xml, with the reasons."""
     evidence = list(_evidence(model, manifest))
-    left_out = _contradicted(evidence, manifest)
-    found: dict[str, str] = {}
-    for one in evidence:
-        if one.target not in left_out:
-            found.setdefault(one.target, one.reason)
-    names = tuple(name for name in TARGETS if name in found)
-    return Targets(names, tuple(f"{name}: {found[name]}" for name in names))
+    excluded = _contradicted(evidence, manifest)
+    reasons: dict[str, str] = {}
+    for line in evidence:
+        if line.target not in excluded:
+            reasons.setdefault(line.target, line.reason)
+    names = tuple(name for name in TARGETS if name in reasons)
+    return Targets(names, tuple(f"{name}: {reasons[name]}" for name in names))
 
 
 class _Evidence(Record):
@@ -168,7 +166,7 @@ class _Evidence(Record):
     weight: int = 0
 
 
-#: Weights: Gazebo loads a plugin; a hardware plugin is a name that the control plugin looks up.
+#: Weights: Gazebo loads a plugin, but the control plugin looks up a hardware plugin by name.
 _PLUGIN, _HARDWARE = 2, 1
 
 
@@ -180,7 +178,7 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
         yield _Evidence("ros2", "<ros2_control>")
     for element in (*model.gazebo, *model.ros2_controls):
         for plugin in element.walk():
-            # ros2_control has its hardware plugin in the text
+            # in ros2_control, the text is the hardware plugin
             name = plugin.get("filename") or plugin.text.strip()
             if plugin.tag == "plugin" and (target := target_of_plugin(name, plugin, ros)):
                 weight = _PLUGIN if "filename" in plugin.attributes else _HARDWARE
@@ -188,17 +186,17 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
 
 
 def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple[str, ...]:
-    """Gazebo Classic or gz-sim, if one line speaks for it and more for the other.
+    """Gazebo Classic or gz-sim, if one line implies it and more evidence implies the other.
 
-    That line is the mistake, which rules report; the rest fits and stays as it is.
+    Rules report that line as the mistake.
     """
     weights = []
     lines = []
-    for family, begins in ((CLASSIC, _CLASSIC_PACKAGES), (GZ, _GZ_PACKAGES)):
-        own = {one.reason: one.weight for one in evidence if one.target in family}
+    for family, prefixes in ((CLASSIC, _CLASSIC_PACKAGES), (GZ, _GZ_PACKAGES)):
+        own = {line.reason: line.weight for line in evidence if line.target in family}
         names = manifest.dependencies if manifest else ()
         lines.append(len(own))
-        weights.append(sum(own.values()) + any(name.startswith(begins) for name in names))
+        weights.append(sum(own.values()) + any(name.startswith(prefixes) for name in names))
     if lines[0] == 1 and weights[0] < weights[1] and lines[1]:
         return CLASSIC
     return GZ if lines[1] == 1 and weights[1] < weights[0] and lines[0] else ()
@@ -218,10 +216,10 @@ def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str 
 
 
 def _classic_generation(name: str, plugin: Element, ros: str | None) -> str:
-    """A ``<ros>`` block is of ROS 2; else the package decides, else the library, else the spelling.
+    """The generation by a ``<ros>`` block of ROS 2, else the package, the library, or the tags.
 
-    What the package says comes before the rest: a library or tags of ROS 1 in a package of ROS 2
-    are a mistake, and many plugins of ROS 1 have snake_case tags among the others.
+    The package precedes library and tags: those of ROS 1 in a package of ROS 2 are a mistake, and
+    many plugins of ROS 1 also have tags in snake_case.
     """
     from urdfkit.ros.catalog.plugins import find  # loads the catalogue
 
@@ -230,7 +228,7 @@ def _classic_generation(name: str, plugin: Element, ros: str | None) -> str:
         return "classic-ros2"
     if ros:
         return f"classic-{ros}"
-    generations = {one.generation for one in find(name) if not one.removed}
+    generations = {plugin.generation for plugin in find(name) if not plugin.removed}
     if len(generations) == 1 and generations <= {"classic-ros1", "classic-ros2"}:
         return generations.pop()
     if any(tag != tag.lower() for tag in tags):

@@ -90,7 +90,7 @@ class Isolated:
         self.end()
         limit = self._settings.seconds
         if seconds >= limit:
-            row = ModelRow(model.name, "timeout", f"not done after {limit:g} s")
+            row = ModelRow(model.name, "timeout", f"not finished after {limit:g} s")
         else:
             how = f"by signal {-code}" if code < 0 else f"with exit code {code}"
             row = ModelRow(model.name, "died", f"its process ended {how}")

@@ -46,7 +46,7 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
         ('<rosparam command="loads" file="$(arg f)"/>', "<rosparam>: command is 'loads'"),
         ('<node pkg="a" type="b" name="$(anon c)" output="scren"/>', "<node>: output is 'scren'"),
         ('<node pkg="a" type="b" name="$(anon c)" respawn="flase"/>', "<node>: respawn is 'flase'"),
-        ('<group if="$(arg a) == b"/>', "<group>: if is '$(arg a) == b', no boolean"),
+        ('<group if="$(arg a) == b"/>', "<group>: if is '$(arg a) == b', not a boolean"),
         (ROS_1 + '<arg name="a" default="b" value="c"/>', "argument 'a' has a value and a default"),
     ],
 )
@@ -129,8 +129,8 @@ def described(first: str, entities: str) -> str:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (described(SPAWNER, HANDLED.format("a, b, ")), "'b' is started twice, and launch stops at"),
-        (described(LASTING, HANDLED.format("a, ")), "it is started when robot_state_publisher"),
+        (described(SPAWNER, HANDLED.format("a, b, ")), "'b' is started twice: launch stops at the"),
+        (described(LASTING, HANDLED.format("a, ")), "started when robot_state_publisher"),
         (described(SPAWNER, "LaunchDescription([a, TimerAction(actions=b)])"), "actions of Timer"),
         (described(SPAWNER, "LaunchDescription(a)"), "initial_entities of LaunchDescription is"),
         (PROGRAM.format("LaunchDescription([])"), "generate_launch_description() returns nothing"),
@@ -148,10 +148,10 @@ def described(first: str, entities: str) -> str:
         ),
         ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
         ("ExecuteProcess(cmd=['ros2 topic list'])", "'ros2 topic list' is one word"),
-        ("ExecuteProcess(cmd='ros2 topic list')", "cmd of ExecuteProcess is a text"),
+        ("ExecuteProcess(cmd='ros2 topic list')", "cmd of ExecuteProcess is a string"),
         ("Node(package='a', executable='b', remappings=['a:=b'])", "'a:=b' in remappings is not a"),
-        ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription holds a list"),
-        ("a = LaunchConfiguration('b')\nc = 'd' + a", "a text and a LaunchConfiguration cannot"),
+        ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription contains a"),
+        ("a = LaunchConfiguration('b')\nc = 'd' + a", "a string and a LaunchConfiguration cannot"),
         (
             "PythonLaunchDescriptionSource([FindPackageShare('a'), 'launch/b.launch.py'])",
             "'launch/b.launch.py' follows the directory of a package without a slash",

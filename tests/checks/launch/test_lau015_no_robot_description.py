@@ -90,4 +90,4 @@ def test_expanded_xacro_is_accepted(tmp_path: Path) -> None:
 def test_a_textfile_of_ros_1(tmp_path: Path) -> None:
     text = '<param name="robot_description" textfile="$(dirname)/../arm.xacro"/>'
     (found,) = reported(tmp_path, "LAU015", "a.launch", text, XACRO)
-    assert found.message == "'arm.xacro' is a xacro file, which nothing expands here"
+    assert found.message == "'arm.xacro' is a xacro file, but is used without expansion"

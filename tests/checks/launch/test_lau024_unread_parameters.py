@@ -224,10 +224,10 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
     ("settings", "extra", "words"),
     [
         ("{}", PIPELINES.format('load_yaml("arm", "ompl.yaml")'), ""),
-        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "gets no planning plugin"),
+        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "has no planning plugin"),
         ("{}", PIPELINES.format('load_yaml("arm", "missing.yaml")'), ""),
         ("{}", PIPELINES.format('{"planning_plugin": "ompl_interface/OMPLPlanner"}'), ""),
-        ("{}", '{"planning_pipelines": ["ompl"]}', "gets no planning plugin"),
+        ("{}", '{"planning_pipelines": ["ompl"]}', "has no planning plugin"),
         ("other()", '{"planning_pipelines": ["ompl"]}', ""),
         ("{}\nsettings.update(x=1)", '{"planning_pipelines": ["ompl"]}', ""),
         ("{}", 'load_yaml("arm", "solvers.yaml")', "are not in robot_description_kinematics"),

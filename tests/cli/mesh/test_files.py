@@ -56,11 +56,11 @@ def test_convert(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "use --force to replace it" in capsys.readouterr().err
     assert main(["mesh", "convert", str(ball), "-o", str(out), "--force"]) == 0
     assert main(["mesh", "convert", str(out), "-o", str(ball), "--force"]) == 0
-    assert "this format cannot hold: materials" in capsys.readouterr().out
+    assert "this format cannot store: materials" in capsys.readouterr().out
     assert main(["mesh", "convert", str(ball), "-o", str(out), "--scale", "0"]) == 2
 
 
-def test_convert_applies_the_unit_and_turns_if_asked_to(tmp_path: Path) -> None:
+def test_convert_applies_the_unit_and_option_upright(tmp_path: Path) -> None:
     text = (BAD.parents[1] / "gazebo_pkg").exists()
     assert text
     source = tmp_path / "inch.dae"

@@ -34,13 +34,13 @@ def test_one_mesh(model: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert mesh.read_bytes() == first, "the same mesh is the same file"
 
 
-def test_all_that_are_missing(model: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_all_missing_meshes(model: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", "generate", "--model", str(model)]) == 0
     assert main(["mesh", "generate", "--model", str(model)]) == 0
     assert capsys.readouterr().out.endswith("nothing is missing\n")
 
 
-def test_what_cannot_be_made_is_exit_code_1(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_failed_mesh_exits_with_1(capsys: pytest.CaptureFixture[str]) -> None:
     bad = str(MODELS / "bad" / "broken_meshes.urdf")
     assert main(["mesh", "generate", "--model", bad, "--dry-run"]) == 1
     assert "run 'git lfs pull'" in capsys.readouterr().out
@@ -60,7 +60,7 @@ def test_what_cannot_be_made_is_exit_code_1(capsys: pytest.CaptureFixture[str]) 
         (["a.step", "--part", "wheel"], "unsupported suffix"),
     ],
 )
-def test_what_makes_no_sense_is_said(
+def test_usage_errors(
     words: list[str], said: str, model: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = [str(model) if word == "MODEL" else word for word in words]

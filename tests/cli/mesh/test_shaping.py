@@ -84,9 +84,7 @@ def test_pieces_are_written_all_or_none(angle: Path, capsys: pytest.CaptureFixtu
         ["hull", "FILE", "-o", "a.step"],
     ],
 )
-def test_what_makes_no_sense_is_said(
-    words: list[str], ring: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_errors(words: list[str], ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", *(str(ring) if word == "FILE" else word for word in words)]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""

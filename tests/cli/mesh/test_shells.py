@@ -22,7 +22,7 @@ SHEET = stl([*HALF, *(face[::-1] for face in HALF)])
         (SHEET, "20 triangles of double-sided sheets without volume", "--one-sided"),
     ],
 )
-def test_it_is_reported_and_repaired(
+def test_a_double_sided_mesh_is_reported_and_repaired(
     data: bytes, what: str, option: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = str(tmp_path / "a.stl")

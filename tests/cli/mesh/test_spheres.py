@@ -73,7 +73,7 @@ def test_urdf_has_spheres_for_collisions(tmp_path: Path) -> None:
     assert [len(link.visuals) for link in after.links] == visuals
 
 
-def test_json_and_what_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_and_omitted_geometry(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "gone.urdf"
     gone = '<collision><geometry><mesh filename="gone.stl"/></geometry></collision>'
     file.write_text(BALLS.replace('<link name="tip"/>', f'<link name="tip">{gone}</link>'))
@@ -99,7 +99,7 @@ def test_without_geometry(balls: str, capsys: pytest.CaptureFixture[str]) -> Non
     assert "--visual" not in error
 
 
-def test_of_a_robot_with_visual_geometry_only_the_error_names_the_option(
+def test_visual_geometry_only_suggests_the_option(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "seen.urdf"
@@ -127,7 +127,7 @@ def test_a_reason_is_given(shape: str, why: str, tmp_path: Path, capsys) -> None
     assert f"collision 1 of link 'a' is left out: {why}" in capsys.readouterr().err
 
 
-def test_a_robot_of_spheres_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_of_spheres(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "ball.urdf"
     file.write_text(
         '<robot name="ball"><link name="base"><collision><geometry><sphere radius="0.02"/>'

@@ -91,7 +91,7 @@ def names(out: Path) -> list[str]:
     return [name for name in contents(out) if name != "bundle.json"]
 
 
-def test_meshes_come_with_their_files_under_names_of_their_own(robot: Path, tmp_path: Path) -> None:
+def test_meshes_have_unique_names_and_their_files(robot: Path, tmp_path: Path) -> None:
     made, rejected = bundle(robot, tmp_path / "out")
     assert rejected == ()
     assert names(tmp_path / "out") == [
@@ -117,7 +117,7 @@ def test_meshes_come_with_their_files_under_names_of_their_own(robot: Path, tmp_
         ("ros", {".dae", ".obj", ".stl", ".glb"}),
     ],
 )
-def test_meshes_are_of_formats_that_the_program_reads(
+def test_meshes_are_converted_to_supported_formats(
     robot: Path, tmp_path: Path, consumer: str, suffixes: set[str]
 ) -> None:
     made, _ = bundle(robot, tmp_path / "out", consumer=consumer)
@@ -127,7 +127,7 @@ def test_meshes_are_of_formats_that_the_program_reads(
     assert report.diagnostics == ()
 
 
-def test_the_manifest_says_where_everything_comes_from(robot: Path, tmp_path: Path) -> None:
+def test_the_manifest_lists_sources(robot: Path, tmp_path: Path) -> None:
     bundle(robot, tmp_path / "out", consumer="mujoco")
     files = contents(tmp_path / "out")
     told = json.loads(files.pop("bundle.json"))
@@ -153,7 +153,7 @@ def frames_and_masses(pin: Any, urdf: str | Path) -> tuple[Any, ...]:
     return [frame.homogeneous for frame in data.oMf], [one.mass for one in model.inertias], model
 
 
-def test_other_programs_load_it_where_nothing_else_is(robot: Path, tmp_path: Path) -> None:
+def test_other_programs_load_the_bundle_alone(robot: Path, tmp_path: Path) -> None:
     pin, yourdfpy = pytest.importorskip("pinocchio"), pytest.importorskip("yourdfpy")
     out = tmp_path / "elsewhere" / "out"
     made, _ = bundle(robot, out, consumer="mujoco")
@@ -190,9 +190,7 @@ def test_mujoco_loads_it(robot: Path, tmp_path: Path, written: str) -> None:
     assert model.body_mass[1:].sum() == pytest.approx(2)  # MuJoCo welds the root
 
 
-def test_why_a_program_rejects_it_is_reported_where_it_was_written(
-    robot: Path, tmp_path: Path
-) -> None:
+def test_rejections_are_reported_at_the_original_source(robot: Path, tmp_path: Path) -> None:
     robot.write_bytes(robot.read_bytes().replace(b'izz="1"', b'izz="3"', 1))
     _, (rejection,) = bundle(robot, tmp_path / "out", consumer="mujoco")
     assert (rejection.code, rejection.span.source.path) == ("INE003", str(robot))
@@ -226,7 +224,7 @@ def test_every_bundle_is_checked(
 def test_a_part_of_a_robot_is_not_bundled(tmp_path: Path) -> None:
     text = '<robot><xacro:camera name="c"/><link name="mount"/></robot>'
     path = add_file(tmp_path / "extras.urdf", text.encode())
-    with pytest.raises(UrdfkitError, match=r"extras\.urdf: is a part"):
+    with pytest.raises(UrdfkitError, match=r"extras\.urdf: is only a part"):
         bundle(path, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -242,21 +240,21 @@ def test_a_package_for_ros_is_found_by_its_name(robot: Path, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("file", ["package://arm/c.yaml", "/home/me/my ws/arm/c.yaml"])
-def test_what_still_leads_elsewhere_is_reported(robot: Path, tmp_path: Path, file: str) -> None:
+def test_remaining_outside_references_are_reported(robot: Path, tmp_path: Path, file: str) -> None:
     plugin = f'<gazebo><plugin name="p"><parameters>{file}</parameters></plugin></gazebo></robot>'
     robot.write_bytes(robot.read_bytes().replace(b"</robot>", plugin.encode()))
     made, _ = bundle(robot, tmp_path / "out")
     assert made.outside == (("gazebo/plugin/p/parameters", file),)
 
 
-def test_a_missing_mesh_is_an_error_at_its_place(tmp_path: Path) -> None:
+def test_a_missing_mesh_is_an_error_at_its_location(tmp_path: Path) -> None:
     mission = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
     with pytest.raises(UrdfkitError, match=r"xacro:266:25: package://gazebo_pkg/meshes/hokuyo.dae"):
         bundle(mission, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_nothing_from_outside_of_the_workspace_is_bundled(robot: Path, tmp_path: Path) -> None:
+def test_files_outside_the_workspace_are_not_bundled(robot: Path, tmp_path: Path) -> None:
     (tmp_path / "src" / ".git").mkdir()
     secret = add_file(tmp_path / "secret.png", PNG + b"secret")
     image = robot.parents[1] / "meshes" / "visual" / "wood.png"
@@ -274,16 +272,18 @@ def test_nothing_from_outside_of_the_workspace_is_bundled(robot: Path, tmp_path:
                 assert not [n for n, d in contents(tmp_path / "out").items() if b"secret" in d]
 
 
-def test_a_file_outside_of_the_workspace_is_not_called_missing(robot: Path, tmp_path: Path) -> None:
+def test_a_file_outside_the_workspace_is_not_reported_as_missing(
+    robot: Path, tmp_path: Path
+) -> None:
     (tmp_path / "src" / ".git").mkdir()
     add_file(tmp_path / "body.stl", ascii_stl(TRIANGLES))
     text = robot.read_text("latin-1")
     robot.write_text(re.sub(r"[^\"]*body.dae", "../../../body.stl", text), "latin-1")
-    with pytest.raises(UrdfkitError, match=r"lie outside the workspace: .*: \.\./\.\./\.\./body"):
+    with pytest.raises(UrdfkitError, match=r"are outside the workspace: .*: \.\./\.\./\.\./body"):
         bundle(robot, tmp_path / "out")
 
 
-def test_a_mesh_that_names_itself_is_there_once(robot: Path, tmp_path: Path) -> None:
+def test_a_self_referencing_mesh_is_bundled_once(robot: Path, tmp_path: Path) -> None:
     obj = robot.parents[1] / "meshes" / "visual" / "tip.obj"
     obj.write_bytes(re.sub(rb"mtllib .*", b"mtllib tip.obj", obj.read_bytes()))
     bundle(robot, tmp_path / "out")
@@ -293,7 +293,7 @@ def test_a_mesh_that_names_itself_is_there_once(robot: Path, tmp_path: Path) -> 
 @pytest.mark.parametrize(
     "name", ["a & b's <1>.stl", 'quote".stl', "\u540d \u00e9.stl", "tab\t.stl"]
 )
-def test_names_are_written_so_that_readers_see_them(tmp_path: Path, name: str) -> None:
+def test_names_are_escaped(tmp_path: Path, name: str) -> None:
     add_file(tmp_path / name, samples.stl(TRIANGLES))
     mesh = f"<mesh filename={quoteattr(name)}/>"
     link = f'<link name="a"><visual><geometry>{mesh}</geometry></visual></link>'
@@ -306,12 +306,12 @@ def test_names_are_written_so_that_readers_see_them(tmp_path: Path, name: str) -
     )
 
 
-def test_no_such_program(robot: Path, tmp_path: Path) -> None:
+def test_an_unknown_program(robot: Path, tmp_path: Path) -> None:
     with pytest.raises(UrdfkitError, match="no program 'mujco'; did you mean 'mujoco'"):
         bundle(robot, tmp_path / "out", consumer="mujco")
 
 
-def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> None:
+def test_a_broken_mesh_writes_nothing(robot: Path, tmp_path: Path) -> None:
     mesh = robot.parents[1] / "meshes" / "collision" / "body.stl"
     mesh.write_bytes(b"")
     with pytest.raises(
@@ -322,7 +322,7 @@ def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("is_killed", [True, False])
-def test_what_was_about_to_be_replaced_is_put_back(
+def test_an_interrupted_replacement_is_restored(
     is_killed: bool, robot: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "out"

@@ -99,7 +99,7 @@ def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> No
         assert all(f"{element.path}@{name}" in parts for name in element.attributes)
 
 
-def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
+def test_the_proof_fails_for_a_wrong_model(tmp_path: Path) -> None:
     robot = read(arm(LIMIT))
     file = tmp_path / "o" / convert(robot, tmp_path / "o").file
     model = mujoco.MjModel.from_xml_path(str(file))
@@ -115,7 +115,7 @@ def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
     assert str(raised.value).startswith("arm.urdf:3:1: MuJoCo and Pinocchio do not agree")
 
 
-def test_dynamics_that_differ_do_not_hold(tmp_path: Path) -> None:
+def test_the_proof_fails_for_different_dynamics(tmp_path: Path) -> None:
     """A joint with a vertical axis bears nothing, unless gravity points another way."""
     outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')
     robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=outwards))
@@ -177,7 +177,7 @@ def test_errors_of_the_writer(
 
 
 @pytest.mark.parametrize("offset", [None, 1.1])
-def test_equalities_that_are_missing_or_wrong(
+def test_missing_or_wrong_equalities(
     offset: float | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     couple = MjcfRobot._couple
@@ -192,7 +192,7 @@ def test_equalities_that_are_missing_or_wrong(
         convert(read(WHOLE), tmp_path / "o")
 
 
-def test_an_error_of_our_own_reading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_error_of_urdfkits_parser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Pinocchio reads the text, whatever urdfkit makes of it."""
     monkeypatch.setattr("urdfkit.robot.model._rotation", lambda _: IDENTITY)
     turned = arm(LIMIT).data.replace(b'0 0 0.5"', b'0 0 0.5" rpy="0 1 0"')
@@ -219,14 +219,14 @@ def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None
     assert parts["joint/turn/dynamics@damping"] == "kept: damping"
 
 
-def test_damping_of_zero_is_kept_and_nonsense_is_not(tmp_path: Path) -> None:
+def test_zero_damping_is_kept_and_invalid_damping_is_lost(tmp_path: Path) -> None:
     _, parts = loaded(arm(LIMIT + '<dynamics damping="0" friction="-1"/>'), tmp_path / "o")
     assert parts["joint/turn/dynamics@damping"] == "kept: damping"
-    why = "lost: a friction must be a number from 0 on"
+    why = "lost: a friction must be a number of at least 0"
     assert parts["joint/turn/dynamics@friction"] == why
 
 
-def test_equal_limits_hold_the_joint(tmp_path: Path) -> None:
+def test_equal_limits_lock_the_joint(tmp_path: Path) -> None:
     model, parts = loaded(arm(LIMIT.replace('"2"', '"-1"')), tmp_path / "o")
     assert model.joint("turn").range.tolist() == pytest.approx([-1, -1], abs=2e-6)
     assert parts["joint/turn/limit"].startswith("approximated: ")
@@ -252,7 +252,7 @@ def test_actuators_are_those_of_ros2_control(
     assert parts["ros2_control/c"].startswith("approximated: ")
 
 
-def test_followers_follow(tmp_path: Path) -> None:
+def test_mimic_joints_follow(tmp_path: Path) -> None:
     follower = (
         f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
         f'<parent link="tip"/><child link="finger"/>{LIMIT}'
@@ -268,7 +268,7 @@ def test_followers_follow(tmp_path: Path) -> None:
     assert parts["joint/follow/mimic@offset"] == "kept: equality"
 
 
-def test_what_follows_a_planar_joint_does_not(tmp_path: Path) -> None:
+def test_mimics_of_a_planar_joint_are_lost(tmp_path: Path) -> None:
     follower = (
         f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
         f'<parent link="tip"/><child link="finger"/>{LIMIT}<mimic joint="turn"/></joint>'
@@ -299,7 +299,7 @@ def test_visuals_and_collisions(tmp_path: Path) -> None:
     assert parts["gazebo/tip/mu2"].startswith("lost: ")
 
 
-def test_sensors_stand_where_gazebo_has_them(tmp_path: Path) -> None:
+def test_sensors_have_the_poses_of_gazebo(tmp_path: Path) -> None:
     tags = (
         '<gazebo reference="tip"><sensor name="eye" type="camera"><pose>1 0 0 0 0 0</pose>'
         "<camera><horizontal_fov>1.5707963267948966</horizontal_fov>"
@@ -323,7 +323,7 @@ def test_sensors_stand_where_gazebo_has_them(tmp_path: Path) -> None:
     assert parts["gazebo/tip/sensor/scan"].startswith("lost: ")
 
 
-def test_a_material_that_gives_no_colour_is_lost(tmp_path: Path) -> None:
+def test_a_material_without_a_colour_is_lost(tmp_path: Path) -> None:
     named = f'{INERTIAL}<visual>{BOX}<material name="red"/></visual>'
     image = (
         f'{INERTIAL}<visual>{BOX}<material name="w"><texture filename="w.png"/></material></visual>'
@@ -341,15 +341,15 @@ def test_a_material_that_gives_no_colour_is_lost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("base", "joints"), [("fixed", 1), ("free", 2), ("auto", 1)])
-def test_the_base(base: str, joints: int, tmp_path: Path) -> None:
+def test_options_of_the_base(base: str, joints: int, tmp_path: Path) -> None:
     assert loaded(arm(LIMIT), tmp_path / "o", base=base)[0].njnt == joints
 
 
-def test_what_stands_on_wheels_floats(tmp_path: Path) -> None:
+def test_a_robot_on_wheels_floats(tmp_path: Path) -> None:
     assert loaded(ROVER, tmp_path / "o")[0].jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE
 
 
-def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
+def test_a_root_named_world_is_the_world(tmp_path: Path) -> None:
     text = arm(LIMIT).data.replace(b'"base"', b'"world"')
     model, parts = loaded(Source("arm.urdf", text), tmp_path / "o")
     assert model.nbody == 2
@@ -360,22 +360,20 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
     ("robot", "reason"),
     [
         (arm(LIMIT, tip=""), "arm.urdf:3:1: MuJoCo rejects the robot: mass and inertia"),
-        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is over the upper one"),
+        (arm(LIMIT.replace('"2"', '"-3"')), "joint 'turn': its lower limit is above the upper"),
         (arm(LIMIT.replace('"2"', '"inf"')), "joint 'turn': upper of <limit> is 'inf'; write a"),
-        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis 0 0 0 has no direction"),
+        (arm('<axis xyz="0 0 0"/>' + LIMIT), "joint 'turn': its axis is 0 0 0"),
         (arm(LIMIT, tip=INERTIAL.replace('"2"', '"2 kg"')), "value of <mass> is '2 kg'"),
         (arm(LIMIT, kind="hinge"), "joint 'turn': its type is 'hinge'"),
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
         (Source("r.urdf", b'<robot name="r"/>'), "it has no link"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
-         "<sphere> of link 'tip' has no size that is over 0"),
+         "<sphere> of link 'tip' has no size above 0"),
         (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')),
          "r.urdf:3:1: MuJoCo rejects the robot: repeated name 'world'"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_converted_leaves_nothing(
-    robot: Source, reason: str, tmp_path: Path
-) -> None:
+def test_an_unconvertible_robot_writes_nothing(robot: Source, reason: str, tmp_path: Path) -> None:
     with pytest.raises(UrdfkitError) as raised:
         convert(read(robot), tmp_path / "o")
     assert reason in str(raised.value)

@@ -88,7 +88,7 @@ def test_each_material_of_a_mesh_is_a_geom(kind: str, tmp_path: Path) -> None:
     assert parts[at] == "kept: visual geom for each of its 2 materials"
 
 
-def test_a_material_of_the_robot_replaces_those_of_a_mesh(tmp_path: Path) -> None:
+def test_a_material_of_the_robot_replaces_mesh_materials(tmp_path: Path) -> None:
     more = '<material name="g"><color rgba="0 1 0 1"/></material>'
     model, parts = loaded(meshed(tmp_path, more), tmp_path / "o")
     assert model.geom_contype.tolist() == [0, 1]
@@ -110,7 +110,7 @@ def test_a_texture_of_the_robot(tmp_path: Path) -> None:
     assert parts["link/tip/visual/material/i/texture"] == "lost: the image cannot be read"
 
 
-def test_the_material_that_a_link_has_in_gazebo(tmp_path: Path) -> None:
+def test_the_gazebo_material_of_a_link(tmp_path: Path) -> None:
     visual = f'{INERTIAL}<visual><geometry><sphere radius="1"/></geometry></visual>'
     tag = '<gazebo reference="tip"><material>Gazebo/Red</material></gazebo>'
     model, parts = loaded(arm(LIMIT, tip=visual, more=tag), tmp_path / "o")
@@ -118,19 +118,16 @@ def test_the_material_that_a_link_has_in_gazebo(tmp_path: Path) -> None:
     assert parts["gazebo/tip/material"] == "kept: rgba of the geom"
 
 
-@pytest.mark.parametrize(
-    ("collision", "note"),
-    [("hull", "mm outside of the mesh"), ("decompose", "mm outside of the mesh")],
-)
-def test_collision_meshes(collision: str, note: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("collision", ["hull", "decompose"])
+def test_collision_meshes(collision: str, tmp_path: Path) -> None:
     model, parts = loaded(meshed(tmp_path), tmp_path / "o", collision=collision)
     collides = np.flatnonzero(model.geom_contype)
     assert (len(collides) > 1) == (collision == "decompose")
     assert (model.geom_type[collides] == mujoco.mjtGeom.mjGEOM_MESH).all()
-    assert parts["link/tip/collision/geometry/mesh"].endswith(note)
+    assert parts["link/tip/collision/geometry/mesh"].endswith("mm outside the mesh")
 
 
-def test_a_mesh_that_is_a_box_collides_as_one(tmp_path: Path) -> None:
+def test_a_box_shaped_mesh_collides_as_a_box(tmp_path: Path) -> None:
     path = meshed(tmp_path)
     corners = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 3)]
     quads = ("1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6")
@@ -164,7 +161,7 @@ def test_lidars_measure(tmp_path: Path) -> None:
     assert parts[f"{at}/lidar/range/min"].startswith("lost: ")
 
 
-def test_lidars_of_many_rays_have_fewer(tmp_path: Path) -> None:
+def test_rays_of_a_lidar_are_limited(tmp_path: Path) -> None:
     tag = (
         '<gazebo reference="base"><sensor name="scan" type="ray"><ray><scan><horizontal>'
         "<samples>1000000000</samples><min_angle>0</min_angle><max_angle>6</max_angle></horizontal>"
@@ -209,7 +206,7 @@ def test_states_are_keyframes(tmp_path: Path) -> None:
     assert "base hand" in [model.exclude(number).name for number in range(model.nexclude)]
 
 
-def test_exclusions_that_are_computed(tmp_path: Path) -> None:
+def test_computed_exclusions(tmp_path: Path) -> None:
     pytest.importorskip("coal")
     before, _ = loaded(PICKER, tmp_path / "o")
     after, _ = loaded(PICKER, tmp_path / "p", exclude="computed")
@@ -249,11 +246,11 @@ def test_fixed_links_are_merged(tmp_path: Path) -> None:
     assert parts["link/flange/inertial/mass"] == "kept: part of the inertial of body 'tip'"
 
 
-def test_a_fixed_joint_that_is_measured_is_not_merged(tmp_path: Path) -> None:
+def test_a_fixed_joint_with_a_sensor_is_not_merged(tmp_path: Path) -> None:
     tag = '<gazebo reference="f"><sensor name="ft" type="force_torque"/></gazebo>'
     model, parts = loaded(arm(LIMIT, more=FIXED + tag), tmp_path / "o", fixed="merge")
     assert model.body("flange").mass[0] == 2
-    opposite = "approximated: MuJoCo measures what the parent applies to the child"
+    opposite = "approximated: MuJoCo measures the load from parent to child"
     assert parts["gazebo/f/sensor/ft"].startswith(opposite)
 
 
@@ -284,7 +281,7 @@ def test_poses_of_sensors(
         ('<pose relative_to="x">1 2 3 0 0 0</pose>', "relative to 'x', which is not a link"),
     ],
 )
-def test_a_pose_without_meaning_is_lost(pose: str, reason: str, tmp_path: Path) -> None:
+def test_an_invalid_pose_is_lost(pose: str, reason: str, tmp_path: Path) -> None:
     tag = f'<gazebo reference="tip"><sensor name="s" type="imu">{pose}</sensor></gazebo>'
     model, parts = loaded(arm(LIMIT, more=tag), tmp_path / "o")
     assert not model.site("s").pos.any()
@@ -329,7 +326,7 @@ def test_random_trees_are_merged(tmp_path_factory: pytest.TempPathFactory, text:
     assert found.proof.holds
 
 
-def test_a_link_without_inertial_bears_what_cannot_stand_alone(tmp_path: Path) -> None:
+def test_a_link_without_inertial_gets_the_mass_of_invalid_children(tmp_path: Path) -> None:
     """MuJoCo rejects the tensor of the child, and its mass must not be lost."""
     tensor = INERTIAL.replace('izz="0.1"', 'izz="0.9"')
     more = (
@@ -343,7 +340,7 @@ def test_a_link_without_inertial_bears_what_cannot_stand_alone(tmp_path: Path) -
     assert model.body("tip").mass[0] == 4
 
 
-def test_no_file_is_written_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_other_file_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """MuJoCo writes a log of its warnings into the current directory."""
     monkeypatch.chdir(tmp_path)
     loaded(meshed(tmp_path), tmp_path / "o")
@@ -374,7 +371,7 @@ def test_a_flat_mesh_collides_as_a_plate(tmp_path: Path) -> None:
     model, parts = loaded(file, tmp_path / "o")
     assert sorted(model.geom_aabb[0, 3:].round(6)) == [0.0005, 0.5, 1]
     note = parts["link/tip/collision/geometry/mesh"]
-    assert note == "approximated: its convex hull, 1 mm thick, since it is flat"
+    assert note == "approximated: its convex hull, 1 mm thick, as the mesh is flat"
 
 
 def test_a_mesh_that_mujoco_rejects_is_named_at_its_line(tmp_path: Path) -> None:
@@ -394,7 +391,7 @@ def pyramid(path: Path, height: float = 1, faces: int = 4) -> str:
     return f'<geometry><mesh filename="{path.name}"/></geometry>'
 
 
-def test_meshes_whose_names_are_those_of_others(tmp_path: Path) -> None:
+def test_meshes_with_equal_names(tmp_path: Path) -> None:
     """A mesh that is a visual and a collision is two; the second one was called like a file."""
     first, second = (
         pyramid(tmp_path / name, 1 + at) for at, name in enumerate(("p.obj", "p_2.obj"))
@@ -408,7 +405,7 @@ def test_meshes_whose_names_are_those_of_others(tmp_path: Path) -> None:
     assert [model.mesh(number).name for number in range(3)] == ["p", "p_2", "p_2_2"]
 
 
-def test_joints_whose_names_are_those_of_others(tmp_path: Path) -> None:
+def test_joints_with_names_of_generated_joints(tmp_path: Path) -> None:
     hand = (
         HAND.split("<ros2_control", maxsplit=1)[0]
         .replace("grip", "turn[1]")
@@ -419,7 +416,7 @@ def test_joints_whose_names_are_those_of_others(tmp_path: Path) -> None:
     assert names == ["turn[0]", "turn[1]_2", "turn[2]", "turn[1]"]
 
 
-def test_rays_whose_names_are_those_of_others(tmp_path: Path) -> None:
+def test_rays_with_names_of_other_devices(tmp_path: Path) -> None:
     sensors = "".join(
         f'<sensor name="{name}" type="gpu_lidar"><lidar/></sensor>' for name in ("a", "a_0", "A")
     )
@@ -435,7 +432,7 @@ def test_a_visual_of_one_triangle_is_lost(tmp_path: Path) -> None:
     file.write_bytes(arm(LIMIT, tip=tip).data)
     model, parts = loaded(file, tmp_path / "o")
     assert model.ngeom == 1
-    why = "lost: MuJoCo reads no mesh with fewer than 4 vertices"
+    why = "lost: MuJoCo rejects meshes with fewer than 4 vertices"
     assert parts["link/tip/visual"] == why
 
 
@@ -443,11 +440,11 @@ def test_a_visual_without_size_is_lost(tmp_path: Path) -> None:
     tip = INERTIAL + '<visual><geometry><box size="0 0 0"/></geometry></visual>'
     model, parts = loaded(arm(LIMIT, tip=tip), tmp_path / "o")
     assert model.ngeom == 0
-    assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size that is over 0"
+    assert parts["link/tip/visual"] == "lost: <box> of link 'tip' has no size above 0"
 
 
 @pytest.mark.parametrize(("kind", "bias"), [("revolute", True), ("continuous", False)])
-def test_wheels_are_driven_by_velocity(kind: str, bias: bool, tmp_path: Path) -> None:
+def test_wheels_have_velocity_actuators(kind: str, bias: bool, tmp_path: Path) -> None:
     offered = "".join(f'<command_interface name="{one}"/>' for one in ("position", "velocity"))
     control = f'<ros2_control name="c" type="system"><joint name="turn">{offered}</joint>'
     robot = arm(LIMIT, more=f"{control}</ros2_control>", kind=kind)
@@ -466,13 +463,13 @@ FOLLOWER = (
 @pytest.mark.parametrize(
     ("kind", "leader", "reason"),
     [
-        ("revolute", "x", "it leads to no joint that moves by itself: the joint moves freely"),
-        ("revolute", "follow", "it leads to no joint that moves by itself"),
-        ("planar", "turn", "a planar joint follows no other joint"),
+        ("revolute", "x", "no independent joint leads it: the joint moves freely"),
+        ("revolute", "follow", "no independent joint leads it"),
+        ("planar", "turn", "a planar joint cannot follow another joint"),
         ("fixed", "turn", "a fixed joint does not move"),
     ],
 )
-def test_why_a_mimic_is_lost(kind: str, leader: str, reason: str, tmp_path: Path) -> None:
+def test_reasons_of_lost_mimics(kind: str, leader: str, reason: str, tmp_path: Path) -> None:
     follower = FOLLOWER.format(kind=kind, mimic=f'<mimic joint="{leader}"/>')
     _, parts = loaded(arm(LIMIT, more=follower), tmp_path / "o")
     assert parts["joint/follow/mimic"].startswith(f"lost: {reason}")
@@ -487,12 +484,12 @@ def test_why_a_mimic_is_lost(kind: str, leader: str, reason: str, tmp_path: Path
         ("revolute", "limit@jerk", "MuJoCo does not limit jerk"),
     ],
 )
-def test_why_a_part_of_a_joint_is_lost(kind: str, part: str, reason: str, tmp_path: Path) -> None:
+def test_reasons_of_lost_joint_parts(kind: str, part: str, reason: str, tmp_path: Path) -> None:
     _, parts = loaded(arm(LIMIT, more=FOLLOWER.format(kind=kind, mimic="")), tmp_path / "o")
     assert parts[f"joint/follow/{part}"].startswith(f"lost: {reason}")
 
 
-def test_only_what_is_written_is_kept(tmp_path: Path) -> None:
+def test_only_written_parts_are_kept(tmp_path: Path) -> None:
     shapes = '<geometry><box size="1 1 1"/><sphere radius="1"/></geometry>'
     tip = f"{INERTIAL}{INERTIAL}<collision>{shapes}</collision>"
     tags = (
@@ -506,22 +503,20 @@ def test_only_what_is_written_is_kept(tmp_path: Path) -> None:
     found = convert(robot, tmp_path / "o")
     notes = [(one.part, f"{one.result.value}: {one.note}") for one in found.entries]
     parts = dict(notes)
-    assert parts["link/tip/inertial[2]"] == "lost: only the first <inertial> counts"
-    only = "lost: only the first shape of a <geometry> counts"
+    assert parts["link/tip/inertial[2]"] == "lost: only the first <inertial> is read"
+    only = "lost: only the first shape in <geometry> is read"
     assert parts["link/tip/collision/geometry/sphere"] == only
     assert [note for part, note in notes if part == "gazebo/tip/mu1"] == [
         "lost: a later <gazebo> sets the friction",
         "kept: friction",
     ]
     assert parts["gazebo/base/mu1"] == "lost: the link has no collision"
-    assert parts["gazebo/base/sensor/gps"] == (
-        "lost: urdfkit writes no sensor of MuJoCo for 'navsat'"
-    )
+    assert parts["gazebo/base/sensor/gps"] == ("lost: no MuJoCo sensor for type 'navsat'")
     assert parts["transmission/t"] == "kept: actuator for position"
-    assert parts["transmission/t@name"] == "lost: urdfkit writes nothing for it"
+    assert parts["transmission/t@name"] == "lost: urdfkit does not convert it"
 
 
-def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
+def test_distance_of_a_convex_hull_from_its_mesh(tmp_path: Path) -> None:
     """A corner of three plates, and a tetrahedron."""
     corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n"
     (tmp_path / "corner.obj").write_text(corner)
@@ -533,10 +528,12 @@ def test_how_far_a_convex_hull_is_from_its_mesh(tmp_path: Path) -> None:
     (tmp_path / "arm.urdf").write_bytes(arm(LIMIT, tip=INERTIAL + collisions).data)
     _, parts = loaded(tmp_path / "arm.urdf", tmp_path / "o")
     note = parts["link/tip/collision/geometry/mesh"]
-    far = re.fullmatch(r"approximated: its convex hull collides, about (\d+) mm outside .*", note)
+    far = re.fullmatch(
+        r"approximated: collides as its convex hull, about (\d+) mm outside .*", note
+    )
     assert far is not None
     assert 300 < int(far[1]) <= 334  # the middle of the open face is a third from each plate
-    whole = "kept: its convex hull collides, which equals it"
+    whole = "kept: collides as its convex hull, which equals the mesh"
     assert parts["link/tip/collision[2]/geometry/mesh"] == whole
 
 
@@ -558,11 +555,11 @@ def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
     assert model.opt.disableflags == (
         mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_GRAVITY
     )
-    masses = "lost: it changes masses, and the conversion writes those of the robot"
+    masses = "lost: the conversion writes the masses of the robot"
     assert parts["mujoco/compiler@balanceinertia"] == masses
-    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/compiler@autolimits"] == "lost: urdfkit does not convert it"
     assert parts["mujoco/option@gravity"] == "kept: option"
-    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit writes nothing for it"
+    assert parts["mujoco/size@nuserdata"] == "lost: urdfkit does not convert it"
     assert parts["mujoco_inputs/raw_inputs/option"] == "kept: option"
     merged = "lost: mujoco_ros2_control merges it into the MJCF; urdfkit does not"
     assert parts["mujoco_inputs/raw_inputs/actuator"] == merged

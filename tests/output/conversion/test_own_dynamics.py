@@ -46,17 +46,17 @@ def chain(count: int) -> Context:
     return read(Source("r.urdf", f'<robot name="r">{links}{joints}</robot>'.encode()))
 
 
-def test_a_robot_with_more_joints_than_pinocchio_takes(tmp_path: Path) -> None:
+def test_a_robot_with_too_many_joints_for_pinocchio(tmp_path: Path) -> None:
     found = convert(chain(MAX_JOINTS + 1), tmp_path / "o")
     assert found.proof.holds
     assert found.proof.agreed.startswith("MuJoCo and urdfkit agree")
 
 
-def test_a_robot_with_more_joints_than_are_compared(
+def test_a_robot_with_too_many_joints_to_compare(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("urdfkit.output.conversion.mjcf_proof.MAX_OWN", MAX_JOINTS)
-    error = f"^r.urdf:1:1: {MAX_JOINTS + 1} joints move; MJCF is proved for up to {MAX_JOINTS}; "
+    error = f"^r.urdf:1:1: {MAX_JOINTS + 1} joints move; MJCF is verified for up to {MAX_JOINTS}; "
     with pytest.raises(UrdfkitError, match=error):
         convert(chain(MAX_JOINTS + 1), tmp_path / "o")
     assert not (tmp_path / "o").exists()

@@ -261,7 +261,7 @@ def test_random_trees(tmp_path_factory: pytest.TempPathFactory, parts: str) -> N
 # What is written, without libsdformat.
 
 
-def test_a_merged_link_is_a_frame_and_gives_its_parts(tmp_path: Path) -> None:
+def test_a_merged_link_becomes_a_frame_and_keeps_its_parts(tmp_path: Path) -> None:
     extension = block("<mu1>0.5</mu1>", "arm")
     model = model_of(robot(ARM, extension, sensor("imu", "<pose>1 0 0 0 0 0</pose>", "arm")),
                      tmp_path / "o")  # fmt: skip
@@ -275,7 +275,7 @@ def test_a_merged_link_is_a_frame_and_gives_its_parts(tmp_path: Path) -> None:
     assert text(model, "link/sensor/pose") == "2 2 3 0 0 0"
 
 
-def test_a_pose_in_degrees_is_one_in_radians_once_it_is_moved(tmp_path: Path) -> None:
+def test_a_moved_pose_in_degrees_is_read_in_radians(tmp_path: Path) -> None:
     """As libsdformat 12.3 has it: it moves sensors of merged links alone."""
     pose = '<pose degrees="true">1 0 0 0 0 90</pose>'
     tags = sensor("imu", pose, "arm"), sensor("imu", pose).replace('"s"', '"own"')
@@ -285,7 +285,7 @@ def test_a_pose_in_degrees_is_one_in_radians_once_it_is_moved(tmp_path: Path) ->
     assert results["gazebo/base/sensor/own/pose"] == "kept"
 
 
-def test_a_link_without_mass_is_lost_with_all_below(tmp_path: Path) -> None:
+def test_a_massless_link_is_dropped_with_its_children(tmp_path: Path) -> None:
     made = robot(child("tip", inside=""), child("end", parent="tip"))
     found = convert(made, tmp_path / "o", to="sdf")
     results = {one.part: one.note for one in found.entries if one.result.value == "lost"}
@@ -294,7 +294,7 @@ def test_a_link_without_mass_is_lost_with_all_below(tmp_path: Path) -> None:
     assert found.counts["link"] == 1
 
 
-def test_a_follower_has_a_mimic(tmp_path: Path) -> None:
+def test_a_mimic_joint_keeps_its_mimic(tmp_path: Path) -> None:
     leader = child("left", "revolute")
     follower = child("right", "revolute").replace(
         "<axis", '<mimic joint="left_joint" multiplier="-2" offset="0.5"/><axis'
@@ -312,7 +312,7 @@ def test_joints_of_gazebo_follow_merged_links(tmp_path: Path) -> None:
     assert text(model, "joint=loop/child") == "base"
 
 
-def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
+def test_results_of_the_parts(tmp_path: Path) -> None:
     parts = (
         ARM.replace("<visual>", '<visual><material name="m"><color rgba="1 0 0 1"/></material>'),
         child("tip", "fixed", inside="<visual><origin rpy='0 1.57 0'/>" + BOX + "</visual>"),
@@ -325,21 +325,19 @@ def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
     found = convert(robot(*parts), tmp_path / "o", to="sdf")
     results = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
     assert results["link/base"] == "kept: link"
-    assert results["link/arm"] == "approximated: frame of 'base', which it is merged into"
+    assert results["link/arm"] == "approximated: frame of 'base', into which it is merged"
     assert results["joint/arm_joint"] == "approximated: frame; the links are merged"
     assert results["link/arm/inertial/mass@value"] == "kept: part of the mass of 'base'"
     color = results["link/arm/visual/material/m/color"]
     assert color == "approximated: diffuse and ambient, 1.25 times as bright"
-    assert "a right angle, off by 0.0008 rad" in results["link/tip/visual/origin"]
-    assert results["gazebo/base/mu1"] == (
-        "lost: it is for a collision, and none of 'base' takes it"
-    )
+    assert "rounded to 90 degrees, off by 0.0008 rad" in results["link/tip/visual/origin"]
+    assert results["gazebo/base/mu1"] == ("lost: it applies to a collision, and 'base' has none")
     assert results["gazebo/base/preserveFixedJoint"] == "lost: sdformat ignores it"
-    assert results["gazebo/nobody"] == "lost: nothing is called 'nobody'"
+    assert results["gazebo/nobody"] == "lost: no link or joint 'nobody'"
     assert results["gazebo/arm_joint"] == "lost: joint 'arm_joint' is merged or dropped"
-    assert results["transmission/t"].startswith("lost: SDF has none")
+    assert results["transmission/t"].startswith("lost: not in SDF")
     lost = [note for part, note in results.items() if part.endswith("mu2")]
-    assert lost == ["lost: it is for a collision, and none of '' takes it"]
+    assert lost == ["lost: it applies to a collision, and '' has none"]
 
 
 REFUSED = {
@@ -352,29 +350,29 @@ REFUSED = {
     "two masses of zero": (
         child("a", "fixed", inside=MASS.replace('"2"', '"0"'))
         + child("b", "fixed", parent="a", inside=MASS.replace('"2"', '"0"')),
-        "links 'b' and 'a' have no mass together"),
+        "links 'b' and 'a' have a total mass of 0"),
     "a capsule": (
         child("a", inside=MASS + "<visual><geometry><capsule radius='1' length='1'/></geometry>"
               "</visual>"),
-        "Gazebo reads no <capsule>"),
+        "Gazebo does not read <capsule>"),
     "a colour of three numbers": (
         child("a", inside=MASS + "<visual>" + BOX
               + "<material name='m'><color rgba='1 1 1'/></material></visual>"),
         "3 numbers, not 4"),
-    "a planar joint": (child("a", "planar"), "without planar joints"),
+    "a planar joint": (child("a", "planar"), "not convert planar joints"),
     "a joint that follows itself": (
-        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "follows itself"),
-    "a frame with the name of a link": (block("<frame name='base'/>", ""), "is called 'base'"),
-    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "no number"),
-    "a number that is too large": (block("<kp>1e400</kp>"), "no number"),
-    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 elements"),
+        child("a").replace("<axis", '<mimic joint="a_joint"/><axis'), "mimics itself"),
+    "a frame with the name of a link": (block("<frame name='base'/>", ""), "has the name 'base'"),
+    "an integer that is too large": (block("<maxContacts>3000000000</maxContacts>"), "a number"),
+    "a number that is too large": (block("<kp>1e400</kp>"), "not a number"),
+    "too many elements": (block("<a>" * 500 + "</a>" * 500), "at most 500 nested elements"),
     "a pose of three numbers": (
         ARM + sensor("imu", "<pose>1 0 0</pose>", "arm"), "not 6 numbers"),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("case", REFUSED)
-def test_what_gazebo_would_not_take_is_an_error(case: str, tmp_path: Path) -> None:
+def test_a_robot_that_gazebo_rejects_is_an_error(case: str, tmp_path: Path) -> None:
     parts, message = REFUSED[case]
     with pytest.raises(UrdfkitError, match=message) as caught:
         convert(robot(parts), tmp_path / "o", to="sdf")
@@ -398,7 +396,7 @@ def test_what_gazebo_would_not_take_is_an_error(case: str, tmp_path: Path) -> No
         ("<lower>-1<", "<lower>-2<"),
     ],
 )
-def test_a_wrong_file_does_not_hold(old: str, new: str, tmp_path: Path) -> None:
+def test_the_proof_fails_for_a_wrong_file(old: str, new: str, tmp_path: Path) -> None:
     made = robot(ARM, child("tip", "revolute"))
     convert(made, tmp_path / "o", to="sdf")
     written = (tmp_path / "o" / "model.sdf").read_text()
@@ -413,7 +411,7 @@ def test_a_wrong_file_does_not_hold(old: str, new: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("pitch", [1.57, -1.57, pi / 2, -pi / 2, 1.2])
-def test_a_pitch_near_a_right_angle_is_one(pitch: float) -> None:
+def test_a_pitch_near_90_degrees_is_rounded(pitch: float) -> None:
     roll, found, yaw = snapped_rpy(from_rpy(0.3, pitch, 0.2))
     assert found == pytest.approx(pitch if abs(pitch) < 1.5 else pi / 2 * (1 if pitch > 0 else -1))
     assert (roll == 0) == (abs(pitch) > 1.5)

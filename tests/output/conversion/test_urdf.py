@@ -32,7 +32,7 @@ def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     assert found.proof.holds
 
 
-def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
+def test_results_of_the_parts(tmp_path: Path) -> None:
     found = convert(ROVER, tmp_path / "o", to="urdf")
     parts = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
     mesh = "link/left_wheel/visual/geometry/mesh@filename"
@@ -47,7 +47,7 @@ def test_what_becomes_of_the_parts(tmp_path: Path) -> None:
     ("old", "new"),
     [(b'radius="0.1"', b'radius="0.2"'), (b"wheel.stl", b"other.stl"), (b"orange", b"red")],
 )
-def test_a_wrong_file_does_not_hold(old: bytes, new: bytes, tmp_path: Path) -> None:
+def test_the_proof_fails_for_a_wrong_file(old: bytes, new: bytes, tmp_path: Path) -> None:
     robot = read(ROVER)
     path = tmp_path / "o" / convert(robot, tmp_path / "o", to="urdf").file
     assert prove(read(path), robot).holds

@@ -6,7 +6,7 @@ from urdfkit.ros.catalog.controllers import classes, of_manager, parameters_of, 
 KINDS = ("bool", "int", "double", "string")
 
 
-def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented() -> None:
+def test_a_controller_follows_the_documented_fields() -> None:
     for name in classes(2):
         known = parameters_of(name, 2)
         assert known is not None
@@ -16,7 +16,7 @@ def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented() -> Non
         assert all(known.type_of(required) for required in known.required), name
 
 
-def test_joints_are_texts() -> None:
+def test_joint_parameters_are_strings() -> None:
     shared = classes(2) & ros_control.controller_types().keys()
     assert shared
     for name in shared:
@@ -26,7 +26,7 @@ def test_joints_are_texts() -> None:
         assert kinds <= {"string", "string_array", None}, name
 
 
-def test_a_name_may_stand_for_any_joint() -> None:
+def test_a_wildcard_matches_any_joint() -> None:
     known = parameters_of("joint_trajectory_controller/JointTrajectoryController", 2)
     assert known is not None
     assert known.type_of("constraints.elbow.goal") == "double"
@@ -34,17 +34,17 @@ def test_a_name_may_stand_for_any_joint() -> None:
     assert known.type_of("constraints.elbow.other") is None
 
 
-def test_what_is_not_known_is_nothing() -> None:
+def test_unknown_controllers_and_parameters() -> None:
     assert parameters_of("my_controllers/Mine", 2) is None
     assert successor("my_controllers/Mine") is None
 
 
-def test_successors_are_there_and_their_forerunners_are_not() -> None:
+def test_successors_exist_and_replaced_classes_do_not() -> None:
     moved = {name: suggested for name in classes(1) if (suggested := successor(name))}
     assert moved
     assert set(moved).isdisjoint(classes(2))
     assert set(moved.values()) <= set(classes(2))
 
 
-def test_the_controller_manager_counts_in_whole_hertz() -> None:
+def test_the_update_rate_is_an_integer() -> None:
     assert of_manager().types == {"update_rate": "int"}

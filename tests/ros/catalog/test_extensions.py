@@ -5,7 +5,7 @@ import pytest
 from urdfkit.ros.catalog import data, extensions, plugins
 
 
-def test_a_tag_is_described_in_the_terms_that_are_documented() -> None:
+def test_a_tag_follows_the_documented_fields() -> None:
     types = ("float", "int", "bool", "vector3", "string", "container", "any")
     for tag, extension in extensions.extensions().items():
         assert extension.tag == tag
@@ -14,7 +14,7 @@ def test_a_tag_is_described_in_the_terms_that_are_documented() -> None:
         assert (extension.words in ("yes", "no")) is (extension.type == "bool"), tag
 
 
-def test_wrong_names_are_wrong_and_right_ones_are_handled() -> None:
+def test_suggested_names_are_handled_and_wrong_names_are_not() -> None:
     handled = extensions.extensions()
     assert set(extensions.suggested()).isdisjoint(handled)
     assert set(extensions.suggested().values()) <= set(handled)
@@ -26,10 +26,10 @@ def test_children_of_sdf_are_sorted_and_unique(kind: str) -> None:
     assert children == sorted(set(children))
 
 
-def test_rewritten_parameters_are_read_by_some_plugin() -> None:
+def test_rewritten_parameters_are_read_by_a_plugin() -> None:
     read = {name for plugin in plugins.all_plugins() for name in plugin.parameters}
     assert set(extensions.rewritten()) <= read
 
 
-def test_the_source_is_named() -> None:
+def test_the_file_names_its_source() -> None:
     assert "parser_urdf.cc" in data("extensions")["source"]

@@ -3,7 +3,7 @@
 from urdfkit.ros.catalog import data, materials
 
 
-def test_a_material_is_described_in_the_terms_that_are_documented() -> None:
+def test_a_material_follows_the_documented_fields() -> None:
     for name, material in materials.materials().items():
         assert material.name == name
         assert material.internal or name.startswith(("Gazebo/", "drc/"))
@@ -13,7 +13,7 @@ def test_a_material_is_described_in_the_terms_that_are_documented() -> None:
         assert all(0 <= value <= 1 for value in values), name
 
 
-def test_colours_that_everybody_uses() -> None:
+def test_common_colours() -> None:
     known = materials.materials()
     assert known["Gazebo/Red"].rgba == (1.0, 0.0, 0.0, 1.0)
     assert known["Gazebo/Grey"].gz_diffuse == (0.5, 0.5, 0.5), (

@@ -28,7 +28,7 @@ def test_each_generation_has_a_file() -> None:
     assert {data(f"gazebo_plugins/{file.stem}")["generation"] for file in FILES} == GENERATIONS
 
 
-def test_a_plugin_is_described_in_the_terms_that_are_documented() -> None:
+def test_a_plugin_follows_the_documented_fields() -> None:
     for plugin in plugins.all_plugins():
         assert f"@{plugin.generation}" in plugin.id
         assert bool(plugin.kinds) is not plugin.removed, plugin.id
@@ -38,7 +38,7 @@ def test_a_plugin_is_described_in_the_terms_that_are_documented() -> None:
         assert bool(plugin.class_name) <= (plugin.generation == "gz"), plugin.id
 
 
-def test_defaults_are_values_of_their_type() -> None:
+def test_defaults_have_the_declared_type() -> None:
     for plugin in plugins.all_plugins():
         for parameter in plugin.parameters.values():
             if parameter.default is not None and parameter.words and parameter.type == "string":
@@ -54,7 +54,7 @@ def test_every_successor_exists_in_another_generation() -> None:
             assert [one for one in successors if one.id != plugin.id], plugin.id
 
 
-def test_ids_are_unique_and_one_class_of_a_file_is_one_plugin() -> None:
+def test_ids_and_classes_of_a_file_are_unique() -> None:
     everything = plugins.all_plugins()
     assert len({plugin.id for plugin in everything}) == len(everything) == 197
     for file in plugins.files():
@@ -62,7 +62,7 @@ def test_ids_are_unique_and_one_class_of_a_file_is_one_plugin() -> None:
         assert len(found) == len(set(found)), file
 
 
-def test_renames_lead_to_tags_that_some_plugin_of_ros2_reads() -> None:
+def test_renamed_tags_are_read_by_a_plugin_of_ros2() -> None:
     read = {
         name
         for plugin in plugins.all_plugins()
@@ -93,16 +93,16 @@ def test_renames_lead_to_tags_that_some_plugin_of_ros2_reads() -> None:
         ("gz_ros2_control-system.so", "gz_ros2_control-system@gz"),
     ],
 )
-def test_names_as_gazebo_forgives_them(filename: str, plugin: str) -> None:
+def test_file_names_that_gazebo_accepts(filename: str, plugin: str) -> None:
     assert plugin in [found.id for found in plugins.find(filename)]
 
 
 @pytest.mark.parametrize("filename", ["gazebo_ros_diff_drive", "libvendor.so", "", "gz-sim-"])
-def test_a_name_of_no_plugin(filename: str) -> None:
+def test_an_unknown_file_name(filename: str) -> None:
     assert plugins.find(filename) == ()
 
 
-def test_what_a_plugin_reads() -> None:
+def test_tags_that_a_plugin_reads() -> None:
     (drive,) = (p for p in plugins.find("libgazebo_ros_diff_drive.so") if "ros2" in p.id)
     assert drive.reads("left_joint")
     assert drive.reads("ros")
@@ -119,7 +119,7 @@ def test_what_a_plugin_reads() -> None:
     assert not hydrodynamics.reads("xDotA")
 
 
-def test_each_file_name_finds_the_plugins_that_have_it() -> None:
+def test_each_file_name_finds_its_plugins() -> None:
     having = {
         file: [p for p in plugins.all_plugins() if file in (*p.files, *p.fortress_files)]
         for file in plugins.files()

@@ -22,7 +22,7 @@ def test_tags_and_their_children_are_described() -> None:
         assert len(set(tag.children)) == len(tag.children)
 
 
-def test_what_came_later_is_part_of_the_grammar() -> None:
+def test_later_additions_are_part_of_the_grammar() -> None:
     for place, distribution in data("ros_control")["since"].items():
         kind = "@" if "@" in place else "/"
         tag, _, name = place.partition(kind)
@@ -59,7 +59,7 @@ def test_control_plugins_by_file_name(filename: str, plugin: str | None) -> None
     assert ros_control.control_plugin(filename) == plugin
 
 
-def test_lengths_are_measured_between_joints_that_the_controller_names() -> None:
+def test_measures_reference_joint_parameters() -> None:
     sides = {"radius": 1, "track": 1, "separation": 2, "wheelbase": 2}
     for name, controller in ros_control.controller_types().items():
         assert name.count("/") == 1
@@ -72,7 +72,7 @@ def test_lengths_are_measured_between_joints_that_the_controller_names() -> None
         assert len(set(parameters)) == len(parameters)
 
 
-def test_words_are_written_once() -> None:
+def test_words_are_unique() -> None:
     kinds = {
         "transmission": ("types", "interfaces", "gazebo", "unprefixed"),
         "interfaces": ("joint", "imu", "force_torque"),
@@ -91,7 +91,7 @@ def test_words_are_written_once() -> None:
     assert ros_control.component_types() == ["system", "actuator", "sensor"]
 
 
-def test_the_facts_have_sources_and_explained_fields() -> None:
+def test_facts_have_sources_and_documented_fields() -> None:
     content = data("ros_control")
     assert len(content["sources"]) >= 5
     assert set(content) - {"about", "sources"} - {"since"} == set(content["about"]) - {"since"}

@@ -44,9 +44,7 @@ def context(path: Path, *arguments: str) -> Context:
 
 
 @pytest.mark.parametrize(("path", "model"), list(robots()))
-def test_every_robot_of_the_corpus_is_converted_as_libsdformat_does(
-    sdformat, tmp_path, path, model
-):
+def test_robots_of_the_corpus_are_converted_like_libsdformat(sdformat, tmp_path, path, model):
     robot = context(path, *model["xacro_args"])
     if robot.reading.document is None:
         pytest.skip("it does not expand here")
@@ -133,7 +131,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES)
-def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text):
+def test_corner_cases_are_converted_like_libsdformat(sdformat, tmp_path, text):
     compare(SdfConversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
 
 
@@ -141,7 +139,7 @@ def _context(text: str) -> Context:
     return Context(Source("robot.urdf", text.encode()), Resolver())
 
 
-def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
+def test_newer_versions_keep_children_of_a_merged_massless_link():
     tree = _context(CASES["a merged massless link loses what moves on it"]).tree
     assert [link.name for link in SdfConversion(tree, OLD).links] == ["a"]
     assert [link.name for link in SdfConversion(tree, NEW).links] == ["a", "c"]
@@ -178,7 +176,7 @@ def test_a_loop_of_fixed_joints_ends():
 
 
 @pytest.mark.parametrize("converter", [NEW, OLD])
-def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
+def test_circular_fixed_joints_end(converter: Converter) -> None:
     """HEBI's rosie: `omni_base` is fixed to `base_link`, and `base_link` to `omni_base`."""
     text = b"""<robot name="rosie">
 <link name="base_footprint"/><link name="base_link"/>
@@ -193,7 +191,7 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
     assert set(SdfConversion(context.tree, converter).dropped) == {"wheel"}
 
 
-def test_its_work_grows_with_the_robot() -> None:
+def test_time_is_linear_in_the_number_of_links() -> None:
     def lines(links: int) -> int:
         inertia = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
         made = [

@@ -16,7 +16,7 @@ def wheels_of(robot: str, *names: str) -> list[Wheel]:
     return [one for one in found if one]
 
 
-def test_where_a_wheel_is_and_how_it_turns() -> None:
+def test_position_and_axis_of_a_wheel() -> None:
     (left,) = wheels_of(BASE + wheel("left", 0.15, radius=0.07, at=0.02), "left")
     assert left.joint.name == "left_joint"
     assert left.axis == (0.0, 1.0, 0.0)
@@ -25,7 +25,7 @@ def test_where_a_wheel_is_and_how_it_turns() -> None:
     assert left.hub == left.center == pytest.approx((0.0, 0.17, 0.0))
 
 
-def test_a_wheel_without_a_shape_is_where_its_joint_is() -> None:
+def test_a_wheel_without_a_shape_is_at_its_joint() -> None:
     text = '<link name="tyre"/><joint name="bare_joint" type="continuous"><parent link="base"/>'
     text += '<child link="tyre"/><origin xyz="0 0.2 0"/><axis xyz="0 0 3"/></joint>'
     (bare,) = wheels_of(BASE + text, "bare")
@@ -33,7 +33,7 @@ def test_a_wheel_without_a_shape_is_where_its_joint_is() -> None:
     assert bare.axis == (0.0, 0.0, 1.0)
 
 
-def test_left_is_where_the_axis_points() -> None:
+def test_the_axis_points_to_the_left() -> None:
     left, right = wheels_of(WHEELS, "left", "right")
     assert wrong_direction(left, right) is None
     message, remedy = wrong_direction(right, left) or ("", "")
@@ -41,14 +41,14 @@ def test_left_is_where_the_axis_points() -> None:
     assert remedy == "swap the joints, or invert both axes"
 
 
-def test_both_axes_the_other_way_turn_the_robot_round() -> None:
+def test_two_inverted_axes_reverse_the_robot() -> None:
     robot = BASE + wheel("left", 0.15, axis="0 -1 0") + wheel("right", -0.15, axis="0 -1 0")
     left, right = wheels_of(robot, "left", "right")
     assert wrong_direction(left, right) is not None
     assert wrong_direction(right, left) is None
 
 
-def test_axes_against_each_other() -> None:
+def test_opposite_axes() -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
     left, right = wheels_of(robot, "left", "right")
     assert left.is_parallel(right)
@@ -58,7 +58,7 @@ def test_axes_against_each_other() -> None:
 
 
 @pytest.mark.parametrize(("y", "axis"), [(0.149, "0 1 0"), (-0.15, "1 0 0"), (-0.15, "0 1 0.1")])
-def test_wheels_that_are_not_left_and_right_of_each_other(y: float, axis: str) -> None:
+def test_wheels_without_lateral_distance(y: float, axis: str) -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", y, axis=axis)
     left, right = wheels_of(robot, "left", "right")
     assert wrong_direction(left, right) is wrong_direction(right, left) is None

@@ -32,7 +32,7 @@ def only(text: str, *targets: str) -> PluginUse:
         (block('<visual><plugin name="p" filename="libx.so"/></visual>'), "visual"),
     ],
 )
-def test_the_place(text: str, place: str) -> None:
+def test_parent_of_a_plugin(text: str, place: str) -> None:
     assert only(text).place == place
 
 
@@ -47,7 +47,7 @@ def test_the_place(text: str, place: str) -> None:
         ("<leftJoint>a</leftJoint>", ("moveit",), "classic-ros1"),
     ],
 )
-def test_the_target_tells_the_generation_and_then_the_tags(
+def test_the_generation_follows_from_target_then_tags(
     tags: str, targets: tuple[str, ...], generation: str
 ) -> None:
     use = only(plugin(DRIVE, tags), *targets)
@@ -55,13 +55,13 @@ def test_the_target_tells_the_generation_and_then_the_tags(
     assert use.plugin.generation == generation
 
 
-def test_a_plugin_that_the_target_does_not_load() -> None:
+def test_a_plugin_of_another_target() -> None:
     use = only(plugin(DRIVE), "gz-harmonic")
     assert use.plugin is None
     assert len(use.known) == 2
 
 
-def test_what_is_in_a_plugin() -> None:
+def test_parameters_of_a_plugin() -> None:
     use = only(plugin("libx.so", '<a><b c="d"> e </b></a><a/>'))
     assert [(item.path, item.text) for item in use.items] == [
         ("a", ""),
@@ -110,7 +110,7 @@ def test_generations(file: str, expected: set[str]) -> None:
         ("joint", "nothing", "unknown"),
     ],
 )
-def test_what_becomes_of_a_name(kind: str, name: str, expected: str) -> None:
+def test_conversion_result_of_a_name(kind: str, name: str, expected: str) -> None:
     robot = child("arm") + child("cam", "fixed") + child("ghost", inside="")
     robot += child("hand", parent="ghost") + child("float", "floating")
     robot += block('<link name="extra"/>', "")

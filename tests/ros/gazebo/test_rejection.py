@@ -78,7 +78,7 @@ BEFORE = {
 
 @pytest.mark.parametrize("converter", [OLD, NEW])
 @pytest.mark.parametrize("name", ROBOTS)
-def test_it_is_known_why(name: str, converter: Converter) -> None:
+def test_the_reason_of_a_rejection(name: str, converter: Converter) -> None:
     parts, codes = ROBOTS[name]
     source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
     context = Context(source, Resolver())
@@ -87,7 +87,7 @@ def test_it_is_known_why(name: str, converter: Converter) -> None:
     assert sorted({one.code for one in found}) == (codes if converter is NEW else _old(name))
 
 
-def test_the_link_without_mass_is_named() -> None:
+def test_the_massless_link_is_named() -> None:
     arm = '<robot name="r"><link name="mount"/>' + child("arm", "revolute", parent="mount")
     context = Context(Source("r.urdf", f"{arm}</robot>".encode()), Resolver())
     (found,) = rejections([], context.gazebo)

@@ -32,7 +32,7 @@ def migrated(block: str, target: str = "gz-harmonic", robot: str = ROBOT) -> lis
 
 
 @pytest.mark.parametrize("target", GZ)
-def test_the_model_of_the_mission_has_nothing_left_for_a_person(target: str) -> None:
+def test_all_plugins_of_the_mission_model_are_replaced(target: str) -> None:
     migration = migrate(MISSION, target)
     assert migration.left == ()
     ((source, text),) = migration.texts.items()
@@ -81,7 +81,7 @@ def test_a_drive_of_ros_2_with_another_topic_in_fortress() -> None:
     assert "<wheel_radius>0.065</wheel_radius>" in found
 
 
-def test_two_pairs_of_wheels_of_two_sizes_are_left_to_a_person() -> None:
+def test_wheel_pairs_of_different_sizes_are_not_replaced() -> None:
     joints = "".join(
         f"<{side}_joint>{side}{n}</{side}_joint>" for side in ("left", "right") for n in "12"
     )
@@ -141,7 +141,7 @@ def test_a_sensor_has_the_topic_and_the_frame_of_its_plugin(
     assert migrated(block)[1:-1] == expected
 
 
-def test_expressions_are_copied_whole_and_topics_are_in_the_namespace() -> None:
+def test_expressions_are_copied_and_topics_get_the_namespace() -> None:
     block = """<sensor name="${'front'}" type="camera">
       <plugin name="p" filename="libgazebo_ros_camera.so">
         <ros><namespace>${'a' + 'b'}</namespace></ros>
@@ -163,7 +163,7 @@ def test_expressions_are_copied_whole_and_topics_are_in_the_namespace() -> None:
     assert "<odom_topic>/ns/odom/${'raw'}</odom_topic>" in found
 
 
-def test_the_names_of_a_list_are_tags_of_their_own() -> None:
+def test_each_name_of_a_list_becomes_a_tag() -> None:
     plugin = """<plugin name="j" filename="libgazebo_ros_joint_state_publisher.so">
       <jointName>left, right</jointName>
     </plugin>"""
@@ -174,7 +174,7 @@ def test_the_names_of_a_list_are_tags_of_their_own() -> None:
     ]
 
 
-def test_the_topic_of_the_sensor_itself_stays() -> None:
+def test_the_topic_of_the_sensor_is_kept() -> None:
     block = """<sensor name="s" type="imu">
       <topic>mine</topic>
       <plugin name="p" filename="libgazebo_ros_imu_sensor.so"><frameName>eye</frameName></plugin>
@@ -182,7 +182,7 @@ def test_the_topic_of_the_sensor_itself_stays() -> None:
     assert migrated(block)[1:-1] == ["<topic>mine</topic>", "<gz_frame_id>eye</gz_frame_id>"]
 
 
-def test_the_catalogue_names_plugins_and_tags_that_exist() -> None:
+def test_the_catalogue_lists_existing_plugins_and_tags() -> None:
     for file, systems in data("successors")["systems"].items():
         read = {name for plugin in find(file) for name in plugin.parameters}
         for system, tags in systems.items():

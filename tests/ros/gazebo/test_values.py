@@ -24,11 +24,11 @@ from urdfkit.ros.gazebo.values import leading, value
         ("${x}", "", ""),
     ],
 )
-def test_a_number_ends_where_its_characters_end(text: str, read: str, rest: str) -> None:
+def test_the_leading_number_of_a_text(text: str, read: str, rest: str) -> None:
     assert leading(text) == (read, rest)
 
 
-def test_an_integer_ends_at_a_point() -> None:
+def test_an_integer_ends_at_a_decimal_point() -> None:
     assert leading("3.7", whole=True) == ("3", ".7")
     assert leading("3.0", whole=True) == ("3", "")
 

@@ -60,7 +60,7 @@ def test_orders(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", IMPORTERS)
-def test_what_is_fixed(name: str) -> None:
+def test_merged_links(name: str) -> None:
     found = LEGGED.imported(name)
     merged = {"mujoco", "pinocchio", "isaac", "genesis"}
     assert ("plate" in {one.name for one in found.bodies}) is (name not in merged)
@@ -71,7 +71,7 @@ def test_continuous_joints_have_two_positions_in_pinocchio() -> None:
     assert [(one.q, one.nq, one.v, one.nv) for one in found[:2]] == [(0, 2, 0, 1), (2, 2, 1, 1)]
 
 
-def test_coordinates_come_after_those_of_a_free_root() -> None:
+def test_coordinates_follow_those_of_a_free_root() -> None:
     assert [LEGGED.imported(name).joints[0].q for name in ("pybullet", "genesis")] == [7, 7]
     welded = robot(link("world", ""), link("a"), joint("j", "world", "a"))
     assert welded.imported("pybullet").root_is_free is False
@@ -85,21 +85,21 @@ BOX = '<collision><geometry><box size="1 1 0.5"/></geometry></collision>'
 @pytest.mark.parametrize(
     ("name", "mass"), [("mujoco", 500), ("newton", 500), ("pinocchio", 0), ("pybullet", 1)]
 )
-def test_invented_masses(name: str, mass: float) -> None:
+def test_computed_and_default_masses(name: str, mass: float) -> None:
     one = robot(link("base"), link("arm", BOX), joint("j", "base", "arm")).imported(name)
     assert {body.name: body.mass for body in one.bodies}["arm"] == pytest.approx(mass)
     texts = [change.text for change in changes(one)]
     assert any("'arm' with no <inertial> gets" in text for text in texts) is bool(mass)
 
 
-def test_isaac_computes_a_mass_only_where_a_body_has_none() -> None:
+def test_isaac_computes_only_missing_masses() -> None:
     one = robot(link("base"), link("tool", ""), joint("j", "base", "tool", "fixed"))
     (body,) = one.imported("isaac").bodies
     assert (body.name, body.mass) == ("base", 2)
     assert [part.mass for part in one.imported("isaac-sim").bodies] == [2, None]
 
 
-def test_what_mujoco_is_reported() -> None:
+def test_settings_of_mujocos_compiler() -> None:
     compiler = '<mujoco><compiler fusestatic="false" boundmass="3" discardvisual="false"/></mujoco>'
     parts = link("base"), link("arm"), joint("j", "base", "arm")
     one = robot(compiler, *parts).imported("mujoco")
@@ -107,7 +107,7 @@ def test_what_mujoco_is_reported() -> None:
     assert one.drops_visuals is False
 
 
-def test_the_places_of_changes() -> None:
+def test_locations_of_changes() -> None:
     found = [(one.at.get("name"), one.text) for one in changes(LEGGED.imported("mujoco"))]
     assert found == [
         ("base", "link 'base' is merged into world; its 2 kg have no effect"),
@@ -124,9 +124,9 @@ def test_an_index_map() -> None:
     assert free.indices == (0, 1, 2, 3, 4)
 
 
-def test_joints_that_one_program_lacks() -> None:
+def test_joints_missing_in_one_program() -> None:
     one = robot(link("a"), link("b"), joint("j", "a", "b", "floating"))
-    with pytest.raises(NoIndexMap, match=r"joint 'j' has coordinates in mujoco, and none in pyb"):
+    with pytest.raises(NoIndexMap, match=r"joint 'j' has coordinates in mujoco, not in pyb"):
         index_map(one.imported("mujoco"), one.imported("pybullet"))
     with pytest.raises(NoIndexMap, match=r"joint 'j' is floating"):
         index_map(one.imported("mujoco"), one.imported("pinocchio"))
@@ -137,7 +137,7 @@ def test_names() -> None:
         facts_of("mujoko")
 
 
-def test_robots_that_are_no_tree() -> None:
+def test_robots_without_a_valid_tree() -> None:
     loop = robot(link("a"), link("b"), joint("i", "a", "b"), joint("j", "b", "a"))
     for name in IMPORTERS:
         found = loop.imported(name)

@@ -19,6 +19,6 @@ from urdfkit.ros.launch.branches import decided_calls
         ("for one in robots():\n    Node()", []),
     ],
 )
-def test_calls_that_an_if_decides(text: str, decided: list[str]) -> None:
+def test_conditional_calls(text: str, decided: list[str]) -> None:
     found = [ast.unparse(call.func).rpartition(".")[2] for call in decided_calls(ast.parse(text))]
     assert sorted(found) == sorted(decided)

@@ -32,7 +32,7 @@ def read(package: Path, text: str) -> Launch:
     return read_launch(Source.read(path), Resolver(environment={}))
 
 
-def test_the_robot_and_what_is_started(package):
+def test_robot_and_started_programs(package):
     launch = read(package, ROBOT)
     (description,) = launch.descriptions
     assert Path(description.path) == package / "urdf" / "arm.xacro"
@@ -68,7 +68,7 @@ def test_actions_in_a_group(package, group):
         ("side:=$", "sied:=$", "LAU005", 8, ""),
     ],
 )
-def test_the_rules_of_xml_hold(package, old, new, code, line, place):
+def test_yaml_follows_the_rules_of_xml(package, old, new, code, line, place):
     path = package / "launch" / "a.launch.yaml"
     path.write_text(ROBOT.replace(old, new))
     (package / "urdf" / "arm.xacro").write_text(
@@ -85,5 +85,5 @@ def test_the_rules_of_xml_hold(package, old, new, code, line, place):
 @pytest.mark.parametrize(
     "text", ["", "launch:", "launch: [1, [2], {3: 4}]", "- a", "launch: {a: b}"]
 )
-def test_what_says_nothing_is_read(package, text):
+def test_files_without_a_launch_key_are_ignored(package, text):
     assert read(package, text).descriptions == ()

@@ -84,13 +84,13 @@ IncludeLaunchDescription(PythonLaunchDescriptionSource(
     }
 
 
-def test_what_only_a_run_would_tell_is_left(package):
+def test_values_known_only_at_run_time_are_ignored(package):
     launch = read(package, "path = open('x').read()\nCommand(['xacro ', path])")
     assert launch.descriptions == ()
     assert launch.files == ()
 
 
-def test_names_that_refer_to_themselves_end(package):
+def test_recursive_names_end(package):
     assert read(package, "a = a + 'x'\nCommand(['xacro ', a])").descriptions == ()
 
 
@@ -101,14 +101,14 @@ def test_nothing_is_run(package):
 
 
 @pytest.mark.parametrize("data", [b"def (:\n", b"\x00", b"x = " + b"(" * 5000])
-def test_what_is_no_program_is_reported_at_its_place(data):
+def test_a_syntax_error_is_reported_at_its_location(data):
     launch = read_launch(Source("a.launch.py", data), Resolver(environment={}))
     (problem,) = launch.problems
     assert problem.code == "LAU001"
     assert problem.span.line == 1
 
 
-def test_what_it_starts(package):
+def test_started_programs(package):
     launch = read(
         package,
         """
@@ -139,7 +139,7 @@ ExecuteProcess(cmd=['ros2', 'run'])
         ("f = 'a'\nf = 'a'\nCommand(['xacro ', f])", 1),
     ],
 )
-def test_a_name_with_one_meaning_is_followed(package, body, found):
+def test_a_name_with_a_unique_value_is_resolved(package, body, found):
     assert len(read(package, body).files) == found
 
 
@@ -217,7 +217,7 @@ def test_the_robot_of_an_included_file(package, body, side):
         ", condition=UnlessCondition('True')",
     ],
 )
-def test_what_is_not_known_of_an_included_file_is_left(package, rest):
+def test_unknown_contents_of_an_included_file_are_ignored(package, rest):
     included(package)
     assert read(package, include("rsp.launch.py", rest)).descriptions == ()
 
@@ -227,7 +227,7 @@ def test_files_that_include_each_other_end(package):
     assert len(read(package, include("rsp.launch.py")).descriptions) == 1
 
 
-def test_xml_includes_python_and_python_xml(package):
+def test_xml_and_python_include_each_other(package):
     included(package)
     (package / "launch" / "m.launch.xml").write_text(
         "<launch><include file='$(find-pkg-share arm)/launch/rsp.launch.py'>"
@@ -240,7 +240,7 @@ def test_xml_includes_python_and_python_xml(package):
 
 
 @pytest.mark.parametrize("mappings", ["{'side': unknown(), 'up': 'z'}", "unknown()"])
-def test_arguments_that_are_not_known(package, mappings):
+def test_unknown_arguments(package, mappings):
     path = "FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'"
     (description,) = read(package, f"xacro.process_file({path}, mappings={mappings})").descriptions
     assert not description.is_whole

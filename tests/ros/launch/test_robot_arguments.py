@@ -11,7 +11,7 @@ from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.fix import fix
-from urdfkit.ros.launch.robot_arguments import given
+from urdfkit.ros.launch.robot_arguments import passed_arguments
 from urdfkit.workspace.resolve import Resolver
 
 #: Its link has no name without an argument, and a mass that only one of the sizes is right for.
@@ -77,7 +77,7 @@ def package(tmp_path: Path) -> Path:
     ],
     ids=["Python", "ROS 2", "ROS 1"],
 )
-def test_every_way_to_start_a_robot_is_checked(package: Path, files: dict[str, str]) -> None:
+def test_every_choice_of_an_argument_is_checked(package: Path, files: dict[str, str]) -> None:
     for name, text in files.items():
         (package / "launch" / name).write_text(text)
     report = check(package)
@@ -90,10 +90,10 @@ def test_every_way_to_start_a_robot_is_checked(package: Path, files: dict[str, s
     assert found.calls[0].via[0].kind == "launch"
 
 
-def test_a_robot_that_none_starts_has_what_the_others_need(package: Path) -> None:
+def test_an_unstarted_robot_gets_the_arguments_of_its_siblings(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     (package / "hand.xacro").write_text(ARM)
-    found = given(str(package / "hand.xacro"), ["size"], Resolver())
+    found = passed_arguments(str(package / "hand.xacro"), ["size"], Resolver())
     assert [(one.arguments, one.frame) for one in found] == [
         ({"size": "big"}, None),
         ({"size": "small"}, None),
@@ -108,7 +108,9 @@ def test_a_robot_that_none_starts_has_what_the_others_need(package: Path) -> Non
         ("def (", "no Python"),
     ],
 )
-def test_without_a_value_a_robot_is_not_checked(package: Path, text: str, reason: str) -> None:
+def test_a_robot_without_a_required_argument_is_not_checked(
+    package: Path, text: str, reason: str
+) -> None:
     (package / "launch" / "arm.launch.py").write_text(text)
     report = check(package, ignore=["LAU", "XAC011"])
     assert report.launched == (), reason
@@ -116,7 +118,7 @@ def test_without_a_value_a_robot_is_not_checked(package: Path, text: str, reason
     assert [skip.reason for skip in report.skipped] == ["it needs the argument 'size'"]
 
 
-def test_a_robot_that_was_named_is_checked_as_its_directory_is(package: Path) -> None:
+def test_a_named_robot_is_checked_like_its_directory(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     alone, whole = check(package / "arm.xacro"), check(package, ignore=["LAU", "XAC011"])
     assert alone.launched == whole.launched
@@ -126,7 +128,7 @@ def test_a_robot_that_was_named_is_checked_as_its_directory_is(package: Path) ->
     assert (found.code, found.help) == ("XAC010", "pass it: size:=VALUE")
 
 
-def test_other_commands_tell_what_they_give(
+def test_other_commands_report_the_used_arguments(
     package: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
@@ -136,7 +138,7 @@ def test_other_commands_tell_what_they_give(
     assert "arm.launch.py gives big, small" in said
 
 
-def test_what_is_given_otherwise_wins(package: Path) -> None:
+def test_other_arguments_take_precedence(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     assert check(package, arguments={"size": "big"}).launched == ()
     (package / "urdfkit.toml").write_text(
@@ -147,7 +149,7 @@ def test_what_is_given_otherwise_wins(package: Path) -> None:
     assert "INE001" in {found.code for found in report.diagnostics}
 
 
-def test_reports_say_so(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_reports_contain_the_arguments(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     assert main(["check", str(package)]) == 1
     said = " ".join(capsys.readouterr().out.split())
@@ -175,7 +177,7 @@ def test_long_arguments_are_counted(package: Path, capsys: pytest.CaptureFixture
     assert f"({package / 'arm.xacro'} with 3 values of size of arm.launch.py)" in said
 
 
-def test_fixes_hold_for_every_way(package: Path) -> None:
+def test_fixes_are_valid_for_every_choice(package: Path) -> None:
     """A fix that one way asks for, and another one that uses the place does not, is disputed."""
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     (package / "arm.xacro").write_text(
@@ -187,7 +189,7 @@ def test_fixes_hold_for_every_way(package: Path) -> None:
 
 
 @needs_corpus
-def test_the_arms_of_universal_robots_are_checked_each(tmp_path: Path) -> None:
+def test_every_arm_of_universal_robots_is_checked(tmp_path: Path) -> None:
     """Their xacro has a default on purpose that is none of them."""
     directory = tmp_path / "ur_description"
     shutil.copytree(CORPUS / "Universal_Robots_ROS2_Description", directory)

@@ -55,7 +55,7 @@ def test_a_plain_urdf_as_text(package):
     assert [description.arguments for description in launch.descriptions] == [{}]
 
 
-def test_arguments_that_are_given_win(package):
+def test_passed_arguments_take_precedence(package):
     text = '<arg name="m" default="none"/><rosparam file="$(find arm)/$(arg m).yaml"/>'
     assert [Path(f.path).name for f in read(package, text).files] == ["none.yaml"]
     assert [Path(f.path).name for f in read(package, text, m="a").files] == ["a.yaml"]
@@ -71,7 +71,7 @@ def test_arguments_that_are_given_win(package):
         ('if="$(arg x)"', 1),
     ],
 )
-def test_conditions_that_are_known_count(package, condition, count):
+def test_known_conditions_apply(package, condition, count):
     assert len(read(package, f'<rosparam file="a.yaml" {condition}/>').files) == count
 
 
@@ -87,13 +87,13 @@ def test_includes_are_followed_with_their_arguments(package):
     assert [step.name for step in description.frame.steps()] == ["a.launch", "b.launch"]
 
 
-def test_includes_in_a_circle_end(package):
+def test_circular_includes_end(package):
     launch = read(package, '<include file="$(dirname)/a.launch"/>')
     assert launch.problems == ()
     assert len(launch.files) < 20
 
 
-def test_files_in_a_package_that_is_not_found_are_not_judged(package):
+def test_files_in_a_missing_package_are_not_reported(package):
     launch = read(package, '<rosparam file="$(find no_such_pkg)/a.yaml"/>')
     assert launch.files == ()
     (missing,) = launch.packages
@@ -114,14 +114,14 @@ def test_rviz_configuration(package):
     ("text", "words"),
     [("<launch><node></launch>", "not a launch file"), ("<robot/>", "root"), ("", "empty")],
 )
-def test_what_is_no_launch_file_is_reported(tmp_path, text, words):
+def test_other_files_are_reported(tmp_path, text, words):
     launch = read_launch(Source("a.launch", text.encode()), Resolver(environment={}))
     (problem,) = launch.problems
     assert problem.code == "LAU001"
     assert words in problem.message
 
 
-def test_substitutions_that_only_a_run_would_tell_are_unknown(package):
+def test_substitutions_known_only_at_run_time_are_unknown(package):
     unknown = "$(eval env(1))", "$(env HOME)/a", "$(arg x"
     text = "".join(f'<rosparam file="{file}"/>' for file in unknown)
     assert [file.text for file in read(package, text).files] == ["$(arg x"]
@@ -154,7 +154,7 @@ def test_files_that_include_themselves_many_times_end(package):
     assert read(package, again).unread
 
 
-def test_what_it_starts(package):
+def test_started_programs(package):
     text = """<arg name="more" default="b"/><node pkg="p" type="e" name="n"
       args="a $(arg more) $(env X)/c"/><executable cmd="ros2 run"/>"""
     node, program = read(package, text).started
@@ -178,7 +178,7 @@ def test_hostile_files_are_read(package, text):
     assert len(read(package, text).problems) <= 1001
 
 
-def test_an_included_file_in_yaml_is_no_xml(package):
+def test_an_included_yaml_file_is_not_parsed_as_xml(package):
     for name in ("b.launch.yml", "b.launch.yaml"):
         (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
         launch = read(package, f'<include file="$(dirname)/{name}"/>')

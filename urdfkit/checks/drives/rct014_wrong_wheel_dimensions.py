@@ -26,7 +26,7 @@ from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
-from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, wheel_of, wheels
+from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, metres, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     sizes = [(2 if kind.diameter else 1) * radius for radius in _radius([d.wheel for d in driven])]
     track = _separations(driven)
     for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", track)):
-        parameter = given(use, name) if name else None
+        parameter = metres(use, name) if name else None
         if parameter is None or not real:
             continue
         at, value = parameter

@@ -27,7 +27,7 @@ from urdfkit.ros.catalog.plugins import (
     all_plugins,
     find,
     misspelt,
-    of_same_words,
+    system_of_same_words,
 )
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
@@ -60,7 +60,7 @@ def check(context: Context) -> Findings:
             successor = _successor(suggested, context.targets.names)
             finding = _misspelt(use, successor or suggested)
             yield finding._replace(fix=None) if successor else finding
-        elif system := of_same_words(use.filename):
+        elif system := system_of_same_words(use.filename):
             # Its class has another name as well, so that there is no fix.
             yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:

@@ -65,7 +65,7 @@ def check(context: Context) -> Findings:
         elif not _brings_its_type(sensor, known):
             yield _unknown(sensor, known, context.targets)
         for inner in written(sensor):
-            is_read = inner.holds_type_as_attribute and inner.setting is not None
+            is_read = inner.has_type_attribute and inner.setting is not None
             if is_read and "type" not in inner.at.attributes:
                 yield _noise_without_type(sensor, inner.at)
 

@@ -30,7 +30,9 @@ if TYPE_CHECKING:
 @click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
 @SEED
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@option("--srdf FILE", "Write the matrix to FILE, or update the matrix in it; - prints it alone.")
+@option(
+    "--srdf FILE", "Write the matrix to FILE, or update the matrix in it; '-' prints only the SRDF."
+)
 @option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
     "--units",
@@ -40,11 +42,11 @@ if TYPE_CHECKING:
 @in_formats("text", "json", "markdown")
 @limited
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     srdf: str | None,
     compare: str | None,
     units: str | None,
-    form: str,
+    format: str,
     **sampling: Any,
 ) -> int:
     """Compute which links of a robot can collide with one another.
@@ -60,25 +62,25 @@ def command(
         urdfkit collisions robot.urdf.xacro --srdf robot.srdf
         urdfkit collisions robot.urdf.xacro --compare robot.srdf
     """
-    context = robot(asked)
-    begin = positions(context, asked)
-    given = _srdf(compare, context) if compare else None
-    for_moveit = bool(srdf or compare)  # which ignores units
+    context = robot(inputs)
+    start = positions(context, inputs)
+    srdf_to_compare = _srdf(compare, context) if compare else None
+    for_moveit = bool(srdf or compare)  # MoveIt ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
     with progress_bar() as bar:
-        matrix = context.collisions.matrix(begin=begin, units=applied, progress=bar, **sampling)
+        matrix = context.collisions.matrix(begin=start, units=applied, progress=bar, **sampling)
     from urdfkit.cli.collisions import shown
     from urdfkit.physics.collision.srdf_matrix import compare as compared
 
-    comparison = compared(matrix, given) if given else None
+    comparison = compared(matrix, srdf_to_compare) if srdf_to_compare else None
     if srdf == "-":
         from urdfkit.physics.collision.srdf_matrix import new_srdf
 
         text = new_srdf(matrix).decode()
-    elif form == "json":
+    elif format == "json":
         text = dumped(shown.as_json(matrix, comparison))
     else:
-        text = (shown.markdown if form == "markdown" else shown.text)(matrix, comparison)
+        text = (shown.markdown if format == "markdown" else shown.text)(matrix, comparison)
     output.write(text)
     if srdf and srdf != "-":
         _write(matrix, srdf)
@@ -94,17 +96,17 @@ def _srdf(path: str, context: Context) -> Srdf:
     from urdfkit.ros.moveit.srdf import is_srdf, read
 
     Source.read(path)  # raises an error if the file is missing
-    found = read(path, context)
-    if found is None or not is_srdf(found.root):
+    srdf = read(path, context)
+    if srdf is None or not is_srdf(srdf.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
-    return found
+    return srdf
 
 
 def _write(matrix: Matrix, path: str) -> None:
     """Write the SRDF, or update the existing one."""
     from urdfkit.physics.collision.srdf_matrix import new_srdf, updated_srdf
 
-    is_there = os.path.exists(path)
-    atomic.write(path, updated_srdf(matrix, Source.read(path)) if is_there else new_srdf(matrix))
-    done = "updated" if is_there else "written"
-    print(f"{path} {done}", file=sys.stderr)
+    exists = os.path.exists(path)
+    atomic.write(path, updated_srdf(matrix, Source.read(path)) if exists else new_srdf(matrix))
+    action = "updated" if exists else "written"
+    print(f"{path} {action}", file=sys.stderr)

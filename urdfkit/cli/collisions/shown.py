@@ -41,12 +41,12 @@ def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
     yield _title(matrix)
     yield ""
     for verdict, meaning in _MEANING.items():
-        if found := matrix.of(verdict):
-            yield f"{len(found):>6}  {verdict.value:<9}  {meaning}"
-    for one in _lists(matrix, comparison):
+        if pairs := matrix.of(verdict):
+            yield f"{len(pairs):>6}  {verdict.value:<9}  {meaning}"
+    for section in _lists(matrix, comparison):
         yield ""
-        yield one.title
-        shown = one.pairs[:_MOST]
+        yield section.title
+        shown = section.pairs[:_MOST]
         firsts = _aligned([pair.first for pair in shown])
         seconds = _aligned([pair.second for pair in shown])
         for first, second, pair in zip(firsts, seconds, shown, strict=True):
@@ -54,8 +54,8 @@ def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             yield line.rstrip()
             if pair.is_near_miss and pair.nearest:
                 yield f"      {wrap(_pose(pair.nearest), _WIDTH, indent=6, used=6)}"
-        if len(one.pairs) > _MOST:
-            yield f"  and {len(one.pairs) - _MOST} more"
+        if len(section.pairs) > _MOST:
+            yield f"  and {len(section.pairs) - _MOST} more"
     for note in _notes(matrix, comparison):
         yield ""
         yield wrap(printable(note), _WIDTH)
@@ -72,17 +72,17 @@ def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
     """The result as Markdown."""
     sections = [f"### Collisions of {escape(_title(matrix))}\n"]
     counts = [
-        (verdict.value, str(len(found)), meaning)
+        (verdict.value, str(len(pairs)), meaning)
         for verdict, meaning in _MEANING.items()
-        if (found := matrix.of(verdict))
+        if (pairs := matrix.of(verdict))
     ]
     sections.append(table(("pairs", "", ""), counts))
-    for one in _lists(matrix, comparison):
+    for section in _lists(matrix, comparison):
         rows = [
             (escape(p.first), escape(p.second), _frequency(p), _distance(p.nearest))
-            for p in one.pairs
+            for p in section.pairs
         ]
-        sections.append(f"**{escape(one.title)}**\n")
+        sections.append(f"**{escape(section.title)}**\n")
         sections.append(table(("link", "link", "collide", "nearest"), rows))
     sections += [f"{escape(note)}\n" for note in _notes(matrix, comparison)]
     return "\n".join(sections)
@@ -90,7 +90,7 @@ def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
 
 def as_json(matrix: Matrix, comparison: MatrixComparison | None) -> dict[str, Any]:
     """The result for JSON."""
-    found: dict[str, Any] = {
+    document: dict[str, Any] = {
         "version": VERSION,
         "robot": matrix.robot,
         "samples": matrix.samples,
@@ -99,16 +99,16 @@ def as_json(matrix: Matrix, comparison: MatrixComparison | None) -> dict[str, An
         "seed": matrix.seed,
         "applies_units": matrix.applies_units,
         "pairs": [_pair(pair) for pair in matrix.pairs],
-        "omitted": [one._asdict() for one in matrix.omitted],
+        "omitted": [shape._asdict() for shape in matrix.omitted],
         "parts": list(matrix.parts),
     }
     if comparison is not None:
-        found["compared"] = {
+        document["compared"] = {
             "agreed": comparison.agreed,
             "hidden": [[pair.first, pair.second] for pair in comparison.hidden],
             "watched": [[pair.first, pair.second] for pair in comparison.watched],
         }
-    return found
+    return document
 
 
 def _pair(pair: PairResult) -> dict[str, Any]:
@@ -174,15 +174,15 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             f"from this matrix in {differences or 'none'}."
         )
     if matrix.units:
-        done = "applied" if matrix.applies_units else "ignored, as MoveIt does"
+        treatment = "applied" if matrix.applies_units else "ignored, as MoveIt does"
         yield (
             f"{len(matrix.units)} collision meshes state another unit than the metre, which was "
-            f"{done} (--units)."
+            f"{treatment} (--units)."
         )
-    for one in matrix.omitted[:_MOST]:
-        yield f"left out: collision {one.number + 1} of link '{one.link}': {one.reason}"
+    for shape in matrix.omitted[:_MOST]:
+        yield f"omitted: collision {shape.number + 1} of link '{shape.link}': {shape.reason}"
     if len(matrix.omitted) > _MOST:
-        yield f"left out: {len(matrix.omitted) - _MOST} more"
+        yield f"omitted: {len(matrix.omitted) - _MOST} more"
 
 
 def _frequency(pair: PairResult) -> str:
@@ -196,8 +196,8 @@ def _distance(nearest: ClosestApproach | None) -> str:
         return ""
     if nearest.distance < 0:
         return f"{-1000 * nearest.distance:.1f} mm deep"
-    apart = 1000 * nearest.distance
-    return f"{apart:.2g} mm apart" if apart < 100 else f"{apart:.0f} mm apart"
+    distance = 1000 * nearest.distance
+    return f"{distance:.2g} mm apart" if distance < 100 else f"{distance:.0f} mm apart"
 
 
 def _pose(nearest: ClosestApproach) -> str:

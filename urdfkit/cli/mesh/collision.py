@@ -14,7 +14,7 @@ from urdfkit.text.source import shown
 
 @described("collision")
 @option("--error METRES", "Largest distance that a shape may stick out of the mesh.", type=float)
-@option("--link NAME", "Only this link, whatever collision it has.", to="links", multiple=True)
+@option("--link NAME", "Only this link, even if it has a collision.", to="links", multiple=True)
 @option("--most N", "Maximum number of convex pieces.", type=int, default=8)
 @option("--write", "Write the collisions and their mesh files.")
 @DIFF
@@ -22,7 +22,7 @@ from urdfkit.text.source import shown
 @one_robot
 @limited
 def command(
-    asked: dict[str, Any],
+    inputs: dict[str, Any],
     error: float | None,
     links: tuple[str, ...],
     most: int,
@@ -44,22 +44,22 @@ def command(
     """
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
-    context = robot(asked)
+    context = robot(inputs)
     with progress_bar() as bar:
         proposals = propose(context, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]
-    left: dict[str, str] = {}
+    unchanged: dict[str, str] = {}
     if write or diff:
-        found = edited(context, proposals)
-        left = found.left
+        edits = edited(context, proposals)
+        unchanged = edits.left
         if diff:
-            output.write_diff("".join(file.diff() for file in found.files), color)
-            lines = [f"# new file {shown(path)}" for path in found.meshes]
+            output.write_diff("".join(file.diff() for file in edits.files), color)
+            lines = [f"# new file {shown(path)}" for path in edits.meshes]
         else:
-            lines += [f"wrote {shown(path)}" for path in found.write()]
-        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
+            lines += [f"wrote {shown(path)}" for path in edits.write()]
+        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in unchanged.items()]
     output.write("".join(f"{line}\n" for line in lines))
-    return int(bool(left))
+    return int(bool(unchanged))
 
 
 def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
@@ -71,9 +71,9 @@ def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
         if proposal.reason:
             yield from output.indented(proposal.reason)
         for fits, bound in zip(proposal.fits, proposal.bounds, strict=True):
-            tried = ", ".join(f"{one} {tables.length(one.error)}" for one in fits.tried)
+            tried = ", ".join(f"{shape} {tables.length(shape.error)}" for shape in fits.tried)
             yield from output.indented(f"sticks out by: {tried}")
             verdict = "within" if fits.within else "none within"
-            why = fits.why or f"{verdict} {tables.length(bound)}"
-            yield f"  selected: {fits.best} ({why})"
+            reason = fits.why or f"{verdict} {tables.length(bound)}"
+            yield f"  selected: {fits.best} ({reason})"
             yield f"  mesh sticks out of it by: {tables.length(fits.best.missing)}"

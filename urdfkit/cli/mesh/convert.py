@@ -21,7 +21,7 @@ from urdfkit.mesh.writers import require_replaceable
 @FORCE
 @limited
 def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
-    """Convert a mesh to another format, or clean it in the same one.
+    """Convert a mesh to another format, or clean it.
 
     The suffix of OUT selects the format. The unit of FILE is applied: OUT is in metres.
 

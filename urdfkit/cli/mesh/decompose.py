@@ -42,20 +42,20 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
     path = None if split else destination(file, out, False, force)
     with working():
         mesh = in_metres(load(file))
-        found = decompose(mesh, most=most, engine=engine)
-    lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(found)))]
-    for number, part in enumerate(found.parts, start=1):
+        result = decompose(mesh, most=most, engine=engine)
+    lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(result)))]
+    for number, part in enumerate(result.parts, start=1):
         health = examine(part.vertices, part.faces)
         lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")
-    lines += tables.beyond(protrusion(found, mesh), missing(found, mesh))
+    lines += tables.beyond(protrusion(result, mesh), missing(result, mesh))
     if split and out:
         stem, suffix = os.path.splitext(out)
-        pieces = {f"{stem}_{n}{suffix}": Mesh((part,)) for n, part in enumerate(found.parts, 1)}
+        pieces = {f"{stem}_{n}{suffix}": Mesh((part,)) for n, part in enumerate(result.parts, 1)}
         for name in pieces:
             destination(file, name, False, force)  # before the first of them is written
         for name, piece in pieces.items():
             lines += save(piece, name)
     else:
-        lines += save(found, path)
+        lines += save(result, path)
     output.page(lines)
     return 0

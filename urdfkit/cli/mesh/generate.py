@@ -48,7 +48,7 @@ def command(
     size: Vector | None,
     force: bool,
     dry_run: bool,
-    **asked: Any,
+    **inputs: Any,
 ) -> int:
     """Generate a mesh for a file that is missing, empty or broken.
 
@@ -68,17 +68,17 @@ def command(
         raise options.UsageError("pass one mesh, or none to generate all that are missing")
     part = _PARTS[part_name] if part_name else None
     if model is None:
-        found = _without_robot(files, part, size, force)
+        result = _without_robot(files, part, size, force)
     else:
         arguments = (word for word in words if ":=" in word)
-        context = robot({**asked, options.FILES: (model, *arguments)})
+        context = robot({**inputs, options.FILES: (model, *arguments)})
         with working():
-            found = _of_robot(context, files, part, size, force)
+            result = _of_robot(context, files, part, size, force)
     if not dry_run:
-        for one in found.generated:
-            one.write()
-    output.page(render(found, dry_run))
-    return int(bool(found.not_generated))
+        for mesh in result.generated:
+            mesh.write()
+    output.page(render(result, dry_run))
+    return int(bool(result.not_generated))
 
 
 def _without_robot(
@@ -96,23 +96,23 @@ def _of_robot(
     robot: Context, files: list[str], part: RealPart | None, size: Vector | None, force: bool
 ) -> GeneratedMeshes:
     if files:
-        one = generate(robot, files[0], part=part, size=size, force=force)
-        return GeneratedMeshes.of([one])
+        mesh = generate(robot, files[0], part=part, size=size, force=force)
+        return GeneratedMeshes.of([mesh])
     if part or size or force:
         raise options.UsageError("--part, --size and --force apply to one mesh; pass its name")
     return generate_missing(robot)
 
 
-def render(found: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
+def render(result: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
     """The generated meshes, and the failures."""
-    if not found.generated and not found.not_generated:
+    if not result.generated and not result.not_generated:
         yield "nothing is missing"
-    for one in found.generated:
-        yield f"{'would write' if dry_run else 'wrote'} {shown(one.path)}"
-        yield from output.indented(f"the file {one.defect}")
-        yield from output.indented(one.reason)
-        yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
-    for other in found.not_generated:
-        yield f"cannot generate {shown(other.path)}"
-        yield from output.indented(f"the file {other.defect}")
-        yield from output.indented(other.reason)
+    for mesh in result.generated:
+        yield f"{'would write' if dry_run else 'wrote'} {shown(mesh.path)}"
+        yield from output.indented(f"the file {mesh.defect}")
+        yield from output.indented(mesh.reason)
+        yield f"  {len(mesh.mesh.faces)} triangles, {len(mesh.mesh.parts)} materials"
+    for failure in result.not_generated:
+        yield f"cannot generate {shown(failure.path)}"
+        yield from output.indented(f"the file {failure.defect}")
+        yield from output.indented(failure.reason)

@@ -24,7 +24,7 @@ def command(file: str, path: str | None) -> int:
     """
     with working():
         mesh = in_metres(load(file))
-        found = hull(mesh)
-        rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(found))
-    output.page([*tables.columns(rows), *save(found, path)])
+        hull_mesh = hull(mesh)
+        rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(hull_mesh))
+    output.page([*tables.columns(rows), *save(hull_mesh, path)])
     return 0

@@ -1,4 +1,4 @@
-"""``urdfkit mesh info``: what mesh files hold."""
+"""``urdfkit mesh info``: the contents of mesh files."""
 
 from collections.abc import Iterator
 
@@ -20,7 +20,7 @@ VERSION = 1
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @in_formats("text", "json")
 @limited
-def command(files: tuple[str, ...], form: str) -> int:
+def command(files: tuple[str, ...], format: str) -> int:
     """Show size, triangles, unit and defects of mesh files.
 
     Exit codes: 0 done, 2 a file has no triangles.
@@ -29,40 +29,44 @@ def command(files: tuple[str, ...], form: str) -> int:
         urdfkit mesh info meshes/arm.dae meshes/hand.stl
     """
     with progress_bar("mesh files") as bar:
-        found = []
+        descriptions = []
         for done, file in enumerate(files):
             if bar is not None:
                 bar(done, len(files))
-            found.append(describe(file))
-    if form == "json":
-        document = {"version": VERSION, "meshes": [one.as_json() for one in found]}
+            descriptions.append(describe(file))
+    if format == "json":
+        document = {"version": VERSION, "meshes": [mesh.as_json() for mesh in descriptions]}
         output.write(dumped(document))
     else:
-        output.write("\n\n".join("\n".join(render(one)) for one in found) + "\n")
+        output.write("\n\n".join("\n".join(render(mesh)) for mesh in descriptions) + "\n")
     return 0
 
 
-def render(found: MeshDescription) -> Iterator[str]:
-    yield f"{found.path}: {found.format}, {found.bytes} bytes"
-    if found.defect:
-        yield from output.indented(f"broken: {found.defect}")
-    size = [high - low for low, high in zip(found.low, found.high, strict=True)]
+def render(description: MeshDescription) -> Iterator[str]:
+    yield f"{description.path}: {description.format}, {description.bytes} bytes"
+    if description.defect:
+        yield from output.indented(f"broken: {description.defect}")
+    size = [high - low for low, high in zip(description.low, description.high, strict=True)]
     yield "  size       {:.4g} x {:.4g} x {:.4g} m".format(*size)
-    ranges = [f"{low:.4g} to {high:.4g}" for low, high in zip(found.low, found.high, strict=True)]
+    ranges = [
+        f"{low:.4g} to {high:.4g}"
+        for low, high in zip(description.low, description.high, strict=True)
+    ]
     yield "  reaches    x {}, y {}, z {}".format(*ranges)
-    bodies = found.health.bodies
-    yield f"  triangles  {found.health.faces} in {bodies} {'body' if bodies == 1 else 'bodies'}"
-    yield from output.labelled("surface", tables.surface(found.health))
-    if found.health.is_solid:
-        yield f"  volume     {tables.volume(found.health.volume)}"
-    yield f"  area       {found.area:.4g} m^2"
-    if found.mesh.unit != 1.0:
-        yield f"  unit       {found.mesh.unit:g} m, applied above"
-    if found.mesh.up_axis:
-        yield f"  up axis    {found.mesh.up_axis}, not applied"
-    for part in found.mesh.parts:
+    health = description.health
+    bodies = "1 body" if health.bodies == 1 else f"{health.bodies} bodies"
+    yield f"  triangles  {health.faces} in {bodies}"
+    yield from output.labelled("surface", tables.surface(health))
+    if health.is_solid:
+        yield f"  volume     {tables.volume(health.volume)}"
+    yield f"  area       {description.area:.4g} m^2"
+    if description.mesh.unit != 1.0:
+        yield f"  unit       {description.mesh.unit:g} m, applied above"
+    if description.mesh.up_axis:
+        yield f"  up axis    {description.mesh.up_axis}, not applied"
+    for part in description.mesh.parts:
         yield from output.labelled("part", _part(part))
-    for lost in found.mesh.losses:
+    for lost in description.mesh.losses:
         yield from output.labelled("lost", lost)
 
 

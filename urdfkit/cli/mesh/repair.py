@@ -1,4 +1,4 @@
-"""``urdfkit mesh repair``: a mesh made the surface of a solid."""
+"""``urdfkit mesh repair``: repairs a mesh so that it is the surface of a solid."""
 
 from collections.abc import Iterator
 
@@ -23,12 +23,12 @@ from urdfkit.mesh.transforms import in_metres
 def command(file: str, path: str | None, keep_holes: bool, one_sided: bool, union: bool) -> int:
     """Repair a mesh: weld, clean, orient, fill holes.
 
-    Prints what was wrong, what was done, and how far the surface has moved. A mesh that is a
-    closed solid is not changed; a repair that makes it no better is discarded. From a broken file,
-    the readable part is used.
+    Prints the defects, the repairs, and the deviation of the surface. A mesh that is a closed solid
+    is not changed; a repair without improvement is discarded. Of a broken file, the readable part
+    is used.
 
-    Exit codes: 0 nothing to repair, or repaired and written; 1 there is something to repair, or
-    it could not be repaired fully; 2 usage or input error.
+    Exit codes: 0 nothing to repair, or repaired and written; 1 a repair is needed, or the mesh
+    could not be repaired fully; 2 usage or input error.
 
     Examples:
         urdfkit mesh repair arm.stl
@@ -36,43 +36,43 @@ def command(file: str, path: str | None, keep_holes: bool, one_sided: bool, unio
     """
     mesh, defect = load_or_salvage(file)
     with progress_bar() as bar:
-        done = repair(
+        repaired = repair(
             in_metres(mesh), holes=not keep_holes, one_sided=one_sided, union=union, progress=bar
         )
-    lines = [*render(done, defect)]
-    if done.changed or defect or (path and path != file):
-        lines += save(done.mesh, path)
+    lines = [*render(repaired, defect)]
+    if repaired.changed or defect or (path and path != file):
+        lines += save(repaired.mesh, path)
     output.page(lines)
-    if not done.changed and not defect:
-        return int(not done.after.is_solid)
-    return int(path is None or not done.after.is_solid)
+    if not repaired.changed and not defect:
+        return int(not repaired.after.is_solid)
+    return int(path is None or not repaired.after.is_solid)
 
 
-def render(done: Repair, defect: str) -> Iterator[str]:
+def render(repaired: Repair, defect: str) -> Iterator[str]:
     """The defects, the repairs, and the state before and after."""
     if defect:
         yield from output.indented(f"the file {defect}", first="")
-    if not done.steps:
-        if done.before.is_solid:
+    if not repaired.steps:
+        if repaired.before.is_solid:
             yield "nothing to repair: the triangles are the surface of a solid"
         else:
-            yield from output.indented(f"not repaired: {tables.surface(done.before)}", first="")
-        yield from _asked(done.before)
+            yield from output.indented(f"not repaired: {tables.surface(repaired.before)}", first="")
+        yield from _repair_options(repaired.before)
         return
-    yield from output.indented(f"found {tables.surface(done.before)}", first="")
-    for step in done.steps:
+    yield from output.indented(f"found {tables.surface(repaired.before)}", first="")
+    for step in repaired.steps:
         yield f"  {_step(step)}"
-    if done.discarded:
-        yield f"repair discarded: {done.discarded}; the mesh is unchanged"
+    if repaired.discarded:
+        yield f"repair discarded: {repaired.discarded}; the mesh is unchanged"
         return
-    yield from tables.columns(tables.before_and_after(done.before, done.after))
-    yield from tables.distances(done.lost, done.gained)
-    if not done.after.is_solid:
-        yield from output.indented(f"left: {tables.surface(done.after)}", first="")
-    yield from _asked(done.after)
+    yield from tables.columns(tables.before_and_after(repaired.before, repaired.after))
+    yield from tables.distances(repaired.lost, repaired.gained)
+    if not repaired.after.is_solid:
+        yield from output.indented(f"left: {tables.surface(repaired.after)}", first="")
+    yield from _repair_options(repaired.after)
 
 
-def _asked(health: Health) -> Iterator[str]:
+def _repair_options(health: Health) -> Iterator[str]:
     """The options that repair the remaining defects."""
     if health.doubled:
         yield "--one-sided removes one side of the sheets"

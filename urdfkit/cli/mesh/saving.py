@@ -21,9 +21,9 @@ _ADD_OPTIONS = with_options(
 
 
 def writes(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command FILE and the options that say where its mesh goes.
+    """Add FILE and the options for the output file to a command.
 
-    It takes them as ``file``, and ``path``: where to write; None for nowhere.
+    The command receives ``file``, and ``path`` of the output; None to write nothing.
     """
 
     @wraps(command)
@@ -41,7 +41,7 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
         SoundMesh: the file is a valid mesh, and must not be replaced.
     """
     if out and in_place:
-        raise options.UsageError("--output and --write exclude one another")
+        raise options.UsageError("--output and --write cannot be combined")
     if in_place:
         return file
     if out and not force:
@@ -55,6 +55,6 @@ def save(mesh: Mesh, path: str | None) -> Iterator[str]:
         return
     yield "wrote " + ", ".join(map(shown, write(mesh, path)))
     if lost := losses(mesh, path):
-        yield f"  this format cannot hold: {', '.join(lost)}"
+        yield f"  this format cannot store: {', '.join(lost)}"
     if path.lower().endswith(".glb"):
         yield from output.indented(GLB_NOTE)

@@ -30,23 +30,23 @@ def command(file: str, path: str | None, triangles: int | None, error: float | N
         urdfkit mesh simplify arm.dae --error 0.001 --write
     """
     if (triangles is None) == (error is None):
-        raise options.UsageError("give either --triangles or --error")
+        raise options.UsageError("pass either --triangles or --error")
     if (triangles is not None and triangles < 4) or (error is not None and not error > 0):
         raise options.UsageError("--triangles must be 4 or more, --error more than 0")
     mesh = in_metres(load(file))
     with progress_bar() as bar:
         if triangles is not None:
-            found = to_budget(mesh, triangles, bar)
+            simplified = to_budget(mesh, triangles, bar)
         else:
             assert error is not None
-            found = to_error(mesh, error, bar)
-    output.page([*render(found), *save(found.mesh, path)])
+            simplified = to_error(mesh, error, bar)
+    output.page([*render(simplified), *save(simplified.mesh, path)])
     return 0
 
 
-def render(found: Simplified) -> Iterator[str]:
+def render(simplified: Simplified) -> Iterator[str]:
     """The mesh before and after, and the deviation of the surface."""
-    yield from tables.columns(tables.before_and_after(found.before, found.after))
-    share = 100 * found.deviation / found.diagonal
-    yield from tables.distances(found.lost, found.gained)
+    yield from tables.columns(tables.before_and_after(simplified.before, simplified.after))
+    share = 100 * simplified.deviation / simplified.diagonal
+    yield from tables.distances(simplified.lost, simplified.gained)
     yield f"the larger is {share:.2g} % of the diagonal"

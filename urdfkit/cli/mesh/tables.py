@@ -26,7 +26,7 @@ def surface(health: Health) -> str:
     """A phrase that states whether the triangles enclose a solid."""
     if health.is_solid:
         return "closed, a solid"
-    found = [
+    defects = [
         f"{number} {words}"
         for number, words in (
             (health.non_finite, "triangles with NaN or infinite coordinates"),
@@ -41,8 +41,8 @@ def surface(health: Health) -> str:
         if number
     ]
     if health.overlap > OVERLAP:
-        found.append(f"bodies that overlap: the volume is {100 * health.overlap:.0f} % too large")
-    return ", ".join(found) or "closed but flat: no volume"
+        defects.append(f"bodies that overlap: the volume is {100 * health.overlap:.0f} % too large")
+    return ", ".join(defects) or "closed but flat: no volume"
 
 
 def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]]:

@@ -139,16 +139,16 @@ class Bundle:
             "source": self._shown(self._robot.source.path),
             "arguments": dict(self._robot.arguments),
             "for": self._consumer.name,
-            "files": [one._asdict() for one in self.contents],
+            "files": [entry._asdict() for entry in self.contents],
             "references": [
                 {
-                    "element": one.element,
-                    "file": self._shown(one.span.source.path),
-                    "line": one.span.line,
-                    "old": one.old,
-                    "new": one.new,
+                    "element": reference.element,
+                    "file": self._shown(reference.span.source.path),
+                    "line": reference.span.line,
+                    "old": reference.old,
+                    "new": reference.new,
                 }
-                for one in self.renamed
+                for reference in self.renamed
             ],
             "outside": [{"element": path, "value": value} for path, value in self.outside],
         }
@@ -192,12 +192,12 @@ def mesh_files(
     except MissingLibrary:
         raise
     except UrdfkitError as error:
-        see = f"see 'urdfkit check {shown(robot.source.path)}'"
-        raise UrdfkitError(f"{reference.span}: {error}; {see}") from error
+        hint = f"see 'urdfkit check {shown(robot.source.path)}'"
+        raise UrdfkitError(f"{reference.span}: {error}; {hint}") from error
 
 
-def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str]:
-    """Paths of referenced files, by ``id`` of the reference: equal texts may mean different files.
+def located_files(robot: Context, references: Iterable[Placed[str]]) -> dict[int, str]:
+    """Paths of files by ``id`` of their reference: equal texts may refer to different files.
 
     Raises:
         UrdfkitError: files are missing, or outside the workspace.
@@ -205,17 +205,17 @@ def located_files(robot: Context, named: Iterable[Placed[str]]) -> dict[int, str
     paths: dict[int, str] = {}
     missing: list[str] = []
     outside: list[str] = []
-    for reference in named:
+    for reference in references:
         located = robot.files.locate(reference)
         if located.path is not None:
             paths[id(reference)] = located.path
         else:
-            lost = outside if located.outside else missing
-            lost.append(f"{reference.span}: {reference.value}")
+            unresolved = outside if located.outside else missing
+            unresolved.append(f"{reference.span}: {reference.value}")
     reasons = [
-        f"the robot names files that {why}: {few(several, _NAMED)}"
-        for why, several in (("are not there", missing), ("lie outside the workspace", outside))
-        if several
+        f"the robot references files that {defect}: {few(locations, _NAMED)}"
+        for defect, locations in (("do not exist", missing), ("are outside the workspace", outside))
+        if locations
     ]
     if not reasons:
         return paths

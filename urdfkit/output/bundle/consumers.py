@@ -11,7 +11,7 @@ class Consumer(Record):
     """A program that reads a robot from a directory."""
 
     name: str  # value of ``--for``
-    what: str  # description
+    title: str  # in messages
     reads: tuple[str, ...]  # supported mesh formats
     visual: str  # suffix to which other visual meshes are converted; collision meshes become STL
     #: True if it finds meshes by ``package://``, not by paths relative to the robot.
@@ -35,8 +35,8 @@ _URDFDOM = "pinocchio"
 #: web: urdf-loader's defaultMeshLoader reads STL and COLLADA; RViz and Gazebo read by assimp;
 #: Isaac, https://docs.isaacsim.omniverse.nvidia.com/latest/importer_exporter/ext_isaacsim_asset_importer_urdf.html
 CONSUMERS = {
-    one.name: one
-    for one in (
+    consumer.name: consumer
+    for consumer in (
         Consumer(
             "any",
             "any program that finds files relative to the robot",

@@ -55,12 +55,12 @@ class FreeNames:
 
 
 def bundled(
-    path: str, found: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
+    path: str, properties: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
 ) -> Iterator[BundledFile]:
     """The files for a mesh in a bundle, the mesh first.
 
     Args:
-        found: properties of the mesh file.
+        properties: of the mesh file.
         consumer: the program that must read it.
         is_visual: True if a visual uses it; materials are kept if the format supports them.
 
@@ -68,23 +68,25 @@ def bundled(
         UrdfkitError: the mesh cannot be converted.
     """
     suffix = os.path.splitext(path)[1].lower()
-    is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
-    if is_readable and found.format in _SINGLE:
+    is_readable = properties.format in consumer.reads and properties.format in facts.BY_SUFFIX.get(
+        suffix, ()
+    )
+    if is_readable and properties.format in _SINGLE:
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
     mesh = _loaded(path)
     if not is_readable:
         suffix = consumer.visual if is_visual else ".stl"
-        change = f"{found.format} written as {suffix[1:].upper()}"
-    elif consumer.loads_first_object and found.format == facts.OBJ and _has_objects(path):
-        change = "its objects are one"
-    elif all(_lies_below(path, other) for other in mesh.files):
+        change = f"{properties.format} written as {suffix[1:].upper()}"
+    elif consumer.loads_first_object and properties.format == facts.OBJ and _has_objects(path):
+        change = "its objects are joined"
+    elif all(_is_below(path, file) for file in mesh.files):
         yield from _with_its_files(path, mesh, stem)
         return
     else:
-        suffix = ".glb" if found.format == facts.GLTF else suffix
-        change = "files that it names from elsewhere are written beside it"
-    yield from _written(path, found, mesh, f"{stem}{suffix}", change)
+        suffix = ".glb" if properties.format == facts.GLTF else suffix
+        change = "referenced files from other directories are written next to it"
+    yield from _written(path, properties, mesh, f"{stem}{suffix}", change)
 
 
 def _has_objects(path: str) -> bool:
@@ -97,37 +99,38 @@ def _loaded(path: str) -> Mesh:
     return load(path)
 
 
-def _lies_below(path: str, other: str) -> bool:
+def _is_below(path: str, referenced: str) -> bool:
     directory = os.path.dirname(os.path.abspath(path))
-    return is_within(os.path.abspath(other), directory)
+    return is_within(os.path.abspath(referenced), directory)
 
 
 def _with_its_files(path: str, mesh: Mesh, stem: str) -> Iterator[BundledFile]:
     """A mesh file and its referenced files, at the same relative paths."""
     path = os.path.abspath(path)
     start, name = os.path.split(path)
-    read = {other: referenced_files.read(other, MAX_BYTES, start) for other in mesh.files}
-    others = {other: data for other, data in read.items() if data is not None and other != path}
-    home = f"meshes/{stem}" if others else "meshes"
-    own = name if others else stem + os.path.splitext(name)[1]
-    yield BundledFile(f"{home}/{own}", disk.read(path), path)
-    for other, data in others.items():
-        relative = os.path.relpath(other, start).replace(os.sep, "/")
-        yield BundledFile(f"{home}/{relative}", data, other)
+    read = {file: referenced_files.read(file, MAX_BYTES, start) for file in mesh.files}
+    referenced = {file: data for file, data in read.items() if data is not None and file != path}
+    directory = f"meshes/{stem}" if referenced else "meshes"
+    mesh_name = name if referenced else stem + os.path.splitext(name)[1]
+    yield BundledFile(f"{directory}/{mesh_name}", disk.read(path), path)
+    for file, data in referenced.items():
+        relative = os.path.relpath(file, start).replace(os.sep, "/")
+        yield BundledFile(f"{directory}/{relative}", data, file)
 
 
 def _written(
-    path: str, found: MeshFacts, mesh: Mesh, name: str, change: str
+    path: str, properties: MeshFacts, mesh: Mesh, name: str, change: str
 ) -> Iterator[BundledFile]:
     from urdfkit.mesh.writers import encode, losses
 
     changes = [change]
-    if has_other_unit(found):
-        changes.append(f"in metres, by its unit of {found.unit:g} m")
+    if has_other_unit(properties):
+        changes.append(f"in metres, by its unit of {properties.unit:g} m")
     lost = [*losses(mesh, name), *mesh.losses]
     if lost:
         changes.append(f"not kept: {', '.join(lost)}")
     files = encode(mesh, name)
-    home = f"meshes/{os.path.splitext(name)[0]}" if len(files) > 1 else "meshes"
-    for one, data in files.items():
-        yield BundledFile(f"{home}/{one}", data, path, "; ".join(changes) if one == name else "")
+    directory = f"meshes/{os.path.splitext(name)[0]}" if len(files) > 1 else "meshes"
+    for file, data in files.items():
+        change = "; ".join(changes) if file == name else ""
+        yield BundledFile(f"{directory}/{file}", data, path, change)

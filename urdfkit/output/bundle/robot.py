@@ -17,7 +17,6 @@ from urdfkit.text.editing.edits import escaped, insert_first
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
-#: What a value in quotes of either kind cannot hold besides ``&`` and ``<``.
 _DECLARATION = rb"^\s*<\?xml[^>]*\?>\s*"
 #: A value that refers to a file of this machine or of a package.
 _OUTSIDE = re.compile(r"(?:package|model|file)://|/[^/]+/.*\.\w+$")
@@ -51,7 +50,7 @@ def texture_references(model: RobotModel) -> list[Placed[str]]:
     """Texture references of a model, those of its named materials first."""
     bodies = (body for link in model.links for body in link.visuals)
     materials = (*model.materials, *(body.material for body in bodies))
-    return [one.texture for one in materials if one and one.texture]
+    return [material.texture for material in materials if material and material.texture]
 
 
 def references(model: RobotModel) -> list[Placed[str]]:
@@ -79,9 +78,9 @@ def rewritten(
     model = RobotModel(document)
     edits: list[Edit] = []
     renamed = []
-    for old, written in zip(references(robot.model), references(model), strict=True):
+    for old, new_reference in zip(references(robot.model), references(model), strict=True):
         new = new_name(old)
-        edits.append(Edit(written.span, escaped(new)))
+        edits.append(Edit(new_reference.span, escaped(new)))
         renamed.append(Renamed(old.at.path, old.span, old.value, new))
     if for_mujoco:
         edits += _compiler(model.root)
@@ -96,9 +95,9 @@ def _compiler(root: Element) -> tuple[Edit, ...]:
         return insert_first(root, ['<mujoco><compiler strippath="false"/></mujoco>'])
     if compiler is None:
         return insert_first(mujoco, ['<compiler strippath="false"/>'])
-    written = {at.name: at.value for at in compiler.attributes.values() if at.name != "meshdir"}
-    written["strippath"] = "false"
-    values = "".join(f" {name}={quoteattr(value)}" for name, value in written.items())
+    attributes = {at.name: at.value for at in compiler.attributes.values() if at.name != "meshdir"}
+    attributes["strippath"] = "false"
+    values = "".join(f" {name}={quoteattr(value)}" for name, value in attributes.items())
     return (Edit(compiler.tag_at.whole_span, f"<compiler{values}/>"),)
 
 
@@ -106,7 +105,11 @@ def _outside(model: RobotModel) -> Iterator[tuple[str, str]]:
     """Values other than references that refer to files outside of the bundle."""
     referenced = {id(placed.at) for placed in references(model)}
     for element in model.root.walk():
-        values = [one.value for one in element.attributes.values() if id(one) not in referenced]
+        values = [
+            attribute.value
+            for attribute in element.attributes.values()
+            if id(attribute) not in referenced
+        ]
         for value in (*values, element.text.strip()):
             if _OUTSIDE.match(value):
                 yield element.path, value

@@ -23,7 +23,7 @@ from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span, shown
 
-#: Needs of slow rules that report no reason why a program rejects a robot.
+#: Needs of slow rules, which never report why a program rejects a robot.
 _SLOW = frozenset((Need.COLLISIONS,))
 
 #: Date of all files in a zip, so that equal bundles have equal bytes.
@@ -63,27 +63,27 @@ def bundle(
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
     context = robot if isinstance(robot, Context) else read(robot)
-    made = Bundle(context, CONSUMERS[consumer])
-    with staged(made.files(), os.path.abspath(out), force=force) as directory:
-        rejected = tuple(_errors(made, directory, context, CONSUMERS[consumer].target))
-    return made, rejected
+    result = Bundle(context, CONSUMERS[consumer])
+    with staged(result.files(), os.path.abspath(out), force=force) as directory:
+        rejected = tuple(_errors(result, directory, context, CONSUMERS[consumer].target))
+    return result, rejected
 
 
-def _errors(made: Bundle, directory: str, context: Context, target: str) -> Iterator[TargetError]:
+def _errors(result: Bundle, directory: str, context: Context, target: str) -> Iterator[TargetError]:
     places = {element.path: element.span for element in context.document.root.walk()}
-    path = os.path.join(directory, made.urdf)
+    path = os.path.join(directory, result.urdf)
     if read(path).is_part:
         raise UrdfkitError(
-            f"{shown(context.source.path)}: is a part that other files include, which no program "
-            "loads; bundle the robot that includes it"
+            f"{shown(context.source.path)}: is only a part of a robot; bundle the file that "
+            "includes it"
         )
     # DYN001 repeats what other rules report, if Pinocchio is installed.
     options = Options(targets=(target,), only_errors=_SLOW, ignore=("DYN001",))
     report = check(path, options=options)
-    for one in report.diagnostics:
-        if one.severity is Severity.ERROR:
-            span = places.get(one.element.partition("@")[0], one.span)
-            yield TargetError(one.code, one.message, span)
+    for diagnostic in report.diagnostics:
+        if diagnostic.severity is Severity.ERROR:
+            span = places.get(diagnostic.element.partition("@")[0], diagnostic.span)
+            yield TargetError(diagnostic.code, diagnostic.message, span)
 
 
 @contextmanager
@@ -104,18 +104,18 @@ def staged(
     """
     atomic.make_directory(os.path.dirname(out))
     with _as_unwritable(out), temporary.workshop(out) as workshop:
-        made, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
+        new, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
         _put_back(old, out)  # left by a killed process
         _empty(workshop)
         _require_free(out, mark, force=force)
-        write_files(files, made)
-        yield made
+        write_files(files, new)
+        yield new
         try:
             if _is_zip(out):
-                made = _zipped(made, os.path.join(workshop, "bundle.zip"))
+                new = _zipped(new, os.path.join(workshop, "bundle.zip"))
             elif os.path.isdir(out):
                 os.replace(out, old)
-            os.replace(made, out)
+            os.replace(new, out)
         finally:
             _put_back(old, out)
 
@@ -154,14 +154,14 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
     is_file = not os.path.isdir(out)
     if is_file and not _is_zip(out):
         raise UnwritableFile(f"{out}: is a file; pass a directory, or a name that ends in .zip")
-    if is_file != _is_zip(out) or os.path.islink(out) or not _holds(out, mark):
+    if is_file != _is_zip(out) or os.path.islink(out) or not _contains(out, mark):
         kind = "file" if is_file else "directory"
         raise UnwritableFile(f"{out}: is a {kind}, but not a bundle; pass another path")
     if not force:
         raise UnwritableFile(f"{out}: exists; --force replaces it")
 
 
-def _holds(out: str, file: str) -> bool:
+def _contains(out: str, file: str) -> bool:
     """True if a directory or zip contains a file."""
     if not os.path.isfile(out):  # opening a pipe would wait for a writer
         return os.path.isfile(os.path.join(out, file))
@@ -190,10 +190,10 @@ def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict
         UrdfkitError: a mesh is missing, broken, or cannot be converted to a supported format.
     """
     shapes = [body.shape for link in robot.model.links for body in link.collisions]
-    named = [shape.filename for shape in shapes if shape and shape.filename]
-    paths = located_files(robot, named)
+    references = [shape.filename for shape in shapes if shape and shape.filename]
+    paths = located_files(robot, references)
     stems, names = FreeNames(), dict[str, str]()
-    for reference in named:
+    for reference in references:
         path = paths[id(reference)]
         if path not in names:
             files = [*mesh_files(robot, reference, path, consumer, stems, frozenset())]

@@ -58,7 +58,7 @@ def convert(
     options = ConversionOptions(base, fixed, collision, exclude)
     if options != ConversionOptions() and not FORMATS[to].has_options:
         raise UrdfkitError(
-            f"base, fixed, collision and exclude are not of the format '{to}': leave them out"
+            f"the format '{to}' does not support base, fixed, collision and exclude; omit them"
         )
     with needing(f"to convert to {to}", FORMATS[to].extra):
         module = import_module(f"{__name__}.{to}")

@@ -17,11 +17,11 @@ def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform
     Its blocks are the second moments, the first moments and the mass.
     """
     second = np.trace(tensor) / 2 * np.eye(3) - tensor + mass * np.outer(center, center)
-    found = np.block(
+    matrix = np.block(
         [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
     )
-    moved = homogeneous(frame)
-    result: Floats = moved @ found @ moved.T
+    transform = homogeneous(frame)
+    result: Floats = transform @ matrix @ transform.T
     return result
 
 
@@ -39,15 +39,15 @@ def of_link(link: Link, frame: Transform) -> Floats:
 
 
 def about_center(ours: Floats, theirs: Floats) -> tuple[Floats, Floats]:
-    """Two pseudo-inertias about the centre of mass of the first one."""
-    moved = np.eye(4)
+    """Two pseudo-inertias, both about the centre of mass of the first."""
+    translation = np.eye(4)
     if ours[3, 3] > _LEAST:
-        moved[:3, 3] = -ours[:3, 3] / ours[3, 3]
-    return moved @ ours @ moved.T, moved @ theirs @ moved.T
+        translation[:3, 3] = -ours[:3, 3] / ours[3, 3]
+    return translation @ ours @ translation.T, translation @ theirs @ translation.T
 
 
 def difference(ours: Floats, theirs: Floats) -> float:
-    """The largest difference of two pseudo-inertias, relative to the first one.
+    """The largest difference of two pseudo-inertias, relative to the first.
 
     Moments are relative to the largest second moment and the mass, whatever the unit of length:
     a small part has a small tensor.

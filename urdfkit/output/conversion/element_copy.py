@@ -10,8 +10,9 @@ def copied(element: Element) -> Tag:
     root = Tag("")
     stack = [(element, root)]
     while stack:
-        one, parent = stack.pop()
-        tag = SubElement(parent, one.tag, {name: at.value for name, at in one.attributes.items()})
-        tag.text = one.text.strip() or None
-        stack += [(child, tag) for child in reversed(one.children)]
+        element, parent = stack.pop()
+        attributes = {name: at.value for name, at in element.attributes.items()}
+        tag = SubElement(parent, element.tag, attributes)
+        tag.text = element.text.strip() or None
+        stack += [(child, tag) for child in reversed(element.children)]
     return root[0]

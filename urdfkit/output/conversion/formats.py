@@ -17,8 +17,8 @@ class Format(Record):
 
 
 FORMATS = {
-    one.name: one
-    for one in (
+    format.name: format
+    for format in (
         Format("mjcf", "simulate", has_options=True),
         Format("usd", "usd"),
         Format("sdf", "meshes"),

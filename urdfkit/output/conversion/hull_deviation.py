@@ -26,12 +26,12 @@ def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) 
             notes[key] = _deviation(robot, body)
         deviation = notes[key]
         if deviation is None:
-            losses.approximate(shape.at, "its convex hull collides")
+            losses.approximate(shape.at, "collides as its convex hull")
         elif deviation <= _CONVEX:
-            losses.keep(shape.at, "its convex hull collides, which equals it")
+            losses.keep(shape.at, "collides as its convex hull, which equals the mesh")
         else:
-            what = f"its convex hull collides, about {deviation * 1e3:.3g} mm outside of the mesh"
-            losses.approximate(shape.at, what)
+            note = f"collides as its convex hull, about {deviation * 1e3:.3g} mm outside the mesh"
+            losses.approximate(shape.at, note)
 
 
 def _deviation(robot: Context, body: Body) -> float | None:

@@ -117,7 +117,7 @@ def _repeated(element: Element) -> str:
     if parent is None:
         return ""
     if parent.tag == "geometry" and parent.children[0] is not element:
-        return "only the first shape of a <geometry> counts"
+        return "only the first shape in <geometry> is read"
     if element.tag in _SINGLE and parent.child(element.tag) is not element:
-        return f"only the first <{element.tag}> counts"
+        return f"only the first <{element.tag}> is read"
     return ""

@@ -28,10 +28,10 @@ from urdfkit.output.conversion.mjcf_srdf import (
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 
-_LOST = "urdfkit writes nothing for it"
+_LOST = "urdfkit does not convert it"
 _REASONS = {
-    "plugin": "a plugin is a program of Gazebo",
-    "material": "no geom has it",
+    "plugin": "plugins run only in Gazebo",
+    "material": "no geom uses it",
     "update_rate": "MuJoCo measures in every step",
     "always_on": "MuJoCo measures in every step",
     "@acceleration": "MuJoCo does not limit accelerations",
@@ -44,18 +44,18 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
     with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
-        made = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
-        add_options(made, robot)
-        exclude_neighbours(made, robot)
+        mjcf = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
+        add_options(mjcf, robot)
+        exclude_neighbours(mjcf, robot)
         if options.exclude == "computed":
-            exclude_computed(made, robot)
-        with rejections(robot, made.mesh_places):
-            add_keyframes(made, robot)
-        _remove_unused(made, directory)
-        model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
-        proof = proven(prove(model, robot, made.shapes), robot)
-        record_hulls(made.losses, robot, made.hulls)
-        entries = tuple(made.losses.entries(robot.document.root, _LOST, _REASONS))
+            exclude_computed(mjcf, robot)
+        with rejections(robot, mjcf.mesh_places):
+            add_keyframes(mjcf, robot)
+        _remove_unused(mjcf, directory)
+        model = _written(mjcf, os.path.join(directory, f"{bundle.name}.xml"), robot)
+        proof = proven(prove(model, robot, mjcf.shapes), robot)
+        record_hulls(mjcf.losses, robot, mjcf.hulls)
+        entries = tuple(mjcf.losses.entries(robot.document.root, _LOST, _REASONS))
         root = "free" if is_free else "fixed"
         conversion = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
         conversion.write_report(directory)
@@ -77,9 +77,9 @@ def _files(robot: Context, bundle: Bundle) -> dict[int, str]:
     }
 
 
-def _remove_unused(made: MjcfRobot, directory: str) -> None:
+def _remove_unused(mjcf: MjcfRobot, directory: str) -> None:
     """Remove files of the bundle that the MJCF does not use, such as materials of OBJ."""
-    used = {one.file for one in (*made.spec.meshes, *made.spec.textures)}
+    used = {asset.file for asset in (*mjcf.spec.meshes, *mjcf.spec.textures)}
     for at, _, names in list(os.walk(directory, topdown=False)):
         for name in names:
             path = os.path.join(at, name)
@@ -89,13 +89,13 @@ def _remove_unused(made: MjcfRobot, directory: str) -> None:
             os.rmdir(at)
 
 
-def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
+def _written(mjcf: MjcfRobot, path: str, robot: Context) -> Any:
     """Write the file, and load it with MuJoCo."""
-    compiled(made, robot)
+    compiled(mjcf, robot)
     _write_all_digits()
     atomic.make_directory(os.path.dirname(path))  # missing if the robot has no files
-    with rejections(robot, made.mesh_places):
-        atomic.write(path, made.spec.to_xml().encode(), durable=False)
+    with rejections(robot, mjcf.mesh_places):
+        atomic.write(path, mjcf.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)
 
 

@@ -24,8 +24,8 @@ from urdfkit.text.source import Span, shown
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 _REPEATED = re.compile(r"repeated name '([^']+)'")
 #: Help for errors of MuJoCo's compiler, by a part of their text.
-_REMEDIES = {
-    "mass and inertia of moving bodies": "give it an <inertial> with a mass and moments over 0",
+_HELP = {
+    "mass and inertia of moving bodies": "give it an <inertial> with a mass and moments above 0",
     "inertia must satisfy": "see 'urdfkit explain INE003'",
     "repeated name": "rename one of them",
     "is too small": "correct its scale, or remove it",
@@ -39,13 +39,13 @@ def floats(robot: Context, base: str) -> bool:
     that it stands on. An arm may also be below its base, but has only one joint there.
 
     Raises:
-        UrdfkitError: a part of the robot has no meaning, or the world is to float.
+        UrdfkitError: a part of the robot is invalid, or the link ``world`` is to float.
     """
     require_meaning(robot)
     if base == "free" and robot.tree.roots[0].name == "world":
         raise UrdfkitError(
-            f"{robot.model.place('world')}: a root link called 'world' cannot float; rename it, "
-            "or take another --base"
+            f"{robot.model.place('world')}: a root link named 'world' cannot float; rename it, "
+            "or use another --base"
         )
     if base != "auto":
         return base == "free"
@@ -70,25 +70,25 @@ def assembled(
     """The MuJoCo specification of a robot; the arguments are those of `MjcfRobot`.
 
     Raises:
-        UrdfkitError: MuJoCo rejects it, or a joint or a shape has no meaning.
+        UrdfkitError: MuJoCo rejects it, or a joint or a shape is invalid.
     """
     with rejections(robot):
-        made = MjcfRobot(robot, files, directory, options, is_free=is_free)
-        add_frictions(made, robot)
-        add_actuators(made, robot)
-        add_sensors(made, robot)
-        exclude_disabled(made, robot)
-    return made
+        mjcf = MjcfRobot(robot, files, directory, options, is_free=is_free)
+        add_frictions(mjcf, robot)
+        add_actuators(mjcf, robot)
+        add_sensors(mjcf, robot)
+        exclude_disabled(mjcf, robot)
+    return mjcf
 
 
-def compiled(made: MjcfRobot, robot: Context) -> Any:
+def compiled(mjcf: MjcfRobot, robot: Context) -> Any:
     """Compile the MuJoCo model.
 
     Raises:
         UrdfkitError: MuJoCo rejects it.
     """
-    with rejections(robot, made.mesh_places):
-        return made.spec.compile()
+    with rejections(robot, mjcf.mesh_places):
+        return mjcf.spec.compile()
 
 
 @contextmanager
@@ -114,14 +114,14 @@ def _ignore(warning: str) -> None:
 def _explained(text: str, robot: Context, meshes: Mapping[str, Span]) -> UrdfkitError:
     """An error of MuJoCo's compiler, at the link, joint or mesh in its text."""
     message = " ".join(text.split()).removeprefix("Error: ")
-    message = message.replace("; use 'balanceinertia' to fix", "")  # which invents an inertia
-    named = _ELEMENT.search(message)
-    name = named.group(1) if named else ""
-    message = f"{message[: named.start()].strip()} ('{name}')" if named else message
+    message = message.replace("; use 'balanceinertia' to fix", "")  # it changes the inertia
+    match = _ELEMENT.search(message)
+    name = match.group(1) if match else ""
+    message = f"{message[: match.start()].strip()} ('{name}')" if match else message
     if repeated := _REPEATED.search(message):
         name = repeated.group(1)
     place = meshes.get(name) if "mesh" in text or "vertices" in text else None
     place = place or robot.model.place(name)
-    help = next((help for part, help in _REMEDIES.items() if part in message), "")
+    help = next((help for part, help in _HELP.items() if part in message), "")
     help = help or f"see 'urdfkit check {shown(robot.source.path)} --target mujoco'"
     return UrdfkitError(f"{place}: MuJoCo rejects the robot: {message}; {help}")

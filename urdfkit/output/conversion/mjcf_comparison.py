@@ -46,8 +46,8 @@ def relative(ours: Floats, theirs: Floats, least: float = LEAST) -> float:
 
 def names(model: Any, kind: str) -> dict[str, int]:
     """Indices of bodies (``nbody``) or joints (``njnt``), by name."""
-    one = model.body if kind == "nbody" else model.joint
-    return {one(number).name: number for number in range(getattr(model, kind))}
+    part = model.body if kind == "nbody" else model.joint
+    return {part(number).name: number for number in range(getattr(model, kind))}
 
 
 def inertias(
@@ -60,11 +60,11 @@ def inertias(
             continue
         written = [link.inertial for link, _ in group.links if link.inertial]
         # urdfdom drops an <inertial> without mass or tensor.
-        is_complete = all(one.mass and one.tensor for one in written)
+        is_complete = all(inertial.mass and inertial.tensor for inertial in written)
         if reading is not None and is_complete:
             ours = reading.inertia(group)
         else:
-            ours = sum((of_link(*one) for one in group.links), np.zeros((4, 4)))
+            ours = sum((of_link(*member) for member in group.links), np.zeros((4, 4)))
         theirs = np.zeros((4, 4))
         for link, frame in group.links:
             if link.name in bodies:
@@ -95,19 +95,19 @@ def joints(model: Any, robot: Context) -> Iterator[tuple[float, str]]:
 
 
 def _joint(model: Any, at: int, joint: Joint) -> float:
-    limit, most, dof = joint.limit, effort(joint), model.jnt_dofadr[at]
-    range_ = force = None
+    limit, effort_limit, dof = joint.limit, effort(joint), model.jnt_dofadr[at]
+    limits = force = None
     if limit is not None and joint.kind != "continuous":
-        lower, upper = (one.value if one else 0.0 for one in (limit.lower, limit.upper))
-        range_ = lower, max(upper, lower + NARROWEST)
-    if most is not None:
-        force = -most, most
+        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
+        limits = lower, max(upper, lower + NARROWEST)
+    if effort_limit is not None:
+        force = -effort_limit, effort_limit
     dynamics = joint.at.child("dynamics")
     written = [number(dynamics.get(name)) if dynamics else 0 for name in ("damping", "friction")]
-    ours = np.array([max(one or 0.0, 0.0) for one in written])
+    ours = np.array([max(value or 0.0, 0.0) for value in written])
     theirs = np.array([model.dof_damping[dof], model.dof_frictionloss[dof]])
     return max(
-        _ends(range_, model.jnt_range[at] if model.jnt_limited[at] else None),
+        _ends(limits, model.jnt_range[at] if model.jnt_limited[at] else None),
         _ends(force, model.jnt_actfrcrange[at] if model.jnt_actfrclimited[at] else None),
         relative(ours, theirs),
     )
@@ -145,27 +145,27 @@ def shapes(
 
 
 def _shape(
-    data: Any, robot: Context, body: Body, place: Floats, found: WrittenShape | None
+    data: Any, robot: Context, body: Body, place: Floats, geoms_of_shape: WrittenShape | None
 ) -> float:
     shape, model = body.shape, data.model
     assert shape is not None
     extents = shape.half_extents
-    if found is None:
+    if geoms_of_shape is None:
         is_empty = min(extents) <= 0 if extents else has_few_vertices(robot, shape)
         return 0.0 if is_empty and body.at.tag == "visual" else WHOLE
-    geoms, back = list(found.geoms), np.linalg.inv(place)
+    geoms, back = list(geoms_of_shape.geoms), np.linalg.inv(place)
     group = VISUAL_GROUP if body.at.tag == "visual" else COLLISION_GROUP
     if set(model.geom_group[geoms]) != {group}:
         return WHOLE
     frames = [back @ _geom_frame(data, geom) for geom in geoms]
     if extents is None:
-        return _mesh(model, robot, shape, found, frames)
+        return _mesh(model, robot, shape, geoms_of_shape, frames)
     if set(model.geom_type[geoms]) != {int(KINDS[shape.kind])}:
         return WHOLE
     largest = max(extents)
-    away = np.abs(frames[0] - np.eye(4)) / [1, 1, 1, largest]
+    distances = np.abs(frames[0] - np.eye(4)) / [1, 1, 1, largest]
     sizes = np.abs(model.geom_aabb[geoms[0], 3:] - extents) / largest
-    return float(max(away.max(), sizes.max()))
+    return float(max(distances.max(), sizes.max()))
 
 
 def _mesh(
@@ -183,11 +183,11 @@ def _mesh(
             at @ frame[:3, :3].T + frame[:3, 3] for at, frame in zip(corners, frames, strict=True)
         ]
         theirs = np.concatenate(moved)
-        away = np.abs([theirs.min(axis=0) - low, theirs.max(axis=0) - high])
+        distances = np.abs([theirs.min(axis=0) - low, theirs.max(axis=0) - high])
     else:
         centers = np.array([frame[:3, 3] for frame in frames])
-        away = np.maximum(low - centers, centers - high).clip(0)
-    return float(away.max() / max(np.abs(ours).max(), LEAST))
+        distances = np.maximum(low - centers, centers - high).clip(0)
+    return float(distances.max() / max(np.abs(ours).max(), LEAST))
 
 
 def _geom_frame(data: Any, geom: int) -> Floats:

@@ -24,97 +24,98 @@ _AROUND = ("joint", "transmission", "actuator")
 _EFFORT = 100.0
 
 
-def add_frictions(made: MjcfRobot, robot: Context) -> None:
+def add_frictions(mjcf: MjcfRobot, robot: Context) -> None:
     """Apply Gazebo's friction coefficients; MuJoCo has one for both directions."""
     set_before: dict[str, list[Element]] = {}
     for block in robot.model.gazebo:
         link = block.get("reference") or ""
-        written = [one for one in block.children if one.tag in ("mu1", "mu2")]
-        values = [number(text_of(one)) for one in written]
-        if link not in made.geoms or not values or values[0] is None or values[0] < 0:
+        written = [child for child in block.children if child.tag in ("mu1", "mu2")]
+        values = [number(text_of(child)) for child in written]
+        if link not in mjcf.geoms or not values or values[0] is None or values[0] < 0:
             continue
-        if not made.geoms[link]:
-            for one in written:
-                made.losses.lose(one, "the link has no collision")
+        if not mjcf.geoms[link]:
+            for child in written:
+                mjcf.losses.lose(child, "the link has no collision")
             continue
-        for geom in made.geoms[link]:
+        for geom in mjcf.geoms[link]:
             geom.friction[0] = values[0]
         for earlier in set_before.get(link, ()):
-            made.losses.lose(earlier, "a later <gazebo> sets the friction")
+            mjcf.losses.lose(earlier, "a later <gazebo> sets the friction")
         set_before[link] = written
-        made.losses.keep(block, "body")
-        made.losses.keep(written[0], "friction")
-        for other, value in zip(written[1:], values[1:], strict=True):
+        mjcf.losses.keep(block, "body")
+        mjcf.losses.keep(written[0], "friction")
+        for element, value in zip(written[1:], values[1:], strict=True):
             if value == values[0]:
-                made.losses.keep(other, "friction")
+                mjcf.losses.keep(element, "friction")
             else:
-                made.losses.lose(other, "MuJoCo has one coefficient for both directions")
+                mjcf.losses.lose(element, "MuJoCo has one coefficient for both directions")
 
 
-def add_actuators(made: MjcfRobot, robot: Context) -> None:
+def add_actuators(mjcf: MjcfRobot, robot: Context) -> None:
     """Add an actuator for each joint without ``<mimic>``; a motor if no interface is defined."""
     commands = dict(_commands(robot))
     for joint in robot.model.joints:
         if joint.mimic or joint.kind not in ("revolute", "continuous", "prismatic"):
             continue
         kind, at = commands.get(joint.name, ("effort", None))
-        _actuator(made, joint, kind)
+        _actuator(mjcf, joint, kind)
         if at is not None:
-            _record(made, at, kind)
+            _record(mjcf, at, kind)
 
 
-def _record(made: MjcfRobot, at: Element, kind: str) -> None:
+def _record(mjcf: MjcfRobot, at: Element, kind: str) -> None:
     """Record the command interface of a joint, and its ancestors."""
-    what = f"actuator for {kind}"
-    made.losses.keep(at, what)
-    for above in (at.parent, at.parent.parent if at.parent else None):
-        if above is not None and above.tag in _AROUND:
-            made.losses.keep(above, what)
-            made.losses.keep(above.child("joint") if above.tag == "transmission" else None, what)
-        elif above is not None and above.tag == "ros2_control":
-            made.losses.approximate(above, "actuators for the interfaces that command joints")
+    note = f"actuator for {kind}"
+    mjcf.losses.keep(at, note)
+    for ancestor in (at.parent, at.parent.parent if at.parent else None):
+        if ancestor is not None and ancestor.tag in _AROUND:
+            mjcf.losses.keep(ancestor, note)
+            joint = ancestor.child("joint") if ancestor.tag == "transmission" else None
+            mjcf.losses.keep(joint, note)
+        elif ancestor is not None and ancestor.tag == "ros2_control":
+            mjcf.losses.approximate(ancestor, "actuators for the command interfaces of joints")
 
 
-def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:
+def _actuator(mjcf: MjcfRobot, joint: Joint, kind: str) -> None:
     limit = joint.limit
-    most = effort(joint) or 0.0
-    actuator = made.spec.add_actuator(
+    effort_limit = effort(joint) or 0.0
+    actuator = mjcf.spec.add_actuator(
         name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT
     )
     if kind == "position":
-        gain = POSITION_GAIN * (most or _EFFORT)
+        gain = POSITION_GAIN * (effort_limit or _EFFORT)
         actuator.set_to_position(kp=gain, dampratio=1.0)
-        ends = [one.value for one in (limit.lower, limit.upper) if one] if limit else []
-        if len(ends) == 2 and joint.kind != "continuous":
-            actuator.ctrllimited, actuator.ctrlrange = True, ends
+        bounds = [bound.value for bound in (limit.lower, limit.upper) if bound] if limit else []
+        if len(bounds) == 2 and joint.kind != "continuous":
+            actuator.ctrllimited, actuator.ctrlrange = True, bounds
     elif kind == "velocity":
-        actuator.set_to_velocity(kv=VELOCITY_GAIN * (most or _EFFORT))
+        actuator.set_to_velocity(kv=VELOCITY_GAIN * (effort_limit or _EFFORT))
         if limit and limit.velocity and limit.velocity.value > 0:
             speed = limit.velocity.value
             actuator.ctrllimited, actuator.ctrlrange = True, (-speed, speed)
-            made.losses.keep(limit.at.attributes["velocity"], "ctrlrange of the actuator")
+            mjcf.losses.keep(limit.at.attributes["velocity"], "ctrlrange of the actuator")
     else:
         actuator.set_to_motor()
-        if most:
-            actuator.ctrllimited, actuator.ctrlrange = True, (-most, most)
+        if effort_limit:
+            actuator.ctrllimited, actuator.ctrlrange = True, (-effort_limit, effort_limit)
 
 
 def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
-    """Command interface of each joint, and its element; the last one counts.
+    """Command interface of each joint, and its element; the last definition of a joint applies.
 
-    Of several interfaces the first counts, except for wheels: velocity.
+    Of several interfaces, the first applies, or velocity for wheels.
     """
     wheels = {joint.name for joint in robot.model.joints if joint.kind == "continuous"}
     for element, transmission in driven_joints(robot.model.transmissions):
         name = element.get("name") or ""
         interface = element.child("hardwareInterface")
         text = (interface.text if interface else "").lower()
-        kind = next((one for one in ("position", "velocity") if one in text), "effort")
+        kind = next((name for name in ("position", "velocity") if name in text), "effort")
         yield name, (kind, interface or transmission)
     for component in components(robot.model):
         for part in component.joints:
-            offered = [one for one in part.of("command") if one.name in _KINDS]
+            offered = [command for command in part.of("command") if command.name in _KINDS]
             if part.name in wheels:
-                offered.sort(key=lambda one: one.name != "velocity")
-            for one in offered[:1]:
-                yield part.name, (one.name, one.at)
+                offered.sort(key=lambda command: command.name != "velocity")
+            for command in offered[:1]:
+                yield part.name, (command.name, command.at)

@@ -101,29 +101,29 @@ class Geoms:
             if shape is None or shape.kind not in KINDS:
                 continue
             size = _size(shape)
-            is_visual = any(geometry is one for one in link.visuals)
+            is_visual = any(geometry is visual for visual in link.visuals)
             if size is None:
-                what = f"<{shape.kind}> of link '{link.name}' has no size that is over 0"
+                note = f"<{shape.kind}> of link '{link.name}' has no size above 0"
                 if not is_visual:
-                    raise UrdfkitError(f"{shape.at.span}: {what}; give it one, or remove it")
-                self._losses.lose(geometry.at, what)
+                    raise UrdfkitError(f"{shape.at.span}: {note}; give it a size, or remove it")
+                self._losses.lose(geometry.at, note)
                 continue
             if is_visual and has_few_vertices(self._robot, shape):
-                what = f"MuJoCo reads no mesh with fewer than {_LEAST_VERTICES} vertices"
-                self._losses.lose(geometry.at, what)
+                note = f"MuJoCo rejects meshes with fewer than {_LEAST_VERTICES} vertices"
+                self._losses.lose(geometry.at, note)
                 continue
             place = frame @ geometry.origin
-            what = "visual geom" if is_visual else "collision geom"
-            self._losses.keep(geometry.at, what)
+            note = "visual geom" if is_visual else "collision geom"
+            self._losses.keep(geometry.at, note)
             for tag in ("origin", "geometry"):
-                self._losses.keep(geometry.at.child(tag), what)
-            self._losses.keep(shape.at, what)
+                self._losses.keep(geometry.at.child(tag), note)
+            self._losses.keep(shape.at, note)
             before = len(body.geoms)
             if is_visual:
                 self._visual(body, place, link, geometry, Piece(shape.kind, size))
             else:
                 pieces = self._collided(geometry, shape, size)
-                colliding += [self._placed(body, place, one, COLLISION_GROUP) for one in pieces]
+                colliding += [self._placed(body, place, piece, COLLISION_GROUP) for piece in pieces]
             self.shapes[id(geometry.at)] = body.geoms[before:]
             self._name(geometry, body.geoms[before:])
         return colliding
@@ -139,7 +139,7 @@ class Geoms:
 
     def _placed(self, body: Any, frame: Transform, piece: Piece, group: int) -> Any:
         place = frame @ piece.frame
-        made = body.add_geom(
+        geom = body.add_geom(
             type=KINDS[piece.kind],
             pos=place.position,
             quat=quaternion(place.rotation),
@@ -147,8 +147,8 @@ class Geoms:
             group=group,
         )
         if piece.mesh:
-            made.meshname = piece.mesh
-        return made
+            geom.meshname = piece.mesh
+        return geom
 
     def _visual(
         self, body: Any, frame: Transform, link: Link, geometry: Body, piece: Piece
@@ -161,12 +161,12 @@ class Geoms:
             if len(surfaces) > 1:
                 note = f"visual geom for each of its {len(surfaces)} materials"
                 self._losses.keep(geometry.shape.at, note)
-        for one, material, has_uv in surfaces:
-            made = self._placed(body, frame, one, VISUAL_GROUP)
-            made.contype = made.conaffinity = 0
-            self._paint(made, material, has_uv=has_uv)
-        has_uv = all(one[2] for one in surfaces)
-        self._tell_material(link, geometry, surfaces[0][1], has_uv=has_uv)
+        for surface_piece, material, has_uv in surfaces:
+            geom = self._placed(body, frame, surface_piece, VISUAL_GROUP)
+            geom.contype = geom.conaffinity = 0
+            self._paint(geom, material, has_uv=has_uv)
+        has_uv = all(surface[2] for surface in surfaces)
+        self._record_material(link, geometry, surfaces[0][1], has_uv=has_uv)
 
     def _surfaces(
         self, link: Link, geometry: Body, shape: Shape
@@ -182,27 +182,27 @@ class Geoms:
                 groups.setdefault(material, []).append(part)
         _join_small(groups)
         if loaded is None or not groups:
-            own = self._materials.of(link.name, "visual", geometry, None)
-            groups = {own: []}
+            default_material = self._materials.of(link.name, "visual", geometry, None)
+            groups = {default_material: []}
         for number, (material, parts) in enumerate(groups.items(), 1):
             has_uv = bool(parts) and all(part.uv is not None for part in parts)
             path = file
             if len(groups) > 1 or (material.texture and has_uv and not file.endswith(".obj")):
                 assert loaded is not None
                 plain = [part._replace(material=None, colors=None) for part in parts]
-                made = loaded._replace(parts=tuple(plain))
-                path = self._write(file, f"material_{number}.obj", made)
+                part_mesh = loaded._replace(parts=tuple(plain))
+                path = self._write(file, f"material_{number}.obj", part_mesh)
             mesh = self._mesh(path, shape, shape.scale, is_visual=True)
             yield Piece("mesh", _NO_SIZE, mesh=mesh), material, has_uv
 
-    def _paint(self, made: Any, material: SurfaceMaterial, *, has_uv: bool) -> None:
+    def _paint(self, geom: Any, material: SurfaceMaterial, *, has_uv: bool) -> None:
         name = self._textures.material(material) if has_uv else ""
         if name:
-            made.material = name
+            geom.material = name
         elif material != PLAIN:
-            made.rgba = material.rgba
+            geom.rgba = material.rgba
 
-    def _tell_material(
+    def _record_material(
         self, link: Link, geometry: Body, used: SurfaceMaterial, *, has_uv: bool
     ) -> None:
         """Record the material of a visual, or of its link in Gazebo."""
@@ -216,18 +216,18 @@ class Geoms:
                 keep(block.child("material"), "rgba of the geom")
             return
         if geometry.material and geometry.material.at is not material.at:
-            why = "the first material of this name is another one"
-            self._losses.lose(geometry.material.at.child("color"), why)
-            self._losses.lose(geometry.material.at.child("texture"), why)
+            reason = "another material with this name is defined first"
+            self._losses.lose(geometry.material.at.child("color"), reason)
+            self._losses.lose(geometry.material.at.child("texture"), reason)
         owners = [material, *([geometry.material] if geometry.material else [])]
         if material.rgba:
             for owner in owners:
                 keep(owner.at, "rgba of the geom")
             keep(material.at.child("color"), "rgba of the geom")
         if material.texture is not None:
-            self._tell_texture(material.at.child("texture"), owners, used, has_uv=has_uv)
+            self._record_texture(material.at.child("texture"), owners, used, has_uv=has_uv)
 
-    def _tell_texture(
+    def _record_texture(
         self,
         texture: Element | None,
         owners: Iterable[Material],
@@ -235,11 +235,11 @@ class Geoms:
         *,
         has_uv: bool,
     ) -> None:
-        why = "" if has_uv else "the shape has no texture coordinates"
-        why = why or ("" if used.texture else "the image is not there")
-        why = why or self._textures.reason(used)
-        if why:
-            self._losses.lose(texture, why)
+        reason = "" if has_uv else "the shape has no texture coordinates"
+        reason = reason or ("" if used.texture else "the image does not exist")
+        reason = reason or self._textures.reason(used)
+        if reason:
+            self._losses.lose(texture, reason)
             return
         for owner in owners:
             self._losses.keep(owner.at, "material")
@@ -261,7 +261,7 @@ class Geoms:
                 return pieces
         plate = self._plate(geometry, shape, file)
         if plate:
-            note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, since it is flat"
+            note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, as the mesh is flat"
             self.simpler.add(id(geometry.at))
             self._losses.approximate(shape.at, note)
             return (plate,)
@@ -307,12 +307,12 @@ class Geoms:
         """Write a new mesh file for a mesh; returns its path."""
         stem, suffix = os.path.splitext(name)
         directory = os.path.dirname(file)
-        called = self._stems.take(f"{_stem(file)}_{stem}") + suffix
-        folder = os.path.join(self._directory, directory)
-        atomic.make_directory(folder)
-        for one, data in encode(mesh, called).items():
-            atomic.write(os.path.join(folder, one), data, durable=False)
-        return f"{directory}/{called}" if directory else called
+        file_name = self._stems.take(f"{_stem(file)}_{stem}") + suffix
+        target_directory = os.path.join(self._directory, directory)
+        atomic.make_directory(target_directory)
+        for encoded_name, data in encode(mesh, file_name).items():
+            atomic.write(os.path.join(target_directory, encoded_name), data, durable=False)
+        return f"{directory}/{file_name}" if directory else file_name
 
     def _mesh(
         self, file: str, shape: Shape, scale: Vector = (1.0, 1.0, 1.0), *, is_visual: bool
@@ -322,9 +322,9 @@ class Geoms:
         if key not in self._meshes:
             self._meshes[key] = name = self._mesh_names.take(_stem(file))
             self.places[name] = shape.at.span
-            made = self._spec.add_mesh(name=name, file=file, scale=scale)
-            if is_visual:  # which may be flat
-                made.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+            mesh = self._spec.add_mesh(name=name, file=file, scale=scale)
+            if is_visual:  # it may be flat
+                mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
         return self._meshes[key]
 
 
@@ -353,7 +353,7 @@ def has_few_vertices(robot: Context, shape: Shape) -> bool:
 
 def _count_vertices(parts: Iterable[MeshPart]) -> int:
     """Number of distinct vertices."""
-    corners = np.concatenate([one.vertices[one.faces].reshape(-1, 3) for one in parts])
+    corners = np.concatenate([part.vertices[part.faces].reshape(-1, 3) for part in parts])
     return len(np.unique(corners, axis=0))
 
 
@@ -365,5 +365,5 @@ def _size(shape: Shape) -> tuple[float, ...] | None:
         written: tuple[float | None, ...] = shape.size or (None,)
     else:
         written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
-    sizes = [one for one in written if one is not None and one > 0]
+    sizes = [size for size in written if size is not None and size > 0]
     return halved(shape.kind, sizes) if len(sizes) == len(written) else None

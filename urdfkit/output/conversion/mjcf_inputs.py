@@ -15,20 +15,20 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.text.document import Element
 
-_MASSES = "it changes masses, and the conversion writes those of the robot"
+_MASSES = "the conversion writes the masses of the robot"
 _FILES = "the conversion finds and copies the files"
 #: Why attributes of ``<compiler>`` are lost: they apply to MuJoCo's URDF parser.
 _COMPILER = {
     **dict.fromkeys(("balanceinertia", "boundinertia", "boundmass", "inertiafromgeom"), _MASSES),
     **dict.fromkeys(("inertiagrouprange", "settotalmass"), _MASSES),
     **dict.fromkeys(("assetdir", "meshdir", "strippath", "texturedir"), _FILES),
-    "fusestatic": "--fixed keep or merge decides",
+    "fusestatic": "replaced by the option --fixed",
     "discardvisual": "visuals become geoms that do not collide",
 }
 _MERGED = "mujoco_ros2_control merges it into the MJCF; urdfkit does not"
 
 
-def add_options(made: MjcfRobot, robot: Context) -> None:
+def add_options(mjcf: MjcfRobot, robot: Context) -> None:
     """Apply options and memory sizes of the URDF, and record other settings.
 
     Raises:
@@ -37,24 +37,24 @@ def add_options(made: MjcfRobot, robot: Context) -> None:
     root = robot.document.root
     for element, spec in _read(robot):
         if element.tag == "option":
-            made.spec.option = spec.option
+            mjcf.spec.option = spec.option
         elif "memory" in element.attributes:
-            made.spec.memory = spec.memory
-        _keep(made.losses, element)
+            mjcf.spec.memory = spec.memory
+        _keep(mjcf.losses, element)
     block = root.child("mujoco")
     compiler = block.child("compiler") if block else None
     for name, attribute in compiler.attributes.items() if compiler else ():
         if name in _COMPILER:
-            made.losses.lose(attribute, _COMPILER[name])
+            mjcf.losses.lose(attribute, _COMPILER[name])
     inputs = root.child("mujoco_inputs")
     raw = inputs.child("raw_inputs") if inputs else None
     for child in (*(inputs.children if inputs else ()), *(raw.children if raw else ())):
         if child.tag not in ("raw_inputs", "option"):
-            made.losses.lose(child, _MERGED)
+            mjcf.losses.lose(child, _MERGED)
 
 
 def _keep(losses: LossTable, element: Element) -> None:
-    """Record an ``<option>`` or ``<size>`` and the blocks around it."""
+    """Record an ``<option>`` or ``<size>`` and its ancestors."""
     for part in element.walk():
         losses.keep(part, element.tag)
         for attribute in part.attributes.values():
@@ -62,7 +62,7 @@ def _keep(losses: LossTable, element: Element) -> None:
                 losses.keep(attribute, element.tag)
     block = element.parent
     while block is not None and block.tag != "robot":
-        losses.approximate(block, "its options and memory alone")
+        losses.approximate(block, "only options and memory")
         block = block.parent
 
 
@@ -79,14 +79,14 @@ def _read(robot: Context) -> Iterator[tuple[Element, Any]]:
     """Elements with options or sizes, each with a specification with all options so far."""
     root = robot.document.root
     inputs = root.child("mujoco_inputs")
-    before = ""
+    settings = ""
     for block in (root.child("mujoco"), inputs.child("raw_inputs") if inputs else None):
         for element in block.children if block else ():
             if element.tag not in ("option", "size"):
                 continue
-            before += tostring(copied(element), encoding="unicode")
+            settings += tostring(copied(element), encoding="unicode")
             try:
-                yield element, mujoco.MjSpec.from_string(f"<mujoco>{before}</mujoco>")
+                yield element, mujoco.MjSpec.from_string(f"<mujoco>{settings}</mujoco>")
             except ValueError as error:
                 message = " ".join(str(error).partition("\n")[0].split())
                 raise UrdfkitError(

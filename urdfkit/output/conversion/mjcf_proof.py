@@ -66,10 +66,11 @@ class MjcfProof(Record):
 
     @property
     def agreed(self) -> str:
-        what = "frames, inertia, mass matrix and gravity torques"
+        quantities = "frames, inertia, mass matrix and gravity torques"
         reader = "" if self.reader == self.engine else f", of the URDF as {self.reader} reads it"
         return (
-            f"MuJoCo and {self.engine} agree on {what}{reader}; joints and shapes are the robot's"
+            f"MuJoCo and {self.engine} agree on {quantities}{reader}; joints and shapes match the "
+            "robot"
         )
 
     @property
@@ -95,24 +96,24 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
     moving = sum(joint.kind != "fixed" for joint in robot.model.joints)
     if moving > MAX_OWN:
         raise UrdfkitError(
-            f"{robot.model.place()}: {moving} joints move; MJCF is proved for up to {MAX_OWN}; "
+            f"{robot.model.place()}: {moving} joints move; MJCF is verified for up to {MAX_OWN}; "
             "split the robot, or fix some of them"
         )
     is_large = moving > MAX_JOINTS
     poses = _Poses(_without_options(model, robot), robot, is_large=is_large)
     data, placed = poses.at({})
-    shaped = max(shapes(data, robot, placed, written), default=(0.0, ""))
-    heavy = max(inertias(model, robot, poses.reading), default=(0.0, ""))
-    far, coupled, matrix, gravity = poses.compare()
-    joint = max((coupled, ""), *joints(model, robot))
-    measured = ((far, LENGTH), (heavy, PART), (joint, PART), (shaped, SHAPE))
+    shape = max(shapes(data, robot, placed, written), default=(0.0, ""))
+    inertia = max(inertias(model, robot, poses.reading), default=(0.0, ""))
+    frame, mimic, matrix, gravity = poses.compare()
+    joint = max((mimic, ""), *joints(model, robot))
+    measured = ((frame, LENGTH), (inertia, PART), (joint, PART), (shape, SHAPE))
     return MjcfProof(
-        far[0],
-        heavy[0],
+        frame[0],
+        inertia[0],
         matrix,
         gravity,
         joint[0],
-        shaped[0],
+        shape[0],
         max((1.0, ""), *((most / bound, name) for (most, name), bound in measured))[1],
         "urdfkit" if is_large else "Pinocchio",
         "Pinocchio" if poses.reading else "urdfkit",
@@ -158,14 +159,14 @@ class _Poses:
             Difference of a frame, with its link; of mimic joints from their leaders; of the mass
             matrix; of the gravity torques.
         """
-        far, coupled, matrix, gravity = (0.0, ""), 0.0, 0.0, 0.0
+        frame, mimic, matrix, gravity = (0.0, ""), 0.0, 0.0, 0.0
         dynamics, coordinates = self._dynamics, self._coordinates
         weight = 9.81 * float(self._model.body_mass.sum())
         named = self._robot.model.joints_by_name
         moving = (named[name] for name in dynamics.columns if name in named)
         for number, pose in enumerate(random_poses(moving, POSES)):
             data, placed = self.at(pose)
-            far, coupled = max(far, _placed(data, placed)), max(coupled, residual(data))
+            frame, mimic = max(frame, _placed(data, placed)), max(mimic, residual(data))
             if number < DYNAMIC_POSES:
                 ours = coordinates.compared(dynamics.mass_matrix(pose))
                 matrix = max(matrix, relative(ours, coordinates.mass_matrix(data)))
@@ -174,7 +175,7 @@ class _Poses:
                     coordinates.gravity(data),
                 )
                 gravity = max(gravity, relative(ours, theirs, max(LEAST, LEVER * weight)))
-        return far, coupled, matrix, gravity
+        return frame, mimic, matrix, gravity
 
 
 class _Coordinates:
@@ -207,9 +208,9 @@ class _Coordinates:
 
     def mass_matrix(self, data: Any) -> Floats:
         """MuJoCo's mass matrix in Pinocchio's coordinates, (n, n)."""
-        whole = np.zeros((self._model.nv, self._model.nv))
-        mujoco.mj_fullM(self._model, data, whole)
-        matrix: Floats = self._columns.T @ whole @ self._columns
+        full_matrix = np.zeros((self._model.nv, self._model.nv))
+        mujoco.mj_fullM(self._model, data, full_matrix)
+        matrix: Floats = self._columns.T @ full_matrix @ self._columns
         return matrix
 
     def gravity(self, data: Any) -> Floats:

@@ -44,7 +44,7 @@ class MjcfRobot:
         is_free: True if the root floats, False if it is welded to the world.
 
     Raises:
-        UrdfkitError: a joint or a shape has no meaning.
+        UrdfkitError: a joint or a shape is invalid.
     """
 
     def __init__(
@@ -116,16 +116,16 @@ class MjcfRobot:
         self.bodies[parent].add_site(
             name=self.devices.take(link.name), pos=frame.position, quat=quaternion(frame.rotation)
         )
-        what = f"merged into body '{self.bodies[parent].name}'"
-        self.losses.keep(joint.at, what)
+        note = f"merged into body '{self.bodies[parent].name}'"
+        self.losses.keep(joint.at, note)
         for tag in ("origin", "parent", "child"):
-            self.losses.keep(joint.at.child(tag), what)
+            self.losses.keep(joint.at.child(tag), note)
 
     def _body(self, link: Link, joint: Joint | None) -> Any:
         parent, frame = self.spec.worldbody, Transform()
         if joint is not None:
-            above = joint.parent_name
-            parent, frame = self.bodies[above], self.frames[above] @ joint.origin
+            parent_name = joint.parent_name
+            parent, frame = self.bodies[parent_name], self.frames[parent_name] @ joint.origin
         body = parent.add_body(name=link.name, pos=frame.position, quat=quaternion(frame.rotation))
         if joint is not None:
             self._joint(body, joint)
@@ -136,13 +136,13 @@ class MjcfRobot:
         at, what = joint.at, f"joint '{joint.name}'"
         keep(at, what if joint.kind != "fixed" else "body without a joint")
         for tag in ("origin", "parent", "child"):
-            keep(at.child(tag), "place of the body")
+            keep(at.child(tag), "pose of the body")
         if joint.kind in ONE_WAY:
             kind = _SLIDE if joint.kind == "prismatic" else _HINGE
-            made = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
+            mj_joint = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
-            self._limits(made, joint)
-            self._damping(made, joint)
+            self._limits(mj_joint, joint)
+            self._damping(mj_joint, joint)
         elif joint.kind == "floating":
             motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
             self._several(body, joint, motions)
@@ -152,7 +152,7 @@ class MjcfRobot:
             motions = ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
             self._several(body, joint, motions)
             keep(at.child("axis"), "axes")
-            why = "a planar joint has three motions, and URDF does not say which is meant"
+            why = "a planar joint has three motions, and URDF does not define which one this limits"
             self._lose(joint, ("limit", "dynamics"), why)
         else:
             self._lose(joint, ("axis", "limit", "dynamics", "mimic"), "a fixed joint does not move")
@@ -163,34 +163,34 @@ class MjcfRobot:
 
     def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
         """Add several MuJoCo joints for a joint with several coordinates."""
-        for at, (kind, axis) in enumerate(motions):
-            made = body.add_joint(name=self._joint_names.take(f"{joint.name}[{at}]"), type=kind)
+        for n, (kind, axis) in enumerate(motions):
+            mj_joint = body.add_joint(name=self._joint_names.take(f"{joint.name}[{n}]"), type=kind)
             if axis is not None:
-                made.axis = axis
+                mj_joint.axis = axis
 
-    def _limits(self, made: Any, joint: Joint) -> None:
+    def _limits(self, mj_joint: Any, joint: Joint) -> None:
         limit = joint.limit
         if limit is None:
             return
         attributes = limit.at.attributes
         self.losses.keep(limit.at, "range")
-        lower, upper = (one.value if one else 0.0 for one in (limit.lower, limit.upper))
+        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
         if joint.kind == "continuous":
             reason = "a continuous joint has no range"
             self.losses.lose(attributes.get("lower"), reason)
             self.losses.lose(attributes.get("upper"), reason)
         else:
-            made.limited, made.range = True, (lower, max(upper, lower + NARROWEST))
+            mj_joint.limited, mj_joint.range = True, (lower, max(upper, lower + NARROWEST))
             if lower == upper:
                 self.losses.approximate(limit.at, f"range of {NARROWEST:g}")
-        if most := effort(joint):
-            made.actfrclimited, made.actfrcrange = True, (-most, most)
+        if bound := effort(joint):
+            mj_joint.actfrclimited, mj_joint.actfrcrange = True, (-bound, bound)
             self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
         else:
-            self.losses.lose(attributes.get("effort"), "an effort that is not over 0 is no limit")
+            self.losses.lose(attributes.get("effort"), "an effort of 0 or less is not a limit")
         self.losses.lose(attributes.get("velocity"), "MuJoCo does not limit velocities")
 
-    def _damping(self, made: Any, joint: Joint) -> None:
+    def _damping(self, mj_joint: Any, joint: Joint) -> None:
         dynamics = joint.at.child("dynamics")
         if dynamics is None:
             return
@@ -200,10 +200,10 @@ class MjcfRobot:
             value = number(attribute.value) if attribute else None
             if value is not None and value >= 0:
                 # MuJoCo's damping has three coefficients; the first one is URDF's.
-                setattr(made, field, (value, 0.0, 0.0) if field == "damping" else value)
+                setattr(mj_joint, field, (value, 0.0, 0.0) if field == "damping" else value)
                 self.losses.keep(attribute, field)
             else:
-                self.losses.lose(attribute, f"a {name} must be a number from 0 on")
+                self.losses.lose(attribute, f"a {name} must be a number of at least 0")
 
     def _fill(self, link: Link) -> None:
         """Add the contents of a link to its body."""
@@ -250,14 +250,14 @@ class MjcfRobot:
             if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
                 self._lose_mimic(joint, leader)
                 continue
-            made = self.spec.add_equality(
+            equality = self.spec.add_equality(
                 name=f"{joint.name}_mimic",
                 type=mujoco.mjtEq.mjEQ_JOINT,
                 objtype=mujoco.mjtObj.mjOBJ_JOINT,
                 name1=joint.name,
                 name2=leader,
             )
-            made.data[:5] = (shift, factor, 0.0, 0.0, 0.0)
+            equality.data[:5] = (shift, factor, 0.0, 0.0, 0.0)
             self.losses.keep(mimic.at, "equality")
 
     def _lose_mimic(self, joint: Joint, leader: str) -> None:
@@ -265,21 +265,21 @@ class MjcfRobot:
         if joint.kind == "fixed":
             return
         if joint.kind not in ONE_WAY:
-            why = f"a {joint.kind} joint follows no other joint"
+            why = f"a {joint.kind} joint cannot follow another joint"
         elif leader:
             kind = self._tree.model.joints_by_name[leader].kind
-            why = f"'{leader}' is a {kind} joint, which none can follow"
+            why = f"'{leader}' is a {kind} joint, which cannot lead a mimic joint"
         else:
-            why = "it leads to no joint that moves by itself"
+            why = "no independent joint leads it"
         free = " and has no actuator" if joint.kind in ONE_WAY else ""
         self.losses.lose(joint.at.child("mimic"), f"{why}: the joint moves freely{free}")
 
 
 def merged(robot: Context) -> frozenset[str]:
     """Names of fixed joints whose links can be merged; a force-torque sensor needs a body."""
-    measured = {one.reference for one in sensors(robot.model) if one.type == "force_torque"}
+    joints = {sensor.reference for sensor in sensors(robot.model) if sensor.type == "force_torque"}
     fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
-    return frozenset(fixed - measured)
+    return frozenset(fixed - joints)
 
 
 def _inertials(
@@ -293,20 +293,20 @@ def _inertials(
     fixed = {joint.name for joint in tree.model.joints if joint.kind == "fixed"}
     for group in rigid_bodies(tree, frozenset(fixed - merged_joints if merged_joints else ())):
         own = {link.name: properties_of(link, Transform()) for link, _ in group.links}
-        sound = {name for name, one in own.items() if _is_physical(one.tensor)}
+        sound = {name for name, properties in own.items() if _is_physical(properties.tensor)}
         top = group.top.name
-        kept = sound - {top} if top in sound and not merged_joints else set()
-        summed = _summed(group, kept)
-        if kept and not _is_physical(summed.tensor):  # the sum of the other links is invalid
-            kept, summed = set(), _summed(group, set())
+        separate = sound - {top} if top in sound and not merged_joints else set()
+        summed = _summed(group, separate)
+        if separate and not _is_physical(summed.tensor):  # the sum of the other links is invalid
+            separate, summed = set(), _summed(group, set())
         yield top, summed
-        for name in kept:
+        for name in separate:
             yield name, own[name]
 
 
-def _summed(group: RigidBody, apart: Container[str]) -> MassProperties:
+def _summed(group: RigidBody, excluded: Container[str]) -> MassProperties:
     """The inertia of a body without some of its links, in the frame of the topmost link."""
-    parts = [properties_of(link, frame) for link, frame in group.links if link.name not in apart]
+    parts = [properties_of(link, frame) for link, frame in group.links if link.name not in excluded]
     return combined(parts) if len(parts) > 1 else parts[0]
 
 

@@ -37,36 +37,36 @@ _IMU = (
 _FORCE_TORQUE = (("force", _SENSOR.mjSENS_FORCE), ("torque", _SENSOR.mjSENS_TORQUE))
 
 
-def add_sensors(made: MjcfRobot, robot: Context) -> None:
+def add_sensors(mjcf: MjcfRobot, robot: Context) -> None:
     """Add the sensors of Gazebo's tags to a robot."""
     for sensor in sensors(robot.model):
-        _add(made, robot, sensor)
+        _add(mjcf, robot, sensor)
 
 
-def _add(made: MjcfRobot, robot: Context, sensor: Sensor) -> None:
+def _add(mjcf: MjcfRobot, robot: Context, sensor: Sensor) -> None:
     joint = robot.model.joints_by_name.get(sensor.reference)
     is_wrench = sensor.type == "force_torque" and joint is not None
     is_known = is_wrench or sensor.type in (*_IMUS, *_CAMERAS) or bool(sensor.lidar)
     link = joint.child_name if is_wrench and joint else sensor.reference
-    body = made.bodies.get(link)
+    body = mjcf.bodies.get(link)
     if body is None or not is_known:
-        made.losses.lose(sensor.at, f"urdfkit writes no sensor of MuJoCo for '{sensor.type}'")
+        mjcf.losses.lose(sensor.at, f"no MuJoCo sensor for type '{sensor.type}'")
         return
-    frame, pose = made.frames[link], _pose(made, robot, sensor.at, link)
+    frame, pose = mjcf.frames[link], _pose(mjcf, robot, sensor.at, link)
     if is_wrench and joint is not None:
-        _wrench(made, robot, sensor, joint, frame @ pose)
+        _wrench(mjcf, robot, sensor, joint, frame @ pose)
     elif sensor.type in _IMUS:
-        _measured(made, sensor, body, frame @ pose, _IMU)
+        _measured(mjcf, sensor, body, frame @ pose, _IMU)
     elif sensor.type in _CAMERAS:
         camera = sensor.at.child("camera")
-        pose = pose if camera is None else _pose(made, robot, camera, link, pose)
-        _camera(made, sensor, body, frame @ pose)
+        pose = pose if camera is None else _pose(mjcf, robot, camera, link, pose)
+        _camera(mjcf, sensor, body, frame @ pose)
     else:
-        _lidar(made, sensor, body, frame @ pose)
+        _lidar(mjcf, sensor, body, frame @ pose)
 
 
 def _pose(
-    made: MjcfRobot,
+    mjcf: MjcfRobot,
     robot: Context,
     parent: Element,
     link: str,
@@ -82,112 +82,112 @@ def _pose(
     try:
         inner = pose_in(parent, link, robot.tree)
     except UnreadablePose as error:
-        made.losses.lose(pose, f"{error}; MJCF has none")
+        mjcf.losses.lose(pose, f"{error}; the MJCF has no pose")
         return outer or Transform()
-    made.losses.keep(pose, "pose")
+    mjcf.losses.keep(pose, "pose")
     is_in_outer = pose is None or not pose.get("relative_to")
     return outer @ inner if outer and is_in_outer else inner
 
 
-def _wrench(made: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: Transform) -> None:
+def _wrench(mjcf: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: Transform) -> None:
     """Force and torque that the parent of a joint applies to its child, at the sensor.
 
     Gazebo reports them in the axes of the child or, according to ``<frame>``, of the parent or
     sensor.
     """
-    keep, settings = made.losses.keep, sensor.at.child("force_torque")
+    keep, settings = mjcf.losses.keep, sensor.at.child("force_torque")
     frame = settings.child("frame") if settings else None
     axes = frame.text.strip() if frame else "child"
     rotation = at.rotation
     if axes != "sensor":
-        rotation = made.frames[joint.child_name].rotation
+        rotation = mjcf.frames[joint.child_name].rotation
     if axes == "parent":
         rotation = multiply(rotation, joint.origin.inverse.rotation)
     site = Transform(rotation, at.position)
-    _measured(made, sensor, made.bodies[joint.child_name], site, _FORCE_TORQUE)
+    _measured(mjcf, sensor, mjcf.bodies[joint.child_name], site, _FORCE_TORQUE)
     keep(settings, "sensors")
     keep(frame, "axes of the site")
     if axes == "parent" and joint.kind != "fixed":
-        made.losses.approximate(frame, "axes that the parent has while the joint is at zero")
+        mjcf.losses.approximate(frame, "axes of the parent with the joint at zero")
     direction = settings.child("measure_direction") if settings else None
     if direction is not None and direction.text.strip() == "parent_to_child":
         keep(direction, "sensors")
     else:
-        note = "MuJoCo measures what the parent applies to the child: the signs are opposite"
-        made.losses.approximate(sensor.at if direction is None else direction, note)
+        note = "MuJoCo measures the load from parent to child: the signs are opposite"
+        mjcf.losses.approximate(sensor.at if direction is None else direction, note)
 
 
 def _measured(
-    made: MjcfRobot, sensor: Sensor, body: Any, at: Transform, kinds: tuple[tuple[str, Any], ...]
+    mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform, kinds: tuple[tuple[str, Any], ...]
 ) -> None:
     """Add a site for a sensor, and MuJoCo's sensors there."""
-    name = made.devices.take(sensor.name or sensor.reference)
+    name = mjcf.devices.take(sensor.name or sensor.reference)
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
-    for what, kind in kinds:
-        made.spec.add_sensor(
-            name=made.devices.take(f"{name}_{what}"),
+    for quantity, kind in kinds:
+        mjcf.spec.add_sensor(
+            name=mjcf.devices.take(f"{name}_{quantity}"),
             type=kind,
             objtype=_OBJECT.mjOBJ_SITE,
             objname=name,
         )
-    made.losses.keep(sensor.at, "site and sensors")
-    made.losses.keep(sensor.at.parent, "body")
+    mjcf.losses.keep(sensor.at, "site and sensors")
+    mjcf.losses.keep(sensor.at.parent, "body")
 
 
-def _camera(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
-    wide = sensor.number("camera/horizontal_fov")
+def _camera(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
+    fov = sensor.number("camera/horizontal_fov")
     width, height = sensor.number("camera/image/width"), sensor.number("camera/image/height")
     camera = body.add_camera(
-        name=made.devices.take(sensor.name or sensor.reference),
+        name=mjcf.devices.take(sensor.name or sensor.reference),
         pos=at.position,
         quat=quaternion(multiply(at.rotation, _CAMERA)),
     )
-    made.losses.keep(sensor.at, "camera")
-    made.losses.keep(sensor.at.parent, "body")
-    made.losses.keep(sensor.at.child("camera"), "camera")
+    mjcf.losses.keep(sensor.at, "camera")
+    mjcf.losses.keep(sensor.at.parent, "body")
+    mjcf.losses.keep(sensor.at.child("camera"), "camera")
     if not width or not height:
-        why = "MuJoCo has the vertical angle, which needs <width> and <height> of <image>"
-        made.losses.lose(wide.at if wide else None, why)
-    if wide and width and height and width.value > 0 and height.value > 0:
-        camera.fovy = degrees(2 * atan(tan(wide.value / 2) * height.value / width.value))
+        why = "MuJoCo's vertical angle requires <width> and <height> in <image>"
+        mjcf.losses.lose(fov.at if fov else None, why)
+    if fov and width and height and width.value > 0 and height.value > 0:
+        camera.fovy = degrees(2 * atan(tan(fov.value / 2) * height.value / width.value))
         camera.resolution = (round(width.value), round(height.value))
-        made.losses.keep(sensor.find("camera/image"), "resolution")
-        for placed, what in ((wide, "fovy"), (width, "resolution"), (height, "resolution")):
-            made.losses.keep(placed.at, what)
+        mjcf.losses.keep(sensor.find("camera/image"), "resolution")
+        for placed, note in ((fov, "fovy"), (width, "resolution"), (height, "resolution")):
+            mjcf.losses.keep(placed.at, note)
 
 
-def _lidar(made: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
+def _lidar(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
     """Add a rangefinder per ray, along z of a site; rows from below, each row from the right."""
     scan = f"{sensor.lidar}/scan"
     rows = _angles(sensor, f"{scan}/vertical", MAX_ROWS)
     columns = _angles(sensor, f"{scan}/horizontal", MAX_RAYS // len(rows))
     rays = _samples(sensor, f"{scan}/vertical") * _samples(sensor, f"{scan}/horizontal")
     farthest = sensor.number(f"{sensor.lidar}/range/max")
-    name = made.devices.take(sensor.name or sensor.reference)
+    name = mjcf.devices.take(sensor.name or sensor.reference)
     for number, (up, turn) in enumerate(product(rows, columns)):
-        along = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
-        rotation = multiply(at.rotation, transposed(basis(along)))
-        ray = made.devices.take(f"{name}_{number}")
+        direction = (cos(up) * cos(turn), cos(up) * sin(turn), sin(up))
+        rotation = multiply(at.rotation, transposed(basis(direction)))
+        ray = mjcf.devices.take(f"{name}_{number}")
         body.add_site(name=ray, pos=at.position, quat=quaternion(rotation), group=_HIDDEN)
-        rangefinder = made.spec.add_sensor(
+        rangefinder = mjcf.spec.add_sensor(
             name=ray, type=_SENSOR.mjSENS_RANGEFINDER, objtype=_OBJECT.mjOBJ_SITE, objname=ray
         )
         rangefinder.intprm[0] = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
         if farthest and 0 < farthest.value < np.inf:
             rangefinder.cutoff = farthest.value
-            made.losses.keep(sensor.find(f"{sensor.lidar}/range"), "rangefinders")
-            made.losses.keep(sensor.find(f"{sensor.lidar}/range/max"), "cutoff")
-    made.losses.keep(sensor.at.parent, "body")
-    made.losses.keep(sensor.at, "rangefinders")
+            mjcf.losses.keep(sensor.find(f"{sensor.lidar}/range"), "rangefinders")
+            mjcf.losses.keep(sensor.find(f"{sensor.lidar}/range/max"), "cutoff")
+    mjcf.losses.keep(sensor.at.parent, "body")
+    mjcf.losses.keep(sensor.at, "rangefinders")
     for path in (sensor.lidar, scan, f"{scan}/horizontal", f"{scan}/vertical"):
-        made.losses.keep(sensor.find(path), "rangefinders")
+        mjcf.losses.keep(sensor.find(path), "rangefinders")
     for axis, tag in product(("horizontal", "vertical"), ("samples", "min_angle", "max_angle")):
-        made.losses.keep(sensor.find(f"{scan}/{axis}/{tag}"), "rangefinders")
+        mjcf.losses.keep(sensor.find(f"{scan}/{axis}/{tag}"), "rangefinders")
     count = len(rows) * len(columns)
     if count < rays:
         note = f"{counted(count, 'rangefinder')} for {rays} rays"
         for axis in ("horizontal", "vertical"):
-            made.losses.approximate(sensor.find(f"{scan}/{axis}/samples"), note)
+            mjcf.losses.approximate(sensor.find(f"{scan}/{axis}/samples"), note)
 
 
 def _angles(sensor: Sensor, path: str, most: int) -> list[float]:

@@ -12,64 +12,64 @@ from urdfkit.robot.values import number
 from urdfkit.text.document import Element
 
 
-def exclude_neighbours(made: MjcfRobot, robot: Context) -> None:
+def exclude_neighbours(mjcf: MjcfRobot, robot: Context) -> None:
     """Exclude pairs of links with a joint between them.
 
     MuJoCo excludes them itself unless the parent is welded to the world.
     """
     moving = (joint for joint in robot.model.joints if joint.kind != "fixed")
-    _exclude(made, {frozenset(robot.tree.ends(joint) or ()) for joint in moving})
+    _exclude(mjcf, {frozenset(robot.tree.ends(joint) or ()) for joint in moving})
 
 
-def exclude_disabled(made: MjcfRobot, robot: Context) -> None:
+def exclude_disabled(mjcf: MjcfRobot, robot: Context) -> None:
     """Exclude pairs of links that the SRDF disables."""
-    _exclude(made, robot.srdf.disabled if robot.srdf else ())
+    _exclude(mjcf, robot.srdf.disabled if robot.srdf else ())
 
 
-def exclude_computed(made: MjcfRobot, robot: Context) -> None:
+def exclude_computed(mjcf: MjcfRobot, robot: Context) -> None:
     """Exclude pairs of links that ``urdfkit collisions --srdf`` would disable."""
     pairs = robot.collisions.matrix().pairs
-    _exclude(made, (frozenset((one.first, one.second)) for one in pairs if one.verdict.reason))
+    _exclude(mjcf, (frozenset((pair.first, pair.second)) for pair in pairs if pair.verdict.reason))
 
 
-def _exclude(made: MjcfRobot, pairs: Iterable[frozenset[str]]) -> None:
-    known = {frozenset((one.bodyname1, one.bodyname2)) for one in made.spec.excludes}
+def _exclude(mjcf: MjcfRobot, pairs: Iterable[frozenset[str]]) -> None:
+    known = {frozenset((exclude.bodyname1, exclude.bodyname2)) for exclude in mjcf.spec.excludes}
     for pair in sorted(map(sorted, set(pairs))):
-        if all(name in made.bodies for name in pair):
-            names = sorted({made.bodies[name].name for name in pair} - {"world"})
+        if all(name in mjcf.bodies for name in pair):
+            names = sorted({mjcf.bodies[name].name for name in pair} - {"world"})
             if len(names) == 2 and frozenset(names) not in known:
                 first, second = names
-                made.spec.add_exclude(name=" ".join(names), bodyname1=first, bodyname2=second)
+                mjcf.spec.add_exclude(name=" ".join(names), bodyname1=first, bodyname2=second)
                 known.add(frozenset(names))
 
 
-def add_keyframes(made: MjcfRobot, robot: Context) -> None:
+def add_keyframes(mjcf: MjcfRobot, robot: Context) -> None:
     """Add the named states of groups as keyframes; joints of other groups are at zero."""
     states = robot.srdf.states if robot.srdf else ()
     if not states:
         return
-    data = mujoco.MjData(made.spec.compile())
+    data = mujoco.MjData(mjcf.spec.compile())
     names = [state.get("name") or "" for state in states]
     taken: set[str] = set()
     for state, name in zip(states, names, strict=True):
-        called = name if names.count(name) == 1 else f"{state.get('group')} {name}"
+        full_name = name if names.count(name) == 1 else f"{state.get('group')} {name}"
         pose = _pose(state, robot)
-        if pose and called not in taken:
-            taken.add(called)
-            _keyframe(made, robot, data, called, pose)
+        if pose and full_name not in taken:
+            taken.add(full_name)
+            _keyframe(mjcf, robot, data, full_name, pose)
 
 
 def _keyframe(
-    made: MjcfRobot, robot: Context, data: Any, name: str, pose: dict[str, float]
+    mjcf: MjcfRobot, robot: Context, data: Any, name: str, pose: dict[str, float]
 ) -> None:
     """Add a keyframe, with the targets of position actuators."""
     mujoco.mj_resetData(data.model, data)
     for joint, position in positions(robot.tree, pose).items():
         data.joint(joint).qpos[0] = position
-    for actuator in made.spec.actuators:
+    for actuator in mjcf.spec.actuators:
         if actuator.biasprm[1]:
             data.actuator(actuator.name).ctrl[0] = data.joint(actuator.target).qpos[0]
-    made.spec.add_key(name=name, qpos=data.qpos, ctrl=data.ctrl)
+    mjcf.spec.add_key(name=name, qpos=data.qpos, ctrl=data.ctrl)
 
 
 def _pose(state: Element, robot: Context) -> dict[str, float]:

@@ -51,8 +51,8 @@ class Textures:
             self._spec.add_texture(name=name, type=kind, file=path)
         name = self._names[image]
         material = self._free_materials.take(name)
-        made = self._spec.add_material(name=material, rgba=surface.rgba)
-        made.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
+        spec_material = self._spec.add_material(name=material, rgba=surface.rgba)
+        spec_material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
         return material
 
 

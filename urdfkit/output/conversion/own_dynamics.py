@@ -27,9 +27,9 @@ class OwnDynamics:
     def __init__(self, tree: KinematicTree) -> None:
         self._tree = tree
         self._laws = laws(tree.model.joints_by_name)
-        moving = (one for one in tree.model.joints if one.kind in (*TURNING, *SLIDING))
-        self._moving = {one.name: one for one in moving}
-        self.columns = tuple(name for name, one in self._moving.items() if not one.mimic)
+        moving = (joint for joint in tree.model.joints if joint.kind in (*TURNING, *SLIDING))
+        self._moving = {joint.name: joint for joint in moving}
+        self.columns = tuple(name for name, joint in self._moving.items() if not joint.mimic)
         self._numbers = {name: number for number, name in enumerate(self.columns)}
         self._order = tree.below(tree.roots[0].name)
 
@@ -40,34 +40,34 @@ class OwnDynamics:
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
         """The joint-space mass matrix, the root fixed, (nv, nv)."""
         axes, inertias = self._axes(pose), self._composites(pose)
-        whole = np.zeros((len(self.columns), len(self.columns)))
+        matrix = np.zeros((len(self.columns), len(self.columns)))
         for name, axis in axes.items():
             child = self._moving[name].child_name
             force = inertias[child] @ axis
-            for above in self._tree.path(child):
-                if above.name in axes:
-                    part = float(axes[above.name] @ force)
-                    self._add(whole, name, above.name, part)
-                    if above.name != name:
-                        self._add(whole, above.name, name, part)
-        return whole
+            for ancestor in self._tree.path(child):
+                if ancestor.name in axes:
+                    entry = float(axes[ancestor.name] @ force)
+                    self._add(matrix, name, ancestor.name, entry)
+                    if ancestor.name != name:
+                        self._add(matrix, ancestor.name, name, entry)
+        return matrix
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
         """Gravity torque or force of each coordinate, (nv,)."""
         inertias = self._composites(pose)
-        whole = np.zeros(len(self.columns))
+        torques = np.zeros(len(self.columns))
         for name, axis in self._axes(pose).items():
             child, (leader, factor, _) = self._moving[name].child_name, self._laws[name]
             if leader in self._numbers:
                 torque = float(axis @ inertias[child] @ _GRAVITY)
-                whole[self._numbers[leader]] += factor * torque
-        return whole
+                torques[self._numbers[leader]] += factor * torque
+        return torques
 
-    def _add(self, whole: Floats, row: str, column: str, part: float) -> None:
+    def _add(self, matrix: Floats, row: str, column: str, entry: float) -> None:
         """Add an entry of two joints to the entry of their coordinates."""
-        (first, one, _), (second, other, _) = self._laws[row], self._laws[column]
+        (first, left, _), (second, right, _) = self._laws[row], self._laws[column]
         if first in self._numbers and second in self._numbers:
-            whole[self._numbers[first], self._numbers[second]] += one * other * part
+            matrix[self._numbers[first], self._numbers[second]] += left * right * entry
 
     def _axes(self, pose: Mapping[str, float]) -> dict[str, Floats]:
         """Spatial axis of each joint, (6,)."""

@@ -1,4 +1,4 @@
-"""Requirements of every conversion: each joint and number of the robot has a meaning."""
+"""Requirements of every conversion: each joint and number of the robot is valid."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ _NUMBERS = {
 
 
 def require_meaning(robot: Context) -> None:
-    """Raise an error at the first number or joint without a meaning.
+    """Raise an error at the first invalid number or joint.
 
     Raises:
-        UrdfkitError: links and joints do not form one tree; a joint has no meaning; a value is not
+        UrdfkitError: links and joints do not form one tree; a joint is invalid; a value is not
             a number.
     """
     if not robot.tree.is_sound:
         raise UrdfkitError(robot.tree.unsound)
     for joint in robot.model.joints:
-        for span, problem in (*_unreadable(joint.at), *_meaningless(joint)):
+        for span, problem in (*_unreadable(joint.at), *_invalid(joint)):
             raise UrdfkitError(f"{span}: joint '{joint.name}': {problem}")
     for link in robot.model.links:
         for span, problem in _unreadable(link.at):
@@ -53,8 +53,8 @@ def _unreadable(part: Element) -> Iterator[tuple[Span, str]]:
             for name in names.get(element.tag, ()):
                 attribute = element.attributes.get(name)
                 if attribute is not None and read(attribute.value) is None:
-                    what = f"{name} of <{element.tag}> is '{attribute.value}'"
-                    yield attribute.span, f"{what}; write {count}"
+                    problem = f"{name} of <{element.tag}> is '{attribute.value}'"
+                    yield attribute.span, f"{problem}; write {count}"
 
 
 def _unreadable_quaternion(element: Element) -> Iterator[tuple[Span, str]]:
@@ -64,18 +64,18 @@ def _unreadable_quaternion(element: Element) -> Iterator[tuple[Span, str]]:
     if "rpy" in element.attributes:
         yield written.span, "<origin> has both rpy and quat_xyzw; remove one of them"
     elif len(numbers(written.value) or ()) != 4:
-        what = f"quat_xyzw of <origin> is '{written.value}'"
-        yield written.span, f"{what}; write 4 finite numbers"
+        problem = f"quat_xyzw of <origin> is '{written.value}'"
+        yield written.span, f"{problem}; write 4 finite numbers"
 
 
-def _meaningless(joint: Joint) -> Iterator[tuple[Span, str]]:
+def _invalid(joint: Joint) -> Iterator[tuple[Span, str]]:
     if joint.kind not in JOINT_TYPES:
         kinds = ", ".join(JOINT_TYPES)
-        yield joint.at.span, f"its type is '{joint.kind}', not one of URDF's; take one of {kinds}"
+        yield joint.at.span, f"its type is '{joint.kind}', not a type of URDF; use one of {kinds}"
     moves = joint.kind in (*TURNING, *SLIDING, "planar")
     if moves and joint.axis is not None and not any(joint.axis.value):
-        yield joint.axis.span, "its axis 0 0 0 has no direction; write one"
+        yield joint.axis.span, "its axis is 0 0 0; write a direction"
     if moves and joint.kind != "continuous" and joint.limit is not None:
-        lower, upper = (one.value if one else 0.0 for one in (joint.limit.lower, joint.limit.upper))
+        lower, upper = (end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
         if lower > upper:
-            yield joint.limit.at.span, "its lower limit is over the upper one; swap them"
+            yield joint.limit.at.span, "its lower limit is above the upper limit; swap them"

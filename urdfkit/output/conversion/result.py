@@ -54,8 +54,8 @@ def proven(proof: Proof, robot: Context) -> Proof:
     """
     if not proof.holds:
         raise UrdfkitError(
-            f"{robot.model.place(proof.part)}: {proof.disagreed}; nothing is written: it is a bug "
-            "in the conversion, not in the robot: please report it with the file"
+            f"{robot.model.place(proof.part)}: {proof.disagreed}; nothing is written: this is a "
+            "bug in the conversion, not in the robot: please report it with the file"
         )
     return proof
 
@@ -93,7 +93,7 @@ class Conversion(Record):
             ],
         }
 
-    def alike(self, result: Result) -> Iterator[tuple[str, list[Entry]]]:
+    def grouped(self, result: Result) -> Iterator[tuple[str, list[Entry]]]:
         """Parts with a result, grouped by note, in document order.
 
         Parts inside an element with the same result are omitted.

@@ -12,6 +12,7 @@ from xml.etree.ElementTree import indent, tostring
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
+from urdfkit.lint.runner import run_rules
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
 from urdfkit.output.bundle.meshes import BundledFile
@@ -25,13 +26,20 @@ from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, record_loss
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
 from urdfkit.output.conversion.sdf_proof import prove
 from urdfkit.output.conversion.sdf_reader import Sdf
-from urdfkit.output.conversion.sdf_refusal import require
-from urdfkit.ros.gazebo.conversion import NEW, SdfConversion
-from urdfkit.text.source import Source
+from urdfkit.robot.model import Link
+from urdfkit.ros.gazebo.conversion import JOINT_TYPES, NEW, SdfConversion
+from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
+from urdfkit.text.source import Source, Span
 
 _CONSUMER = Consumer("sdf", "Gazebo", CONSUMERS["ros"].reads, ".dae")
 #: Names that Gazebo looks for in the directory of a model.
 MODEL, CONFIG = "model.sdf", "model.config"
+#: Shapes that urdfdom reads, and the attribute that each shape requires.
+_SHAPES = {"box": "size", "cylinder": "radius", "sphere": "radius", "mesh": "filename"}
+#: Greatest depth of nested elements in tinyxml2, which sdformat uses.
+_MAX_DEPTH = 500
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
@@ -39,7 +47,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
     if not robot.tree.is_sound:
         raise UrdfkitError(robot.tree.unsound)
     conversion = SdfConversion(robot.tree, NEW)
-    require(robot, conversion)
+    _require_convertible(robot, conversion)
     bundle = Bundle(robot, _CONSUMER)
     with staged((), out, force=force, mark=REPORT) as directory:
         atomic.make_directory(directory)
@@ -47,7 +55,10 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         meshes = (file for file in bundle.files() if file.path.startswith("meshes/"))
         write_files(meshes, directory)
         references = mesh_references(robot.model)
-        names = {id(one): new.new for one, new in zip(references, bundle.renamed, strict=False)}
+        names = {
+            id(reference): renamed.new
+            for reference, renamed in zip(references, bundle.renamed, strict=False)
+        }
         model = SdfModel(conversion, names)
         write_files(_files(robot, model), directory)
         sdf = Sdf(Source.read(os.path.join(directory, MODEL)))
@@ -69,7 +80,7 @@ def _files(robot: Context, model: SdfModel) -> Iterator[BundledFile]:
     set_value(config, "name", robot.model.name)
     set_value(config, "version", "1.0")
     set_value(config, "sdf", MODEL).set("version", VERSION)
-    set_value(config, "description", f"made of {os.path.basename(robot.source.path)}")
+    set_value(config, "description", f"converted from {os.path.basename(robot.source.path)}")
     yield BundledFile(CONFIG, _text(config), "")
 
 
@@ -77,3 +88,77 @@ def _text(tag: Tag) -> bytes:
     indent(tag)
     text: bytes = tostring(tag, encoding="utf-8", xml_declaration=True)
     return text + b"\n"
+
+
+def _require_convertible(robot: Context, conversion: SdfConversion) -> None:
+    """Raise an error at the first part that cannot be converted to SDF.
+
+    Raises:
+        UrdfkitError: Gazebo rejects the robot, or loses a part of it.
+    """
+    diagnostics = run_rules(robot, sorted(CODES)).diagnostics
+    for rejection in rejections(diagnostics, conversion):
+        hint = f"; see: urdfkit explain {rejection.code}" if rejection.code else ""
+        raise UrdfkitError(
+            f"{rejection.span}: {rejection.reader} rejects the robot: {rejection.message}{hint}"
+        )
+    for diagnostic in diagnostics:
+        if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
+            raise UrdfkitError(
+                f"{diagnostic.span}: {diagnostic.message}: Gazebo drops this part of the robot; "
+                f"see: urdfkit explain {diagnostic.code}"
+            )
+    for span, message in _defects(conversion):
+        raise UrdfkitError(f"{span}: {message}")
+
+
+def _defects(conversion: SdfConversion) -> Iterator[tuple[Span, str]]:
+    model = conversion.model
+    if not model.name:
+        yield model.root.span, "gz rejects the robot: it has no name; give <robot> a name"
+    nested = _too_deep(model.root)
+    if nested is not None:
+        message = f"Gazebo reads at most {_MAX_DEPTH} nested elements; remove some levels"
+        yield nested.span, message
+    for link in model.links:
+        yield from _of_link(link)
+    for simulated in conversion.links:
+        joint = simulated.body.joint
+        if joint is not None and joint.kind not in JOINT_TYPES:
+            message = f"gz rejects the robot: Gazebo does not convert {joint.kind} joints"
+            yield joint.at.span, f"{message}; use another type"
+        leader = joint.mimic.joint if joint and joint.mimic else None
+        if leader is not None and joint is not None and leader.value == joint.name:
+            yield leader.span, "gz rejects the robot: the joint mimics itself; name another joint"
+
+
+def _too_deep(root: Element) -> Element | None:
+    """The first element that is nested too deeply."""
+    stack = [(root, 1)]
+    while stack:
+        element, depth = stack.pop()
+        if depth > _MAX_DEPTH:
+            return element
+        stack += [(child, depth + 1) for child in reversed(element.children)]
+    return None
+
+
+def _of_link(link: Link) -> Iterator[tuple[Span, str]]:
+    inertial = link.inertial
+    if inertial is not None and (inertial.mass is None or inertial.tensor is None):
+        yield (
+            inertial.at.span,
+            f"link '{link.name}': <inertial> needs <mass> and <inertia>; add them",
+        )
+    for body in (*link.collisions, *link.visuals):
+        shape = body.shape
+        subject = f"<{body.at.tag}> of link '{link.name}'"
+        if shape is None:
+            yield body.at.span, f"{subject} has no shape; add one, or remove it"
+        elif shape.kind not in _SHAPES:
+            yield (
+                shape.at.span,
+                f"{subject}: Gazebo does not read <{shape.kind}> in a URDF; use a mesh",
+            )
+        elif getattr(shape, _SHAPES[shape.kind]) is None:
+            yield shape.at.span, f"{subject}: <{shape.kind}> needs {_SHAPES[shape.kind]}; add it"

@@ -102,8 +102,8 @@ class GazeboBlocks:
                     _move(tag, at, frame)
         if moved:
             self._by_name.setdefault(into, []).extend(moved)
-        for several in self._by_name.values():
-            for block in several:
+        for blocks in self._by_name.values():
+            for block in blocks:
                 for tag, _ in block.others:
                     _rename(tag, link, into, block.moved, frame)
 
@@ -125,7 +125,7 @@ class GazeboBlocks:
                     set_value(decay, part, block.settings["dampingFactor"])
             if "selfCollide" in block.settings:
                 set_value(tag, "self_collide", str(int(block.settings["selfCollide"] == "true")))
-            tag.extend(deepcopy(other) for other, _ in block.others)
+            tag.extend(deepcopy(child) for child, _ in block.others)
 
     def put_into_joint(self, tag: Tag, joint: str) -> None:
         for block in self._of(joint):
@@ -143,7 +143,7 @@ class GazeboBlocks:
                     set_value(ode, "implicit_spring_damper", block.settings[name])
                     set_value(ode, "cfm_damping", block.settings[name])
             _put(block, ode, {"fudgeFactor": "fudge_factor"})
-            tag.extend(deepcopy(other) for other, _ in block.others)
+            tag.extend(deepcopy(child) for child, _ in block.others)
 
     def put_into_collision(self, tag: Tag, link: str) -> None:
         for block in self._of(link):
@@ -189,7 +189,7 @@ def _setting(child: Element) -> str:
     """The value of a setting in the format of SDF.
 
     Raises:
-        UrdfkitError: it begins with no number where one must stand, or with one that is too large.
+        UrdfkitError: it does not begin with a required number, or the number is too large.
     """
     text = text_of(child)
     if child.tag in _TEXTS:
@@ -199,35 +199,35 @@ def _setting(child: Element) -> str:
     if child.tag in _SWITCHES:
         return "true" if is_true(child) else "false"
     is_whole = child.tag == "maxContacts"
-    read, _ = leading(text, whole=is_whole)
-    number = value(read) if read else inf
+    digits, _ = leading(text, whole=is_whole)
+    number = value(digits) if digits else inf
     is_large = (
-        abs(number) > _LARGEST_INT if is_whole else isinf(number) and "inf" not in read.lower()
+        abs(number) > _LARGEST_INT if is_whole else isinf(number) and "inf" not in digits.lower()
     )
-    if not read or is_large:
+    if not digits or is_large:
         raise UrdfkitError(
-            f"{child.span}: <{child.tag}> is no number that Gazebo reads: its converter ends; "
-            "write one"
+            f"{child.span}: <{child.tag}> is not a number that Gazebo reads: its converter fails; "
+            "write a number"
         )
     return number_text(number)
 
 
 def within(tag: Tag, *names: str) -> Tag:
-    """A tag below another one, made where it is not there."""
+    """A descendant of a tag, created if it is missing."""
     for name in names:
-        found = child_of(tag, name)
-        tag = SubElement(tag, name) if found is None else found
+        child = child_of(tag, name)
+        tag = SubElement(tag, name) if child is None else child
     return tag
 
 
-def _put(one: GazeboBlock, tag: Tag, names: dict[str, str]) -> None:
+def _put(block: GazeboBlock, tag: Tag, names: dict[str, str]) -> None:
     for name, sdf_name in names.items():
-        if one.settings.get(name):
-            set_value(tag, sdf_name, one.settings[name])
+        if block.settings.get(name):
+            set_value(tag, sdf_name, block.settings[name])
 
 
 def _put_parts(tag: Tag, parts: list[Tag], single: str) -> None:
-    """Add parts to a visual or collision; of one kind the last takes the place of those before."""
+    """Add parts to a visual or collision; a part with the tag ``single`` replaces earlier ones."""
     for part in parts:
         old = child_of(tag, single) if part.tag == single else None
         if old is not None:
@@ -236,33 +236,33 @@ def _put_parts(tag: Tag, parts: list[Tag], single: str) -> None:
 
 
 def is_read_as_rpy(pose: Element, *, is_moved: bool) -> bool:
-    """True if a pose has another format than that in which sdformat moves it with its link."""
+    """True if sdformat moves a pose with its link, but misreads its format."""
     is_other = pose.get("rotation_format") == "quat_xyzw" or pose.get("degrees") in ("true", "1")
     return is_moved and is_other and not pose.get("relative_to")
 
 
 def _move(tag: Tag, at: Element, frame: Transform) -> None:
-    """Give a sensor, light or projector its pose in the link that its own is merged into."""
+    """Set the pose of a sensor, light or projector in the link that its link is merged into."""
     pose = child_of(tag, "pose")
     values: tuple[float, ...] = (0.0,) * 6
     if pose is not None:
         if pose.get("relative_to") is not None:
             return
-        read = numbers(pose.text or "") if pose.text else values
-        if read is None or len(read) < 6:
+        parsed = numbers(pose.text or "") if pose.text else values
+        if parsed is None or len(parsed) < 6:
             raise UrdfkitError(
-                f"{at.span}: the <pose> of <{tag.tag}> has no six numbers: "
+                f"{at.span}: the <pose> of <{tag.tag}> does not have six numbers: "
                 "Gazebo cannot move it with its link; write x y z roll pitch yaw"
             )
-        values = read
+        values = parsed
         tag.remove(pose)
     x, y, z, roll, pitch, yaw = values[:6]
-    found = frame @ Transform(from_rpy(roll, pitch, yaw), (x, y, z))
-    set_value(tag, "pose", pose_text(found.position, snapped_rpy(found.rotation)))
+    moved_pose = frame @ Transform(from_rpy(roll, pitch, yaw), (x, y, z))
+    set_value(tag, "pose", pose_text(moved_pose.position, snapped_rpy(moved_pose.rotation)))
 
 
 def _rename(tag: Tag, link: str, into: str, moved: Transform, frame: Transform) -> None:
-    """Replace the name of a link that is merged in a plugin or joint."""
+    """Replace the name of a merged link in a plugin or joint."""
     if tag.tag == "joint":
         for name in ("parent", "child"):
             end = child_of(tag, name)
@@ -277,16 +277,16 @@ def _rename(tag: Tag, link: str, into: str, moved: Transform, frame: Transform) 
 
 
 def _shift(plugin: Tag, moved: Transform, frame: Transform) -> None:
-    """Give a plugin the offset of the link that it names, in the one that this is merged into."""
+    """Set the offset of a plugin's link in the link that it is merged into."""
     xyz, rpy = child_of(plugin, "xyzOffset"), child_of(plugin, "rpyOffset")
     position, rotation = moved.position, moved.rotation
     if xyz is not None:
         position = vector(_text(xyz)) or (0.0, 0.0, 0.0)
     if rpy is not None:
         rotation = from_rpy(*(vector(_text(rpy)) or (0.0, 0.0, 0.0)))
-    found = frame @ Transform(rotation, position)
-    set_value(plugin, "xyzOffset", " ".join(map(number_text, found.position)))
-    set_value(plugin, "rpyOffset", " ".join(map(number_text, snapped_rpy(found.rotation))))
+    moved_pose = frame @ Transform(rotation, position)
+    set_value(plugin, "xyzOffset", " ".join(map(number_text, moved_pose.position)))
+    set_value(plugin, "rpyOffset", " ".join(map(number_text, snapped_rpy(moved_pose.rotation))))
     set_value(plugin, "gz::corrected_offsets", "1")
 
 

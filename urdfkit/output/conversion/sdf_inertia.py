@@ -1,7 +1,7 @@
-"""The inertia of links and of what is merged into them, as sdformat computes it.
+"""The inertia of links with the links merged into them, as sdformat computes it.
 
-Source: ``ReduceInertialToParent`` in its parser_urdf.cc. It turns by angles that urdfdom computed:
-a pitch near a right angle is one then, which moves a tensor by some parts of a thousand.
+Source: ``ReduceInertialToParent`` in its parser_urdf.cc. It rotates by the angles of urdfdom, which
+rounds a pitch near 90 degrees to 90 degrees: this changes a tensor by a few thousandths.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ class _Inertia(Record):
     """The inertia of a link together with the links merged into it so far."""
 
     properties: MassProperties  # its tensor along the axes
-    axes: Rotation  # that the link's own inertial has
+    axes: Rotation  # of the link's own inertial
     at: Element
 
 
 class Inertias:
-    """Those of all links, while these are merged."""
+    """Inertias of all links; updated as links are merged."""
 
     def __init__(self, links: Iterable[Link]) -> None:
         self._by_link: dict[str, _Inertia] = {}
@@ -41,29 +41,29 @@ class Inertias:
                 self._by_link[link.name] = _Inertia(own, origin.rotation, link.inertial.at)
 
     def merge(self, link: str, into: str, frame: Transform) -> None:
-        """Add the inertia of a link to that of the one that it is merged into.
+        """Add the inertia of a link to the link that it is merged into.
 
         Args:
-            frame: of the link, in that of the other.
+            frame: of the link, in the frame of ``into``.
 
         Raises:
-            UrdfkitError: they have no mass together; sdformat divides by it.
+            UrdfkitError: their total mass is 0; sdformat divides by it.
         """
         inertia = self._by_link.get(link)
         if inertia is None:
             return
-        nothing = _Inertia(MassProperties(0.0, (0.0, 0.0, 0.0), ZERO), IDENTITY, inertia.at)
-        own = self._by_link.get(into, nothing)
+        massless = _Inertia(MassProperties(0.0, (0.0, 0.0, 0.0), ZERO), IDENTITY, inertia.at)
+        own = self._by_link.get(into, massless)
         if own.properties.mass + inertia.properties.mass == 0:
             raise UrdfkitError(
-                f"{inertia.at.span}: links '{link}' and '{into}' have no mass together: Gazebo "
-                "computes a centre of mass that is no number; leave out <inertial> or give a mass"
+                f"{inertia.at.span}: links '{link}' and '{into}' have a total mass of 0: Gazebo "
+                "cannot compute a centre of mass; remove <inertial>, or add a mass"
             )
-        moved = _turned(inertia).moved(Transform(_snapped(frame.rotation), frame.position))
-        whole = combined((_turned(own), moved))
-        tensor = rotated(whole.tensor, transposed(_snapped(own.axes)))
-        found = MassProperties(whole.mass, whole.center, tensor)
-        self._by_link[into] = _Inertia(found, own.axes, own.at)
+        moved = _along_link(inertia).moved(Transform(_snapped(frame.rotation), frame.position))
+        total = combined((_along_link(own), moved))
+        tensor = rotated(total.tensor, transposed(_snapped(own.axes)))
+        properties = MassProperties(total.mass, total.center, tensor)
+        self._by_link[into] = _Inertia(properties, own.axes, own.at)
 
     def tag(self, link: str) -> Tag:
         """The ``<inertial>`` of a link."""
@@ -77,8 +77,8 @@ class Inertias:
         return tag
 
 
-def _turned(inertia: _Inertia) -> MassProperties:
-    """Along the axes of the link."""
+def _along_link(inertia: _Inertia) -> MassProperties:
+    """Mass properties with the tensor along the axes of the link."""
     mass, center, tensor = inertia.properties
     return MassProperties(mass, center, rotated(tensor, _snapped(inertia.axes)))
 

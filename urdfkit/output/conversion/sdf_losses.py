@@ -1,4 +1,4 @@
-"""What becomes of each part of a robot in an SDF."""
+"""The result of the conversion to SDF for each part of a robot."""
 
 from urdfkit.core.spatial import Rotation, Transform, from_rpy
 from urdfkit.output.bundle import Bundle
@@ -18,14 +18,14 @@ from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.document import Attribute, Element
 
-#: Of what is not marked, by the tag.
+#: Why parts are lost: the default reason, and reasons by tag.
 OTHERWISE = "sdformat does not read it"
 REASONS = {
-    "texture": "sdformat takes the colour of a material alone",
-    "transmission": "SDF has none; controllers read it from the URDF",
-    "ros2_control": "SDF has none; controllers read it from the URDF",
-    "material": "no visual takes its colour",
-    "color": "no visual takes its colour",
+    "texture": "sdformat reads only the colour of a material",
+    "transmission": "not in SDF; controllers read it from the URDF",
+    "ros2_control": "not in SDF; controllers read it from the URDF",
+    "material": "no visual uses its colour",
+    "color": "no visual uses its colour",
 }
 
 #: Descriptions of the tags that settings and parts of a ``<gazebo>`` apply to.
@@ -51,9 +51,9 @@ def record_losses(
     _shapes(losses, conversion, model)
     for joint in conversion.model.joints:
         _joint(losses, joint, conversion)
-    for one in model.extensions.all:
-        _extension(losses, one, conversion)
-    changes = {one.path: one.change for one in bundle.contents}
+    for extension in model.extensions.all:
+        _extension(losses, extension, conversion)
+    changes = {entry.path: entry.change for entry in bundle.contents}
     references = mesh_references(conversion.model)
     for reference, renamed in zip(references, bundle.renamed, strict=False):
         if isinstance(reference.at, Attribute) and _is_kept(reference.at.element, conversion):
@@ -63,7 +63,7 @@ def record_losses(
     by_path = {element.path: element for block in root.all("gazebo") for element in block.walk()}
     for path, value in bundle.outside:
         if path in by_path:
-            losses.approximate(by_path[path], f"'{value}' leads to a file that is not copied")
+            losses.approximate(by_path[path], f"'{value}' refers to a file that is not copied")
 
 
 def _is_kept(element: Element | None, conversion: SdfConversion) -> bool:
@@ -79,25 +79,25 @@ def _link(losses: LossTable, link: Link, conversion: SdfConversion) -> None:
         losses.lose(link.at, f"Gazebo drops the link: {conversion.dropped[link.name]}")
         return
     if into:
-        losses.approximate(link.at, f"frame of '{into}', which it is merged into")
+        losses.approximate(link.at, f"frame of '{into}', into which it is merged")
     else:
         losses.keep(link.at, "link")
     inertial = link.inertial
     if inertial is not None and link.name in conversion.survivor:
-        what = f"part of the mass of '{into}'" if into else "mass"
+        note = f"part of the mass of '{into}'" if into else "mass"
         for tag in (inertial.at, *map(inertial.at.child, ("mass", "inertia"))):
-            losses.keep(tag, what)
-        _origin(losses, inertial.at, inertial.origin, what, is_turned=bool(into))
+            losses.keep(tag, note)
+        _origin(losses, inertial.at, inertial.origin, note, is_turned=bool(into))
 
 
 def _shapes(losses: LossTable, conversion: SdfConversion, model: SdfModel) -> None:
     colours = Colours(conversion.model)
     for link in conversion.links:
         names = {id(at): name for name, at in (*link.collisions, *link.visuals)}
-        for one, frame in link.body.links:
-            for body in (*one.collisions, *one.visuals):
+        for part, frame in link.body.links:
+            for body in (*part.collisions, *part.visuals):
                 _shape(losses, body, names[id(body.at)], frame)
-            for body in one.visuals:
+            for body in part.visuals:
                 _colour(losses, body, colours.of(body), model)
 
 
@@ -123,18 +123,19 @@ def _shape(losses: LossTable, body: Body, name: str, frame: Transform) -> None:
 
 
 def _origin(
-    losses: LossTable, at: Element, frame: Transform, what: str, *, is_turned: bool
+    losses: LossTable, at: Element, frame: Transform, note: str, *, is_turned: bool
 ) -> None:
     """Record an origin; if ``is_turned``, urdfdom rounds a pitch near 90 degrees to 90 degrees."""
     origin = at.child("origin")
-    losses.keep(origin, what)
-    off = _apart(frame.rotation, from_rpy(*snapped_rpy(frame.rotation))) if is_turned else 0.0
-    if off > _TURNED:
-        losses.approximate(origin, f"the pitch is a right angle, off by {off:.2g} rad")
+    losses.keep(origin, note)
+    rounded = from_rpy(*snapped_rpy(frame.rotation))
+    error = _difference(frame.rotation, rounded) if is_turned else 0.0
+    if error > _TURNED:
+        losses.approximate(origin, f"the pitch is rounded to 90 degrees, off by {error:.2g} rad")
 
 
-def _apart(one: Rotation, other: Rotation) -> float:
-    rows = zip(one, other, strict=True)
+def _difference(first: Rotation, second: Rotation) -> float:
+    rows = zip(first, second, strict=True)
     return max(abs(a - b) for row in rows for a, b in zip(*row, strict=True))
 
 
@@ -158,7 +159,7 @@ def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:
         elif part is not None:
             _of_axis(losses, joint, part)
     if joint.leader and joint.kind != "fixed" and joint.leader not in conversion.joint_names:
-        note = f"the SDF has no joint '{joint.leader}' that it could follow"
+        note = f"the SDF has no joint '{joint.leader}' to follow"
         losses.approximate(joint.at.child("mimic"), note)
 
 
@@ -171,14 +172,14 @@ def _of_axis(losses: LossTable, joint: Joint, part: Element) -> None:
             losses.lose(part.attributes.get(name), "a continuous joint has no range")
 
 
-def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -> None:
+def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConversion) -> None:
     """Record the children of a ``<gazebo>``, with the tags that received them."""
-    block, reference = one.block, one.block.get("reference") or ""
+    block, reference = extension.block, extension.block.get("reference") or ""
     joint = conversion.model.joints_by_name.get(reference)
-    if not one.takers and not any(child.tag in KEEPING_TAGS for child in block.children):
+    if not extension.takers and not any(child.tag in KEEPING_TAGS for child in block.children):
         losses.lose(block, _nothing(reference, joint, conversion))
         return
-    losses.keep(block, "its parts")
+    losses.keep(block, "its children")
     is_fixed = joint is not None and joint.kind == "fixed"
     for child in block.children:
         if child.tag == "canonicalBody" or (child.tag in KEEPING_TAGS and not is_fixed):
@@ -188,27 +189,27 @@ def _extension(losses: LossTable, one: GazeboBlock, conversion: SdfConversion) -
         taker = TAKERS.get(child.tag, child.tag if is_shape else "")
         if child.tag in KEEPING_TAGS:
             taker = "joint"
-        elif taker and taker not in one.takers:
-            whom = _FOR.get(taker, "the model")
-            losses.lose(child, f"it is for {whom}, and none of '{reference}' takes it")
+        elif taker and taker not in extension.takers:
+            receiver = _FOR.get(taker, "the model")
+            losses.lose(child, f"it applies to {receiver}, and '{reference}' has none")
             continue
         _keep_all(losses, child, f"of the {taker}" if taker else "as written")
         pose = child.child("pose") if child.tag in POSED else None
         if pose is not None and is_read_as_rpy(pose, is_moved=reference in conversion.merged):
-            losses.approximate(pose, "sdformat moves it, and reads it as x y z and rpy in rad")
+            losses.approximate(pose, "sdformat reads it as x y z and rpy in rad when it moves it")
 
 
-def _keep_all(losses: LossTable, root: Element, what: str) -> None:
+def _keep_all(losses: LossTable, root: Element, note: str) -> None:
     for element in root.walk():
-        losses.keep(element, what)
+        losses.keep(element, note)
         for attribute in element.attributes.values():
             losses.keep(attribute, "as written")
 
 
 def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:
-    """Why a block is ignored."""
+    """The reason why a block is ignored."""
     if joint is not None and reference not in conversion.joint_names:
         return f"joint '{reference}' is merged or dropped"
     if reference in conversion.dropped:
         return f"link '{reference}' is dropped"
-    return f"nothing is called '{reference}'" if reference else "it is empty"
+    return f"no link or joint '{reference}'" if reference else "it is empty"

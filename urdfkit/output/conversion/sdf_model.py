@@ -77,9 +77,9 @@ class SdfModel:
             SubElement(tag, "pose", {"relative_to": link.body.joint.name})
         tag.append(self._inertias.tag(link.name))
         bodies = {
-            id(body.at): (body, self._frames[one.name])
-            for one, _ in link.body.links
-            for body in (*one.collisions, *one.visuals)
+            id(body.at): (body, self._frames[part.name])
+            for part, _ in link.body.links
+            for body in (*part.collisions, *part.visuals)
         }
         for name, at in link.collisions:
             part = self._part("collision", name, *bodies[id(at)])
@@ -170,16 +170,16 @@ def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
     stack: list[tuple[str, Joint | None, bool]] = [(tree.roots[0].name, None, False)]
     while stack:
         name, joint, is_done = stack.pop()
-        below = [
-            (one.child_name, one, False)
-            for one in reversed(_children(tree, name))
-            if conversion.merges(one) != is_done
+        children = [
+            (child.child_name, child, False)
+            for child in reversed(_children(tree, name))
+            if conversion.merges(child) != is_done
         ]
         if not is_done:
             stack.append((name, joint, True))
         elif joint is not None and conversion.merges(joint):
             yield joint
-        stack += below
+        stack += children
 
 
 def _frame(name: str, attached_to: str, at: Transform | None = None) -> Tag:
@@ -209,9 +209,9 @@ def _axis(joint: Joint) -> Tag:
 
 def _limit(tag: Tag, limit: Limit, *, has_range: bool) -> None:
     if has_range:
-        ends = (one.value if one else 0.0 for one in (limit.lower, limit.upper))
-        for name, end in zip(("lower", "upper"), sorted(ends), strict=True):
-            set_value(tag, name, number_text(end))
+        bounds = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
+        for name, bound in zip(("lower", "upper"), sorted(bounds), strict=True):
+            set_value(tag, name, number_text(bound))
     for name, largest in (("effort", limit.effort), ("velocity", limit.velocity)):
         set_value(tag, name, number_text(largest.value if largest else 0.0))
 
@@ -223,7 +223,7 @@ def _colour(visual: Tag, material: Material) -> bool:
     if child_of(tag, "diffuse") is not None or child_of(tag, "ambient") is not None:
         return False
     *rgb, alpha = material.rgba.value if material.rgba else (0.0, 0.0, 0.0, 1.0)
-    bright = [min(max(one / 0.8, 0.0), 1.0) for one in rgb]
+    bright = [min(max(value / 0.8, 0.0), 1.0) for value in rgb]
     for name in ("diffuse", "ambient"):
         set_value(tag, name, numbers_text((*bright, alpha)))
     return True

@@ -43,8 +43,8 @@ class SdfProof(Record):
     @property
     def holds(self) -> bool:
         is_placed = max(self.frames, self.shapes) <= LENGTH and not self.missing
-        away, part = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
-        is_heavy = self.masses <= PART and self.centers <= away and self.inertia <= part
+        center, inertia = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
+        is_heavy = self.masses <= PART and self.centers <= center and self.inertia <= inertia
         return is_placed and is_heavy and self.joints <= PART
 
     @property
@@ -74,12 +74,12 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
         ours, theirs = frames(tree, sample), sdf.placed(names, positions(tree, sample))
         root = ours[tree.roots[0].name]
         for name in names:
-            worst = max(worst, (_apart(root.inverse @ ours[name], theirs[name]), name))
+            worst = max(worst, (_difference(root.inverse @ ours[name], theirs[name]), name))
     groups: dict[str, list[str]] = {}
     for name in names:
         groups.setdefault(sdf.link_of(name), []).append(name)
     masses = [*_masses(sdf, tree, groups)]
-    mass, center, tensor = (max((one[i] for one in masses), default=0.0) for i in range(3))
+    mass, center, tensor = (max((row[i] for row in masses), default=0.0) for i in range(3))
     shapes = [*_shapes(sdf, tree, groups)]
     return SdfProof(
         worst[0],
@@ -87,26 +87,26 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
         center,
         tensor,
         max(_joints(sdf, robot, conversion), default=0.0),
-        max((far for far, _ in shapes), default=0.0),
+        max((distance for distance, _ in shapes), default=0.0),
         sum(missing for _, missing in shapes),
         _is_rounded(tree),
         worst[1],
     )
 
 
-def _apart(one: Transform, other: Transform) -> float:
-    pairs = [*zip(one.position, other.position, strict=True)]
-    for rows in zip(one.rotation, other.rotation, strict=True):
+def _difference(first: Transform, second: Transform) -> float:
+    pairs = [*zip(first.position, second.position, strict=True)]
+    for rows in zip(first.rotation, second.rotation, strict=True):
         pairs += zip(*rows, strict=True)
     return max(abs(a - b) for a, b in pairs)
 
 
-def _off(ours: Transform, theirs: Transform) -> float:
+def _shape_error(ours: Transform, theirs: Transform) -> float:
     """Difference of two shape poses; only of position if urdfdom rounds the rotation."""
     is_rounded = abs(ours.rotation[2][0]) >= SNAP
-    apart = _apart(ours, theirs)
+    error = _difference(ours, theirs)
     return (
-        length(minus(ours.position, theirs.position)) if is_rounded and apart < ROUNDED else apart
+        length(minus(ours.position, theirs.position)) if is_rounded and error < ROUNDED else error
     )
 
 
@@ -140,8 +140,8 @@ def _shapes(
                 for name in names
                 for body in (links[name].visuals if kind == "visual" else links[name].collisions)
             ]
-            theirs = [pose(one)[1] for one in sdf.links[top].all(kind)]
-            near = (min((_off(a, one) for a in ours), default=1.0) for one in theirs)
+            theirs = [pose(shape)[1] for shape in sdf.links[top].all(kind)]
+            near = (min((_shape_error(a, shape) for a in ours), default=1.0) for shape in theirs)
             yield max(near, default=0.0), abs(len(ours) - len(theirs))
 
 
@@ -158,10 +158,10 @@ def _inertia(link: Element) -> MassProperties:
 
 def _different(ours: MassProperties, theirs: MassProperties) -> tuple[float, float, float]:
     mass = abs(ours.mass - theirs.mass) / (abs(ours.mass) or 1.0)
-    away = max(abs(a - b) for a, b in zip(ours.center, theirs.center, strict=True))
+    center = max(abs(a - b) for a, b in zip(ours.center, theirs.center, strict=True))
     largest = max(map(abs, ours.tensor)) or 1.0
     tensors = zip(ours.tensor, theirs.tensor, strict=True)
-    return mass, away, max(abs(a - b) for a, b in tensors) / largest
+    return mass, center, max(abs(a - b) for a, b in tensors) / largest
 
 
 def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[float]:
@@ -188,11 +188,11 @@ def _limits(tag: Element, joint: Joint) -> Iterator[float]:
     limit = axis.child("limit") if axis else None
     if joint.limit is None or limit is None or joint.kind not in (*TURNING, *SLIDING):
         return
-    ends = sorted(one.value if one else 0.0 for one in (joint.limit.lower, joint.limit.upper))
-    wanted = dict(zip(("lower", "upper"), ends, strict=True)) if joint.kind != "continuous" else {}
-    for name, one in (("effort", joint.limit.effort), ("velocity", joint.limit.velocity)):
-        wanted[name] = one.value if one else 0.0
-    for name, value in wanted.items():
+    ends = sorted(end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
+    limits = dict(zip(("lower", "upper"), ends, strict=True)) if joint.kind != "continuous" else {}
+    for name, bound in (("effort", joint.limit.effort), ("velocity", joint.limit.velocity)):
+        limits[name] = bound.value if bound else 0.0
+    for name, value in limits.items():
         converted = number(text(limit, name))
         yield 1.0 if converted is None else abs(converted - value) / (abs(value) or 1.0)
 

@@ -27,7 +27,7 @@ class Sdf:
         if model is None:
             raise UrdfkitError(f"{source.path}: has no model")
         self.links, self.joints, self._frames = (
-            {one.get("name") or "": one for one in model.all(tag)}
+            {element.get("name") or "": element for element in model.all(tag)}
             for tag in ("link", "joint", "frame")
         )
         self._children = {text(joint, "child"): joint for joint in self.joints.values()}
@@ -35,8 +35,8 @@ class Sdf:
             "link": len(self.links),
             "joint": len(self.joints),
             "frame": len(self._frames),
-            "sensor": sum(one.tag == "sensor" for one in model.walk()),
-            "plugin": sum(one.tag == "plugin" for one in model.walk()),
+            "sensor": sum(element.tag == "sensor" for element in model.walk()),
+            "plugin": sum(element.tag == "plugin" for element in model.walk()),
         }
 
     def link_of(self, name: str) -> str:
@@ -64,31 +64,31 @@ class Sdf:
             while name not in poses:
                 if name not in known or len(steps) > len(known):
                     raise UrdfkitError(f"the SDF does not define the pose of '{target}'")
-                before, step = self._step(name, moved)
+                reference, step = self._step(name, moved)
                 steps.append((name, step))
-                name = before
-            for one, step in reversed(steps):
-                poses[one] = poses[name] @ step
-                name = one
+                name = reference
+            for frame, step in reversed(steps):
+                poses[frame] = poses[name] @ step
+                name = frame
         return poses
 
     def _step(self, name: str, moved: Mapping[str, float]) -> tuple[str, Transform]:
         """The frame that a link, frame or joint is relative to, and its pose in that frame."""
         if name in self.joints:
             joint = self.joints[name]
-            before, at = pose(joint)
+            reference, at = pose(joint)
             axis = joint.child("axis")
             direction = vector(text(axis, "xyz")) if axis else None
             motion = Transform()
             if direction is not None and joint.get("type") == "revolute":
                 motion = Transform(rotation_about(unit(direction), moved.get(name, 0.0)))
             elif direction is not None:
-                along = times(unit(direction), moved.get(name, 0.0))
-                motion = Transform(position=along)
-            return before or text(joint, "child"), at @ motion
+                displacement = times(unit(direction), moved.get(name, 0.0))
+                motion = Transform(position=displacement)
+            return reference or text(joint, "child"), at @ motion
         element = self._frames.get(name) or self.links[name]
-        before, at = pose(element)
-        return before or element.get("attached_to") or "__model__", at
+        reference, at = pose(element)
+        return reference or element.get("attached_to") or "__model__", at
 
 
 def text(element: Element, tag: str) -> str:

@@ -24,17 +24,17 @@ class SimplerCollision(Record):
     meshes: tuple[Mesh, ...] = ()
 
 
-def simplified(robot: Context, geometry: Body, how: str) -> SimplerCollision | None:
+def simplified(robot: Context, geometry: Body, method: str) -> SimplerCollision | None:
     """Simpler shapes for the mesh of a collision; None if the mesh is flat or missing.
 
     Args:
-        how: ``decompose`` or ``primitives``, as in `urdfkit.output.conversion.options.COLLISIONS`.
+        method: ``decompose`` or ``primitives``, of `urdfkit.output.conversion.options.COLLISIONS`.
     """
     mesh = body_mesh(robot, geometry)
     if mesh is None:
         return None
     try:
-        return _primitive(mesh) if how == "primitives" else _pieces(mesh)
+        return _primitive(mesh) if method == "primitives" else _pieces(mesh)
     except NoHull:
         return None
 
@@ -44,19 +44,19 @@ def _primitive(mesh: Mesh) -> SimplerCollision:
     note = _note(str(best), best.error)
     if best.kind in ("box", "sphere", "cylinder"):
         return SimplerCollision(note, Piece(best.kind, halved(best.kind, best.size), best.frame))
-    return SimplerCollision(note, meshes=_apart(best.mesh))
+    return SimplerCollision(note, meshes=_separate(best.mesh))
 
 
 def _pieces(mesh: Mesh) -> SimplerCollision:
     parts = decompose(mesh)
     count = len(parts.parts)
     shapes = "its convex hull" if count == 1 else f"{count} convex pieces"
-    return SimplerCollision(_note(shapes, protrusion(parts, mesh)), meshes=_apart(parts))
+    return SimplerCollision(_note(shapes, protrusion(parts, mesh)), meshes=_separate(parts))
 
 
-def _apart(mesh: Mesh) -> tuple[Mesh, ...]:
+def _separate(mesh: Mesh) -> tuple[Mesh, ...]:
     return tuple(mesh._replace(parts=(part,)) for part in mesh.parts)
 
 
 def _note(shapes: str, error: float) -> str:
-    return f"{shapes}, up to {error * 1e3:.3g} mm outside of the mesh"
+    return f"{shapes}, up to {error * 1e3:.3g} mm outside the mesh"

@@ -33,7 +33,7 @@ class UrdfProof(Record):
 
     @property
     def agreed(self) -> str:
-        return f"all {self.elements} elements are read again as they were, and all files are there"
+        return f"all {self.elements} elements are unchanged when read again, and all files exist"
 
     @property
     def disagreed(self) -> str:
@@ -61,9 +61,9 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
 
 def prove(written: Context, robot: Context) -> UrdfProof:
     """Compare the written URDF with the robot."""
-    names = {id(one.filename.at) for one in robot.model.shapes if one.filename}
-    names |= {id(one) for one in _texture_names(robot)}
-    ours, theirs = ([*one.document.root.walk()] for one in (robot, written))
+    names = {id(shape.filename.at) for shape in robot.model.shapes if shape.filename}
+    names |= {id(attribute) for attribute in _texture_names(robot)}
+    ours, theirs = ([*context.document.root.walk()] for context in (robot, written))
     different = abs(len(ours) - len(theirs)) + sum(
         _content(before, names) != _content(after, names, like=before)
         for before, after in zip(ours, theirs, strict=False)
@@ -72,8 +72,8 @@ def prove(written: Context, robot: Context) -> UrdfProof:
 
 
 def _texture_names(robot: Context) -> list[Attribute]:
-    elements = (one for one in robot.document.root.walk() if one.tag == "texture")
-    return [one.attributes["filename"] for one in elements if "filename" in one.attributes]
+    elements = (part for part in robot.document.root.walk() if part.tag == "texture")
+    return [part.attributes["filename"] for part in elements if "filename" in part.attributes]
 
 
 def _content(
@@ -81,8 +81,8 @@ def _content(
 ) -> tuple[str, str, dict[str, str]]:
     """Tag, text and attributes of an element, without file names."""
     attributes = (like or element).attributes
-    left = {name for name, one in attributes.items() if id(one) in names}
-    values = {name: one.value for name, one in element.attributes.items() if name not in left}
+    left = {name for name, at in attributes.items() if id(at) in names}
+    values = {name: at.value for name, at in element.attributes.items() if name not in left}
     return element.tag, element.text.strip(), values
 
 
@@ -94,13 +94,13 @@ def _losses(robot: Context, bundle: Bundle) -> LossTable:
         losses.keep(element, "as written")
         for attribute in element.attributes.values():
             losses.keep(attribute, "as written")
-    changes = {one.path: one.change for one in bundle.contents}
-    for one in bundle.renamed:
-        name = by_path[one.element.partition("@")[0]].attributes.get("filename")
-        if changes[one.new]:
-            losses.approximate(name, changes[one.new])
+    changes = {entry.path: entry.change for entry in bundle.contents}
+    for reference in bundle.renamed:
+        name = by_path[reference.element.partition("@")[0]].attributes.get("filename")
+        if changes[reference.new]:
+            losses.approximate(name, changes[reference.new])
         else:
-            losses.keep(name, f"copied as {one.new}")
+            losses.keep(name, f"copied as {reference.new}")
     for path, value in bundle.outside:
-        losses.approximate(by_path[path], f"'{value}' leads to a file that is not copied")
+        losses.approximate(by_path[path], f"'{value}' refers to a file that is not copied")
     return losses

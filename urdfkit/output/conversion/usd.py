@@ -89,16 +89,16 @@ def _converted(robot: Context, places: _ConvertedElements, directory: str) -> li
         urdf_usd_converter.Converter(scene=False).convert(places.path, directory)
     except (ValueError, RuntimeError, Tf.ErrorException) as error:
         warned = places.find(str(error), {})
-        why = f"urdf-usd-converter rejects the robot: {warned.text}"
-        see = f"see 'urdfkit check {shown(robot.source.path)}'"
-        raise UrdfkitError(f"{warned.element.span}: {why}; {see}") from error
+        reason = f"urdf-usd-converter rejects the robot: {warned.text}"
+        hint = f"see 'urdfkit check {shown(robot.source.path)}'"
+        raise UrdfkitError(f"{warned.element.span}: {reason}; {hint}") from error
     finally:
         diagnostics = delegate.TakeUncoalescedDiagnostics()
     return [
-        one.commentary
-        for one in diagnostics
-        if one.diagnosticCode != Tf.TF_DIAGNOSTIC_STATUS_TYPE
-        and not _OF_PROGRAM.search(one.commentary)
+        diagnostic.commentary
+        for diagnostic in diagnostics
+        if diagnostic.diagnosticCode != Tf.TF_DIAGNOSTIC_STATUS_TYPE
+        and not _OF_PROGRAM.search(diagnostic.commentary)
     ]
 
 
@@ -130,11 +130,12 @@ class _ConvertedElements:
         assert document is not None  # the bundle was written from it
         name = document.root.attributes.get("name")
         if name is None:
-            raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it one")
+            raise UrdfkitError(f"{self._root.span}: <robot> has no name; give it a name")
         edits = [Edit(name.span, bundle.name)]
-        for one in document.root.attributes.values():
-            if one.name == "xmlns" or (":" in one.name and not one.name.startswith("xmlns:")):
-                edits += remove_attribute(one) or ()  # which other readers ignore
+        for attribute in document.root.attributes.values():
+            key = attribute.name
+            if key == "xmlns" or (":" in key and not key.startswith("xmlns:")):
+                edits += remove_attribute(attribute) or ()  # other readers ignore it
         for element in document.root.walk():
             edits += _with_rpy(element)
         with open(path, "wb") as file:
@@ -142,7 +143,7 @@ class _ConvertedElements:
         self._by_line: dict[tuple[str, int], Element] = {}
         for ours, theirs in zip(self._root.walk(), document.root.walk(), strict=True):
             self._by_line.setdefault((theirs.tag, theirs.span.line), ours)
-        self._files = {one.new: one.element.partition("@")[0] for one in bundle.renamed}
+        self._files = {renamed.new: renamed.element.partition("@")[0] for renamed in bundle.renamed}
         self._by_path = {element.path: element for element in self._root.walk()}
 
     def find(self, text: str, prims: Mapping[str, Element]) -> Warned:

@@ -14,8 +14,8 @@ from urdfkit.robot.model import Body, Joint, Link
 
 #: Note on elements that the converter does not support.
 OTHERWISE = "stored under urdf:, which no simulator reads"
-_NO_BODY = "the link is no rigid body in USD: it is fixed, and nothing is below it"
-_NO_MESH = "the converter makes no mesh of the file"
+_NO_BODY = "the link is not a rigid body in USD: it is fixed and has no child links"
+_NO_MESH = "the converter does not convert the mesh file"
 _SHAPES = ("box", "sphere", "cylinder", "mesh")
 
 
@@ -27,7 +27,7 @@ def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
         _link(losses, link, stage)
         for geometry in (*link.visuals, *link.collisions):
             _geometry(losses, geometry, colours, is_visual=geometry in link.visuals)
-    record_hulls(losses, robot, (one for link in robot.model.links for one in link.collisions))
+    record_hulls(losses, robot, (body for link in robot.model.links for body in link.collisions))
     for prim, geometry in stage.shapes:
         if geometry.shape and not gprims(prim):
             losses.lose(geometry.shape.at, _NO_MESH)
@@ -47,22 +47,22 @@ def _link(losses: LossTable, link: Link, stage: Stage) -> None:
     if prim is not None and not prim.HasAPI(UsdPhysics.RigidBodyAPI):
         losses.lose(inertial.at, _NO_BODY)
         return
-    what = "part of the mass of the parent" if prim is None else "mass"
-    losses.keep(inertial.at, what)
+    note = "part of the mass of the parent" if prim is None else "mass"
+    losses.keep(inertial.at, note)
     for tag in ("mass", "inertia", "origin"):
-        losses.keep(inertial.at.child(tag), what)
+        losses.keep(inertial.at.child(tag), note)
 
 
 def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual: bool) -> None:
     shape = geometry.shape
     if shape is None or shape.kind not in _SHAPES:
         return
-    what = "geometry" if is_visual else "collider"
-    losses.keep(geometry.at, what)
+    note = "geometry" if is_visual else "collider"
+    losses.keep(geometry.at, note)
     losses.keep(geometry.at.attributes.get("name"), "name")
     for tag in ("origin", "geometry"):
-        losses.keep(geometry.at.child(tag), what)
-    losses.keep(shape.at, what)
+        losses.keep(geometry.at.child(tag), note)
+    losses.keep(shape.at, note)
     material = colours.of(geometry) if is_visual else None
     if material is None or geometry.material is None:
         return
@@ -71,16 +71,16 @@ def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual:
     losses.keep(material.at.child("color"), "material")
     texture = material.at.child("texture")
     if shape.kind == "mesh":
-        losses.keep(texture, "texture, where the mesh has texture coordinates")
+        losses.keep(texture, "texture, if the mesh has texture coordinates")
 
 
 def _joint(losses: LossTable, joint: Joint, stage: Stage) -> None:
     prim = stage.joints.get(joint.name)
-    note = prim.GetTypeName() if prim else "place of the prim"
-    note = "rigid body that nothing holds" if joint.kind == "floating" else note
+    note = prim.GetTypeName() if prim else "pose of the prim"
+    note = "free rigid body" if joint.kind == "floating" else note
     losses.keep(joint.at, note)
     for tag in ("origin", "parent", "child"):
-        losses.keep(joint.at.child(tag), "place of the prim")
+        losses.keep(joint.at.child(tag), "pose of the prim")
     if joint.kind in ("fixed", "floating"):
         for tag in ("axis", "limit", "dynamics", "mimic"):
             losses.lose(joint.at.child(tag), f"a {joint.kind} joint has none")

@@ -125,7 +125,7 @@ class Stage:
             stack = prim.GetPrimStack()
             written = next(spec for spec in stack if spec.specifier == Sdf.SpecifierDef)
             children = [prim.GetChild(spec.name) for spec in written.nameChildren]
-            prims = [one for one in children if one.IsA(UsdGeom.Xformable) and one not in links]
+            prims = [p for p in children if p.IsA(UsdGeom.Xformable) and p not in links]
             yield from zip(prims, converted_shapes(link), strict=False)
 
     def forget_placements(self) -> None:
@@ -143,18 +143,18 @@ class Stage:
         if not prim.HasAPI(UsdPhysics.MassAPI) or not prim.HasAPI(UsdPhysics.RigidBodyAPI):
             return 0.0, np.zeros(3), np.zeros((3, 3))
         axes = api.GetPrincipalAxesAttr().Get()
-        turned = rotation_of(axes) if axes else np.eye(3)
+        rotation = rotation_of(axes) if axes else np.eye(3)
         moments = np.array(api.GetDiagonalInertiaAttr().Get() or (0, 0, 0), dtype=float)
         center = np.array(api.GetCenterOfMassAttr().Get() or (0, 0, 0), dtype=float)
         if not np.isfinite(center).all():  # not written in the stage
             center = np.zeros(3)
-        return float(api.GetMassAttr().Get() or 0), center, turned @ np.diag(moments) @ turned.T
+        return float(api.GetMassAttr().Get() or 0), center, rotation @ np.diag(moments) @ rotation.T
 
     def axis_in_child(self, joint: Joint) -> Floats:
         """Axis of a joint with a prim, a unit vector in the frame of the child."""
         prim = self.joints[joint.name]
-        turned = rotation_of(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get())
-        axis: Floats = turned @ _AXES[_axis_token(prim)]
+        rotation = rotation_of(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get())
+        axis: Floats = rotation @ _AXES[_axis_token(prim)]
         return axis
 
     def relative_rotation(self, prim: Any) -> Floats:
@@ -169,9 +169,9 @@ class Stage:
         joint = UsdPhysics.Joint(prim)
         first = _frame(joint.GetLocalPos0Attr(), joint.GetLocalRot0Attr())
         second = _frame(joint.GetLocalPos1Attr(), joint.GetLocalRot1Attr())
-        away = np.abs(self._relative(prim) @ second - first)
-        away[:3, 3] /= max(1.0, np.abs(first[:3, 3]).max())
-        return float(away.max())
+        differences = np.abs(self._relative(prim) @ second - first)
+        differences[:3, 3] /= max(1.0, np.abs(first[:3, 3]).max())
+        return float(differences.max())
 
     def _relative(self, prim: Any) -> Floats:
         """Pose of the second body of a joint in the first body, (4, 4)."""
@@ -212,20 +212,20 @@ def _name(prim: Any) -> str:
 def prove(stage: Stage, robot: Context) -> UsdProof:
     """Compare a stage with a robot."""
     placed = robot.tree.frames
-    far = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
+    frame = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
     masses = max(_masses(stage, robot), default=(0.0, ""))
     axes = max(_axes(stage, robot), default=(0.0, ""))
     joints = max(_joints(stage, robot), default=(0.0, ""))
-    shaped = max(_shape_differences(stage, robot), default=(0.0, ""))
-    bounds = zip((far, masses, axes, joints, shaped), (LENGTH, *[PART] * 4), strict=True)
+    shapes = max(_shape_differences(stage, robot), default=(0.0, ""))
+    bounds = zip((frame, masses, axes, joints, shapes), (LENGTH, *[PART] * 4), strict=True)
     worst = max((difference / bound, name) for (difference, name), bound in bounds)
-    return UsdProof(far[0], masses[0], axes[0], joints[0], shaped[0], worst[1])
+    return UsdProof(frame[0], masses[0], axes[0], joints[0], shapes[0], worst[1])
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
     """Relative differences of the inertia of links that are fixed together."""
     for group in rigid_bodies(robot.tree):
-        ours = sum((of_link(*one) for one in group.links), np.zeros((4, 4)))
+        ours = sum((of_link(*member) for member in group.links), np.zeros((4, 4)))
         theirs = np.zeros((4, 4))
         for link, frame in group.links:
             if link.name in stage.links:
@@ -239,8 +239,8 @@ def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
         if joint.name in stage.joints:
             yield stage.frame_difference(stage.joints[joint.name]), joint.name
             if joint.kind != "fixed":
-                away = np.abs(stage.axis_in_child(joint) - direction(joint))
-                yield float(away.max()), joint.name
+                differences = np.abs(stage.axis_in_child(joint) - direction(joint))
+                yield float(differences.max()), joint.name
 
 
 def _shape_differences(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
@@ -278,9 +278,9 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
     yield 0.0
     if joint.kind == "continuous" or joint.limit is None:
         return
-    ends = [one.value if one else 0.0 for one in (joint.limit.lower, joint.limit.upper)]
-    largest = max(*map(abs, ends), 1e-9)
-    for name, ours in zip(("lower", "upper"), ends, strict=True):
+    bounds = [end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper)]
+    largest = max(*map(abs, bounds), 1e-9)
+    for name, ours in zip(("lower", "upper"), bounds, strict=True):
         theirs = float(prim.GetAttribute(f"physics:{name}Limit").Get())
         if joint.kind == "prismatic":
             yield abs(theirs - ours) / largest

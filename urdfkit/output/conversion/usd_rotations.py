@@ -51,14 +51,14 @@ def _orient(prim: Any, rotation: Rotation) -> Any:
 def _turn_frames(stage: Stage, prim: Any, joint: Joint) -> set[Any]:
     """Rotate the frame of a joint in its child to the axis, and match the frame in its parent."""
     second = UsdPhysics.Joint(prim).GetLocalRot1Attr()
-    turned = rotation_of(second.Get())
+    in_child = rotation_of(second.Get())
     if joint.kind != "fixed":
-        turned = _shortest(stage.axis_in_child(joint), np.array(direction(joint))) @ turned
+        in_child = _shortest(stage.axis_in_child(joint), np.array(direction(joint))) @ in_child
     first = UsdPhysics.Joint(prim).GetLocalRot0Attr()
     layers = set()
     for attribute, rotation in (
-        (second, turned),
-        (first, stage.relative_rotation(prim) @ turned),
+        (second, in_child),
+        (first, stage.relative_rotation(prim) @ in_child),
     ):
         (spec,) = attribute.GetPropertyStack(Usd.TimeCode.Default())
         spec.default = Gf.Quatf(_quaternion(rotation))

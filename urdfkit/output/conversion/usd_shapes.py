@@ -32,7 +32,7 @@ def converted_shapes(link: Link) -> list[Body]:
 
 def gprims(prim: Any) -> list[Any]:
     """Prims with a shape at a prim or below it; empty for a mesh that is not converted."""
-    return [one for one in Usd.PrimRange(prim) if one.IsA(UsdGeom.Gprim)]
+    return [part for part in Usd.PrimRange(prim) if part.IsA(UsdGeom.Gprim)]
 
 
 def shape_difference(prim: Any, robot: Context, body: Body) -> float:
@@ -43,8 +43,8 @@ def shape_difference(prim: Any, robot: Context, body: Body) -> float:
     shape = body.shape
     assert shape is not None
     if not gprims(prim):
-        return 0.0  # the list of losses has it
-    collides = any(one.HasAPI(UsdPhysics.CollisionAPI) for one in gprims(prim))
+        return 0.0  # reported as a loss
+    collides = any(gprim.HasAPI(UsdPhysics.CollisionAPI) for gprim in gprims(prim))
     if collides != (body.at.tag == "collision"):
         return 1.0
     back = homogeneous(body.origin.inverse)
@@ -92,8 +92,8 @@ def _vertices(prim: Any) -> Iterator[tuple[Floats, Floats]]:
 
 def _matrix(prim: Any, ancestor: Any) -> Floats:
     """Pose of a prim in an ancestor, (4, 4)."""
-    found, _ = UsdGeom.XformCache().ComputeRelativeTransform(prim, ancestor)
-    result: Floats = np.array(found).T
+    transform, _ = UsdGeom.XformCache().ComputeRelativeTransform(prim, ancestor)
+    result: Floats = np.array(transform).T
     return result
 
 

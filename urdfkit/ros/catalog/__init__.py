@@ -1,7 +1,7 @@
-"""Facts about other programs, as data: one JSON file per context, one loader next to it.
+"""Facts about other programs: JSON files, each with a loader next to it.
 
-Each file says in ``about``, or in its schema, what its fields mean, and in ``source`` where the
-facts were read. A file is loaded once, when a model first needs it.
+The field ``about`` of a file, or its schema, explains its fields; ``source`` names the sources of
+the facts. A file is loaded once, when it is first needed.
 """
 
 import os
@@ -25,19 +25,19 @@ def data(name: str) -> dict[str, Any]:
 
 
 def names(directory: str) -> list[str]:
-    """What the files of a directory are about, in the order of the alphabet."""
+    """Names of the JSON files of a directory, without suffix, in alphabetical order."""
     files = os.listdir(os.path.join(os.path.dirname(__file__), directory))
     return sorted(file.removesuffix(".json") for file in files if file.endswith(".json"))
 
 
 def record(kind: type[Entry], entry: Mapping[str, Any], **more: object) -> Entry:
-    """What a file says of one thing, lists as tuples; fields that it lacks have their defaults.
+    """An entry of a file as a record, with lists as tuples; missing fields have their defaults.
 
     Args:
-        kind: the class of the record, with the names of the file.
-        entry: from the file; keys that are no fields are left out.
-        more: fields that the entry does not have under their names.
+        kind: the class of the record; its fields have the names of the keys.
+        entry: from the file; keys that are not fields are ignored.
+        more: other fields, which override those of the entry.
     """
-    given = {name: frozen(entry[name]) for name in kind._fields if name in entry}
-    make: Callable[..., Entry] = kind
-    return make(**(given | more))
+    fields = {name: frozen(entry[name]) for name in kind._fields if name in entry}
+    create: Callable[..., Entry] = kind
+    return create(**(fields | more))

@@ -1,4 +1,4 @@
-"""What the controllers of ros_control and ros2_control want of their parameters."""
+"""Parameters of the controllers of ros_control and ros2_control."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ _ROLES = ("required", "positive")
 class ControllerParameters(Record):
     """The parameters of one class of controller."""
 
-    required: tuple[str, ...]  # names of those without which it does not start
-    positive: tuple[str, ...]  # of the numbers that must be above 0
-    #: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, where all versions agree;
-    #: ``*`` stands for the name of a joint. None is known in ROS 1, which is lenient.
+    required: tuple[str, ...]  # names of required parameters
+    positive: tuple[str, ...]  # names of numbers that must be above 0
+    #: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, if all versions agree;
+    #: ``*`` is the name of a joint. Empty for ROS 1, which converts types.
     types: dict[str, str]
 
     def type_of(self, name: str) -> str | None:
-        """The type of a parameter, with dots between levels; None if it is not known."""
+        """The type of a parameter, whose name has dots between levels; None if unknown."""
         if name in self.types:
             return self.types[name]
         parts = name.split(".")
-        for pattern in (one.split(".") for one in self.types if "*" in one):
+        for pattern in (known.split(".") for known in self.types if "*" in known):
             if len(pattern) == len(parts) and all(
                 p in ("*", q) for p, q in zip(pattern, parts, strict=True)
             ):
@@ -34,19 +34,19 @@ class ControllerParameters(Record):
 
 @cache
 def parameters_of(controller: str, ros: int) -> ControllerParameters | None:
-    """What a class of controller wants in ROS 1 or 2; None for one that is not known."""
+    """The parameters of a class of controller in ROS 1 or 2; None for an unknown class."""
     entry = data("controllers")[f"ros{ros}"].get(controller)
     return None if entry is None else _parameters(entry)
 
 
 @cache
 def of_manager() -> ControllerParameters:
-    """What the controller manager of ROS 2 wants of its own parameters."""
+    """The parameters of the controller manager of ROS 2."""
     return _parameters(data("controllers")["manager"])
 
 
 def successor(controller: str) -> str | None:
-    """What took the place of a class of ROS 1 in ROS 2."""
+    """The class of ROS 2 that replaces a class of ROS 1; None if there is none."""
     moved: dict[str, str] = data("controllers")["moved"]
     return moved.get(controller)
 

@@ -1,4 +1,4 @@
-"""Children of ``<gazebo>``: what Gazebo's URDF converter handles, and what SDF reads there."""
+"""Children of ``<gazebo>`` that Gazebo's URDF converter handles, or that SDF reads."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ class Extension(Record):
     """A tag that the converter handles by name."""
 
     tag: str  # its name
-    on: str  # what the block must refer to: ``link``, ``joint``, ``model`` (nothing) or ``any``
+    on: str  # reference of the block: ``link``, ``joint``, ``model`` (none) or ``any``
     type: str  # ``float``, ``int``, ``bool``, ``vector3``, ``string``, ``container`` or ``any``
-    unit: str = ""  # of the number; empty if it has none
-    #: Of a bool: ``yes`` if only true, yes and 1 mean true, ``no`` if only false, no and 0 mean
-    #: false; empty for the other types.
+    unit: str = ""  # of a number; empty without a unit
+    #: Of a bool: ``yes`` if only true, yes and 1 are true, ``no`` if only false, no and 0 are
+    #: false; empty for other types.
     words: str = ""
 
 
@@ -33,10 +33,10 @@ def copied(kind: str) -> list[str]:
 
 
 def suggested() -> dict[str, str]:
-    """Wrong names that people write, with the right ones."""
+    """Correct names by common wrong name."""
     return dict(data("extensions")["meant"])
 
 
 def rewritten() -> list[str]:
-    """Parameters of model plugins in which the converter puts the survivor for a merged link."""
+    """Parameters of model plugins in which the converter renames merged links."""
     return list(data("extensions")["rewritten"])

@@ -1,4 +1,4 @@
-"""Materials that Gazebo knows by name."""
+"""Material scripts of Gazebo."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from urdfkit.ros.catalog import data, record
 class GazeboMaterial(Record):
     """A material script of Gazebo."""
 
-    name: str  # as a model must write it
-    #: A colour for it, each from 0 to 1; None where it has none.
+    name: str  # case-sensitive
+    #: Its colour, components from 0 to 1; None without a colour.
     rgba: tuple[float, ...] | None = None
     kind: str = ""  # ``textured``, or empty
-    internal: bool = False  # True if it is for the renderer itself
+    internal: bool = False  # True if only the renderer uses it
     #: The colour that gz-sim 7 and later draw instead; None if it is the same.
     gz_diffuse: tuple[float, ...] | None = None
 
     @property
     def is_textured(self) -> bool:
-        """True if it is an image, which gz-sim does not draw."""
+        """True if it has a texture, which gz-sim does not draw."""
         return self.kind == "textured"
 
 
 @cache
 def materials() -> dict[str, GazeboMaterial]:
-    """The materials by name; upper and lower case matter."""
+    """The materials by name."""
     facts = data("materials")["materials"]
     return {name: record(GazeboMaterial, fact, name=name) for name, fact in facts.items()}

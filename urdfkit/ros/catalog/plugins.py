@@ -1,4 +1,4 @@
-"""Plugins of Gazebo: which library each is, where it belongs and which tags it reads."""
+"""Plugins of Gazebo: their libraries, parents and tags."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ GENERATIONS = {
     "gz-jetty": ("gz",),
 }
 
-#: What each generation, and each target, is called in messages.
+#: Names of generations and targets in messages.
 TITLES = {
     "classic-ros1": "Gazebo Classic with ROS 1",
     "classic-ros2": "Gazebo Classic with ROS 2",
@@ -31,10 +31,10 @@ TITLES = {
     "gz-jetty": "Gazebo Jetty",
 }
 
-#: Types of parameters that the plugin looks up in the simulated model. ``joints`` is a list.
+#: Types of parameters that name parts of the simulated model; ``joints`` is a list.
 REFERENCES = ("link", "joint", "joints")
 
-# Compiled when needed: gz-sim forgives what few models need forgiven.
+# Compiled when needed: few models need the tolerance of gz-sim.
 _GZ_NAME = r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so)?$"
 _ROS2_CONTROL = r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$"
 
@@ -45,21 +45,21 @@ class Parameter(Record):
     name: str  # its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``
     type: str  # ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on
     required: bool  # True if the plugin does nothing, or fails, without it
-    default: str | None  # as text; None if there is none, or it is found at run time
-    #: The values that it may have, or of a link, that are not looked up; empty if any.
+    default: str | None  # as text; None if missing, or known only at run time
+    #: Valid values, or names of links that are not looked up; empty if all values are valid.
     words: tuple[str, ...] = ()
 
 
 class Drive(Record):
-    """How a plugin drives a robot."""
+    """Parameters of a plugin that drives a robot."""
 
-    #: Its parameter with the distance of left and right wheels; empty if it has none.
+    #: The parameter for the distance of left and right wheels; empty if missing.
     separation: str = ""
-    size: str = ""  # its parameter with the size of the wheels
-    diameter: bool = False  # True if that is the diameter, False if it is the radius
-    #: True if wheels are steered, so that left and right say nothing about turning.
+    size: str = ""  # the parameter for the size of the wheels
+    diameter: bool = False  # True if the size is the diameter, False if it is the radius
+    #: True if wheels are steered, so that left and right do not define the turning direction.
     steered: bool = False
-    #: True if turning makes the wheels slip, so that a larger separation is often given.
+    #: True if the wheels slip when turning, so that a larger separation is common.
     slips: bool = False
 
 
@@ -67,30 +67,30 @@ class Plugin(Record):
     """A plugin of one generation."""
 
     id: str  # the library and the generation
-    files: tuple[str, ...]  # the names that it is loaded by
+    files: tuple[str, ...]  # file names that load it
     generation: str  # ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``
-    #: What it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
+    #: Valid parents: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
     kinds: tuple[str, ...]
     parameters: dict[str, Parameter]  # the tags that it reads, by path
-    fortress_files: tuple[str, ...] = ()  # those in Gazebo Fortress; empty if it is not there
-    #: The types of sensor that it serves; empty if it says nothing about them.
+    fortress_files: tuple[str, ...] = ()  # file names in Gazebo Fortress; empty if missing there
+    #: The types of sensor that it supports; empty if unknown.
     sensors: tuple[str, ...] = ()
-    package: str = ""  # that has it; empty if removed
-    class_name: str = ""  # of gz; the ``name`` that the model must give. Empty elsewhere
-    fortress_class: str = ""  # the same in Fortress
-    removed: bool = False  # True if the generation has no such library any more
-    successor: str | None = None  # file name of what replaces it in the next generation, or None
-    advice: str = ""  # what else to do then
-    missing: str = ""  # what happens if a link or joint that it names is not there
-    open: tuple[str, ...] = ()  # children of which it reads anything; ``*`` for all
-    patterns: tuple[str, ...] = ()  # regular expressions of more names that it reads
-    node: bool = False  # True if its name becomes that of a ROS node
+    package: str = ""  # of the library; empty if removed
+    class_name: str = ""  # the required ``name`` in gz; empty for other generations
+    fortress_class: str = ""  # the required ``name`` in Fortress
+    removed: bool = False  # True if the generation no longer has the library
+    successor: str | None = None  # file name of its replacement in the next generation, or None
+    advice: str = ""  # other steps of the replacement
+    missing: str = ""  # effect of a reference to a missing link or joint
+    open: tuple[str, ...] = ()  # children with arbitrary contents; ``*`` for all
+    patterns: tuple[str, ...] = ()  # regular expressions of other names that it reads
+    node: bool = False  # True if its name becomes the name of a ROS node
     any_of: tuple[str, ...] = ()  # parameters of which one is required
-    drive: Drive | None = None  # how it drives a robot with wheels; None if it is no drive
-    moves: str = ""  # of what moves a single joint, the parameter that names it; ``*`` for any
+    drive: Drive | None = None  # None if it does not drive wheels
+    moves: str = ""  # the parameter that names the joint that it moves; ``*`` for any
 
     def reads(self, path: str) -> bool:
-        """True if it reads a tag or an attribute at a path in it, or something inside that tag."""
+        """True if it reads a tag or an attribute at a path, or a part of that tag."""
         top = path.partition("/")[0]
         if path in self.parameters or "*" in self.open or top in self.open:
             return True
@@ -101,51 +101,51 @@ class Plugin(Record):
 
 @cache
 def _content() -> dict[str, dict[str, Any]]:
-    """The file of each generation: 115 kB, which take 1 ms."""
+    """The content of the file of each generation: 115 kB, read in 1 ms."""
     generations = dict.fromkeys(chain.from_iterable(GENERATIONS.values()))
     return {name: data(f"gazebo_plugins/{name.replace('-', '_')}") for name in generations}
 
 
 @cache
 def _numbers() -> dict[str, list[tuple[str, int]]]:
-    """The plugins that each file name loads: their generations, and their numbers there."""
-    found: dict[str, list[tuple[str, int]]] = {}
+    """The plugins of each file name: their generations, and their indices there."""
+    places: dict[str, list[tuple[str, int]]] = {}
     for generation, content in _content().items():
         for number, entry in enumerate(content["plugins"]):
             for file in dict.fromkeys((*entry["files"], *entry.get("fortress_files", ()))):
-                found.setdefault(file, []).append((generation, number))
-    return found
+                places.setdefault(file, []).append((generation, number))
+    return places
 
 
 def files() -> tuple[str, ...]:
     return tuple(_numbers())
 
 
-#: Words in the names of Gazebo's libraries that do not say what they do.
+#: Words without meaning in the names of Gazebo's libraries.
 _FRAME = frozenset("gz ign ignition gazebo sim system plugin".split())
 
 
 @cache
 def misspelt(filename: str) -> str:
-    """The file name suggested for an unknown one; empty if it may be a vendor's own.
+    """The known file name of which an unknown file name is a typo; empty if there is none.
 
-    They differ in one letter, in two that changed places, or in ``lib`` and ``.so``.
+    They differ in one letter, in two swapped letters, or in ``lib`` and ``.so``.
     """
     stem = _stem(filename)
     return next((file for file in files() if is_typo(stem, _stem(file))), "")
 
 
-def of_same_words(filename: str) -> str:
-    """The system of gz-sim that is called like an unknown library: libgz_diff_drive.so; or empty.
+def system_of_same_words(filename: str) -> str:
+    """The gz-sim system with the words of an unknown library: libgz_diff_drive.so; or empty.
 
-    Only names that begin like those of Gazebo's own libraries are looked at.
+    Only names with the prefix of Gazebo's own libraries are compared.
     """
     words = re.findall(r"[a-z0-9]+", _stem(filename).casefold())
     if words[:1] not in (["gz"], ["ign"], ["ignition"]):
         return ""
     kind = set(words) - _FRAME
-    alike = (name for name in files() if name.startswith("gz-sim-"))
-    return next((name for name in alike if kind and set(name.split("-")) - _FRAME == kind), "")
+    systems = (name for name in files() if name.startswith("gz-sim-"))
+    return next((name for name in systems if kind and set(name.split("-")) - _FRAME == kind), "")
 
 
 def _stem(filename: str) -> str:
@@ -153,18 +153,18 @@ def _stem(filename: str) -> str:
 
 
 def find(filename: str) -> tuple[Plugin, ...]:
-    """The plugins that a ``filename`` means: of each generation one, or one for each class.
+    """The plugins of a ``filename``: one for each generation, or for each class of a library.
 
-    Gazebo Classic wants the name of the library as it is; gz-sim forgives a missing ``lib`` and
-    ``.so``, and the version number in ``gz-sim8-``.
+    Gazebo Classic requires the exact name of the library; gz-sim accepts names without ``lib`` and
+    ``.so``, and a version number as in ``gz-sim8-``.
     """
     known = _numbers()
-    found = known.get(filename, ())
-    if not found and "-" in filename and (match := re.match(_GZ_NAME, filename)):
-        found = known.get("".join(match.groups()), ())
-    if not found and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
-        found = known.get(match.group(1), ())
-    return tuple(_plugin(*one) for one in found)
+    places = known.get(filename, ())
+    if not places and "-" in filename and (match := re.match(_GZ_NAME, filename)):
+        places = known.get("".join(match.groups()), ())
+    if not places and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
+        places = known.get(match.group(1), ())
+    return tuple(_plugin(*place) for place in places)
 
 
 def all_plugins() -> tuple[Plugin, ...]:
@@ -176,12 +176,12 @@ def all_plugins() -> tuple[Plugin, ...]:
 
 
 def renames() -> dict[str, str]:
-    """What the tags of ROS 1 plugins are called in ROS 2, where the plugin has that tag."""
+    """Tags of plugins in ROS 2, by the tag in ROS 1."""
     return dict(_content()["classic-ros2"]["renames"])
 
 
 def often_unread() -> dict[str, list[str]]:
-    """Tags that shipped examples give to plugins which do not read them, by generation."""
+    """Tags in official examples that the plugins do not read, by generation."""
     return {name: content.get("unread", []) for name, content in _content().items()}
 
 
@@ -189,9 +189,7 @@ def often_unread() -> dict[str, list[str]]:
 def _plugin(generation: str, number: int) -> Plugin:
     content = _content()[generation]
     entry = content["plugins"][number]
-    written: dict[str, str] = (content["ros_block"] if entry.get("ros") else {}) | entry[
-        "parameters"
-    ]
+    types: dict[str, str] = (content["ros_block"] if entry.get("ros") else {}) | entry["parameters"]
     words = entry.get("words", {})
     return record(
         Plugin,
@@ -200,7 +198,7 @@ def _plugin(generation: str, number: int) -> Plugin:
         class_name=entry.get("class", ""),
         drive=record(Drive, entry["drive"]) if "drive" in entry else None,
         parameters={
-            name: _parameter(name, text, words.get(name, ())) for name, text in written.items()
+            name: _parameter(name, text, words.get(name, ())) for name, text in types.items()
         },
     )
 

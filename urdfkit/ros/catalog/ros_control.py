@@ -1,4 +1,4 @@
-"""ros_control and ros2_control: what their blocks hold, and the joints that controllers name."""
+"""ros_control and ros2_control: contents of their blocks, and parameters with joint names."""
 
 from __future__ import annotations
 
@@ -12,47 +12,47 @@ from urdfkit.ros.catalog import data, record
 class ControlTag(Record):
     """A tag in ``<ros2_control>``."""
 
-    #: attributes and children: that it may have.
+    #: attributes and children: valid names.
     attributes: tuple[str, ...]
     children: tuple[str, ...]
-    required: frozenset[str]  # those of both without which the parser stops
+    required: frozenset[str]  # names of required attributes and children
 
 
 class Hardware(Record):
     """A hardware plugin of a simulator."""
 
     name: str  # the class, as ``<plugin>`` writes it
-    simulator: str  # for people
-    control: str  # the control plugin that loads it, by the name that ``control_plugins`` has
+    simulator: str  # its name in messages
+    control: str  # the control plugin that loads it
     commands: tuple[str, ...]  # the only command interfaces that its joints have
 
 
 class Measure(Record):
-    """A parameter of a controller that repeats what the model says."""
+    """A parameter of a controller that repeats a dimension of the model."""
 
-    parameter: str  # its name
+    parameter: str
     #: ``radius``, ``separation`` (of two sides, along the axle), ``track`` (of the joints in one
     #: list, along the axle) or ``wheelbase`` (of two axles). In metres.
     kind: str
-    sides: tuple[tuple[str, ...], ...]  # for each side or axle, the parameters that name its joints
+    sides: tuple[tuple[str, ...], ...]  # parameters with joint names, for each side or axle
 
 
 class ControllerType(Record):
     """A type of controller."""
 
-    joints: tuple[str, ...]  # the parameters that name joints
-    measures: tuple[Measure, ...]  # those that are lengths
-    interface: str = ""  # the command interface that it needs of each joint; empty if it differs
-    interfaces: str = ""  # the parameter that names the command interfaces; empty without one
+    joints: tuple[str, ...]  # parameters with joint names
+    measures: tuple[Measure, ...]  # parameters with lengths
+    interface: str = ""  # the command interface that each joint requires; empty if it differs
+    interfaces: str = ""  # the parameter with command interfaces; empty if missing
 
 
 def words(subject: str, kind: str) -> list[str]:
-    """Names with a meaning.
+    """Names that ros_control or ros2_control defines.
 
     Args:
         subject: ``transmission`` (of ROS 1) or ``interfaces`` (of ROS 2).
-        kind: ``types``, ``interfaces``, ``gazebo``, ``unprefixed`` of the one; ``joint``, ``imu``,
-            ``force_torque`` of the other.
+        kind: ``types``, ``interfaces``, ``gazebo``, ``unprefixed`` for the first; ``joint``,
+            ``imu``, ``force_torque`` for the second.
     """
     return list(data("ros_control")[subject][kind])
 
@@ -68,9 +68,9 @@ def grammar() -> dict[str, ControlTag]:
 
 
 def since(tag: str, part: str) -> str:
-    """The distribution that first reads a child (``/group``) or attribute (``@mimic``) of a tag.
+    """The first distribution that reads a child (``/group``) or attribute (``@mimic``) of a tag.
 
-    Empty if all read it.
+    Empty if all distributions read it.
     """
     return str(data("ros_control")["since"].get(tag + part, ""))
 
@@ -96,7 +96,7 @@ def control_plugin_libraries() -> dict[str, str]:
 
 
 def control_plugin(filename: str) -> str | None:
-    """The control plugin that a ``filename`` means, with or without ``lib`` and ``.so``."""
+    """The control plugin of a ``filename``, with or without ``lib`` and ``.so``."""
     stem = filename.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
     for name, entry in data("ros_control")["control"].items():
         if stem in entry["files"]:
@@ -106,7 +106,7 @@ def control_plugin(filename: str) -> str | None:
 
 @cache
 def controller_types() -> dict[str, ControllerType]:
-    """The types of controller whose parameters name joints."""
+    """The types of controller that have parameters with joint names."""
     entries = data("ros_control")["controllers"]
     return {
         name: record(ControllerType, entry, measures=_measures(entry.get("geometry", ())))
@@ -121,5 +121,5 @@ def _measures(rows: list[Any]) -> tuple[Measure, ...]:
 
 
 def parameters(controller: str) -> list[str]:
-    """The names of parameters that a type of controller reads; empty if not all are known."""
+    """Names of the parameters of a type of controller; empty if not all are known."""
     return list(data("ros_control")["controllers"].get(controller, {}).get("parameters", []))

@@ -1,4 +1,4 @@
-"""Sensors of SDF: which types there are, and who makes them."""
+"""Types of sensors in SDF, and the simulators that support them."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from urdfkit.ros.catalog import data, record
 class SensorType(Record):
     """A type of sensor."""
 
-    blocks: tuple[str, ...]  # the children that may hold its settings; empty if it has none
-    #: classic and gz: true if Gazebo Classic, or gz-sim, makes it.
+    blocks: tuple[str, ...]  # tags of the children with its settings; empty without settings
+    #: classic and gz: True if Gazebo Classic, or gz-sim, supports it.
     classic: bool
     gz: bool
-    #: gz_name and classic_name: what it is called there, if otherwise.
+    #: gz_name and classic_name: its name there, if different.
     gz_name: str | None
     classic_name: str | None
 
@@ -27,26 +27,26 @@ def types() -> dict[str, SensorType]:
 
 @cache
 def children() -> frozenset[str]:
-    """The children that a sensor may have, those of every type included."""
+    """Valid children of a sensor, including those of all types."""
     content = data("sensors")
     return frozenset((*content["children"], *content["blocks"]))
 
 
 class Setting(Record):
-    """An element, or with ``@`` an attribute, in the block that holds a sensor's settings."""
+    """An element, or with ``@`` an attribute, in the block of a sensor's settings."""
 
     type: str  # ``container``, ``float``, ``int``, ``uint``, ``bool``, ``string``, ``vector3``...
-    words: tuple[str, ...] = ()  # the values that it may have; empty if any
-    #: minimum and maximum: bounds of a number; None without one.
+    words: tuple[str, ...] = ()  # valid values; empty if all are valid
+    #: minimum and maximum: bounds of a number; None without a bound.
     minimum: float | None = None
     maximum: float | None = None
 
 
 @cache
 def settings(block: str) -> dict[str, Setting]:
-    """What a block may hold, by path, such as ``image/width``; empty for an unknown block."""
-    written = data("sensors")["settings"].get(block, {})
-    return {path: _setting(text) for path, text in written.items()}
+    """Valid settings of a block by path, such as ``image/width``; empty for an unknown block."""
+    definitions = data("sensors")["settings"].get(block, {})
+    return {path: _setting(text) for path, text in definitions.items()}
 
 
 def _setting(text: str) -> Setting:

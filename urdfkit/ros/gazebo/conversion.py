@@ -142,7 +142,7 @@ class SdfConversion:
         """
         frames = {"world", *self.joint_names, *self.added, *(link.name for link in self.links)}
         frames |= {
-            one.get("name") or "" for block in self.model.gazebo for one in block.all("frame")
+            frame.get("name") or "" for block in self.model.gazebo for frame in block.all("frame")
         }
         for joint in self.added_joints:
             for end in filter(None, (joint.child("parent"), joint.child("child"))):

@@ -83,8 +83,8 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[DrivenWheel]:
         if joint is None or joint.kind not in ("continuous", "revolute") or "steer" in name:
             continue
         side = "left" if "left" in name else "right" if "right" in name else ""
-        if found := wheel_of(joint, tree):
-            yield DrivenWheel(reference, side, found)
+        if wheel := wheel_of(joint, tree):
+            yield DrivenWheel(reference, side, wheel)
 
 
 def wheel_of(joint: Joint, tree: KinematicTree) -> Wheel | None:
@@ -107,7 +107,7 @@ def pairs(driven_wheels: list[DrivenWheel]) -> Iterator[tuple[DrivenWheel, Drive
 def wrong_direction(
     left: Wheel, right: Wheel, effect: str = "the robot turns the wrong way"
 ) -> tuple[str, str] | None:
-    """Why a drive does not move a robot as commanded, and the help; None if it does.
+    """The reason why a drive does not move a robot as commanded, and the help; None if it does.
 
     A drive moves forwards by rotating all wheels in the positive direction; the axis of such a
     wheel points to the left.
@@ -134,7 +134,7 @@ def wrong_direction(
 
 
 def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str] | None:
-    """Why a drive steers a robot wrongly, and the help; None if it does not.
+    """The reason why a drive steers a robot wrongly, and the help; None if it does not.
 
     Args:
         left: the left steering joint according to the drive.
@@ -151,8 +151,8 @@ def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str]
     return message, "swap the joints"
 
 
-def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
-    """A parameter in m and its location, which is the plugin for a default; None if unreadable.
+def metres(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
+    """A parameter in m, located at the plugin for a default; None if unreadable.
 
     Several values, one for each pair of wheels, are unreadable unless they are equal.
     """
@@ -162,8 +162,8 @@ def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None
     if values:
         value = numbers.pop()
         return None if value is None or numbers else (values[0].at, value)
-    parameter = use.plugin.parameters.get(name)
-    default = number(parameter.default) if parameter else None
+    default_parameter = use.plugin.parameters.get(name)
+    default = number(default_parameter.default) if default_parameter else None
     return None if default is None else (use.at, default)
 
 

@@ -24,14 +24,14 @@ def unread(use: PluginUse) -> list[UnreadParameter]:
     plugin = use.plugin
     if plugin is None or not plugin.parameters:
         return []
-    missed = use.unread(plugin)
-    if not missed:
+    unread_items = use.unread(plugin)
+    if not unread_items:
         return []
     common = {name for names in often_unread().values() for name in names}
     written = {item.path for item in use.items}
     suggester = Suggester([name for name in plugin.parameters if name not in written])
     tags: list[UnreadParameter] = []
-    for item in missed:
+    for item in unread_items:
         other = _other(use, plugin, item)
         suggested = None if "/" in item.path else suggester.suggested(item.path) or None
         is_cut_short = suggested is not None and suggested.startswith(
@@ -54,8 +54,8 @@ def _other(use: PluginUse, plugin: Plugin, item: PluginParameter) -> Plugin | No
             and candidate.reads(item.path)
         ):
             return candidate
-    new = renames().get(item.path)
-    if plugin.generation == "classic-ros2" and new and plugin.reads(new):
+    new_name = renames().get(item.path)
+    if plugin.generation == "classic-ros2" and new_name and plugin.reads(new_name):
         return next(
             (candidate for candidate in use.known if candidate.generation == "classic-ros1"), None
         )

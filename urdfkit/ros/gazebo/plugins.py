@@ -113,24 +113,24 @@ class PluginUse:
 
     def value(self, path: str) -> str:
         """The first value, else the default of its plugin; empty without a default."""
-        written = self.values(path)
-        if written:
-            return written[0].text
+        values = self.values(path)
+        if values:
+            return values[0].text
         parameter = self.plugin.parameters.get(path) if self.plugin else None
         return (parameter.default or "") if parameter else ""
 
     def unread(self, plugin: Plugin) -> list[PluginParameter]:
         """Tags that a plugin does not read; only the outermost tag of an unknown block."""
-        found: list[PluginParameter] = []
+        items: list[PluginParameter] = []
         closed = ""  # the contents of a tag follow the tag
         for item in self.items:
             if "@" in item.path or (closed and item.path.startswith(closed)):
                 continue
-            known = plugin.reads(item.path)
-            if not known:
-                found.append(item)
-            closed = f"{item.path}/" if not known or item.path in _FREE else ""
-        return found
+            is_read = plugin.reads(item.path)
+            if not is_read:
+                items.append(item)
+            closed = f"{item.path}/" if not is_read or item.path in _FREE else ""
+        return items
 
     def references(self) -> Iterator[Reference]:
         """The links and joints that its plugin looks up, and their locations."""
@@ -170,11 +170,11 @@ def generations(use: PluginUse) -> set[str]:
     have a port to the other.
     """
     present = [plugin for plugin in use.known if not plugin.removed]
-    found = {plugin.generation for plugin in present}
+    names = {plugin.generation for plugin in present}
     ported = not any(plugin.package in _GAZEBO_ROS for plugin in use.known)
-    if "classic" in found or (ported and not found.isdisjoint(_CLASSIC)):
-        found.update(_CLASSIC)
-    return found
+    if "classic" in names or (ported and not names.isdisjoint(_CLASSIC)):
+        names.update(_CLASSIC)
+    return names
 
 
 def conversion_result(conversion: SdfConversion, kind: str, name: str) -> str:

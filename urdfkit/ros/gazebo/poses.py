@@ -49,14 +49,14 @@ def pose_in(parent: Element, frame: str, tree: KinematicTree) -> Transform:
     pose = parent.child("pose")
     if pose is None:
         return Transform()
-    found = written_pose(pose)
-    other = pose.get("relative_to")
-    if not other:
-        return found
+    relative = written_pose(pose)
+    reference = pose.get("relative_to")
+    if not reference:
+        return relative
     frames = _frames(tree)
-    if other not in frames:
-        raise UnreadablePose(f"the pose is relative to '{other}', which is not a link or joint")
-    return frames[frame].inverse @ frames[other] @ found
+    if reference not in frames:
+        raise UnreadablePose(f"the pose is relative to '{reference}', which is not a link or joint")
+    return frames[frame].inverse @ frames[reference] @ relative
 
 
 def _frames(tree: KinematicTree) -> Mapping[str, Transform]:

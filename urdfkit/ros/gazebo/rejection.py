@@ -51,34 +51,36 @@ def rejections(diagnostics: Iterable[Diagnostic], conversion: SdfConversion) -> 
     Args:
         diagnostics: of the rules in `CODES`, at least.
     """
-    found = list(_reported(diagnostics))
-    if not found and not (conversion.links or conversion.added_links):
-        found.append(_of_nothing(conversion))
-    found += _of_names(conversion)
-    found += _of_frames(conversion)
-    found += _of_joints(conversion)
-    found += _of_inertia(conversion)
-    return found
+    reasons = list(_reported(diagnostics))
+    if not reasons and not (conversion.links or conversion.added_links):
+        reasons.append(_of_nothing(conversion))
+    reasons += _of_names(conversion)
+    reasons += _of_frames(conversion)
+    reasons += _of_joints(conversion)
+    reasons += _of_inertia(conversion)
+    return reasons
 
 
 def _reported(diagnostics: Iterable[Diagnostic]) -> Iterator[Rejection]:
-    for one in diagnostics:
-        if one.code in _ONLY_ERRORS and one.severity is not Severity.ERROR:
+    for diagnostic in diagnostics:
+        code, is_error = diagnostic.code, diagnostic.severity is Severity.ERROR
+        if code in _ONLY_ERRORS and not is_error:
             continue
-        says = one.message if one.code in SOMETIMES else ""
-        in_joint = any(call.element.startswith("joint/") for call in one.calls)
-        of_root = one.severity is Severity.ERROR and any("/" not in c.element for c in one.calls)
-        is_of_mimic = any("/mimic" in call.element for call in one.calls)
+        message = diagnostic.message if code in SOMETIMES else ""
+        elements = [call.element for call in diagnostic.calls]
+        in_joint = any(element.startswith("joint/") for element in elements)
+        of_root = is_error and any("/" not in element for element in elements)
+        is_of_mimic = any("/mimic" in element for element in elements)
         if (
-            (one.code in ALWAYS and not is_of_mimic)
-            or (one.code in IN_JOINTS and in_joint)
-            or (one.code in OF_ROOT and of_root)
-            or REJECTED in says
-            or CONVERTER_FAILS in says
+            (code in ALWAYS and not is_of_mimic)
+            or (code in IN_JOINTS and in_joint)
+            or (code in OF_ROOT and of_root)
+            or REJECTED in message
+            or CONVERTER_FAILS in message
         ):
-            yield Rejection("libsdformat", one.code, one.message, one.span)
-        elif one.code in BY_GZ or REJECTED_BY_GZ in says:
-            yield Rejection("gz", one.code, one.message, one.span)
+            yield Rejection("libsdformat", code, diagnostic.message, diagnostic.span)
+        elif code in BY_GZ or REJECTED_BY_GZ in message:
+            yield Rejection("gz", code, diagnostic.message, diagnostic.span)
 
 
 def _of_nothing(conversion: SdfConversion) -> Rejection:
@@ -87,22 +89,22 @@ def _of_nothing(conversion: SdfConversion) -> Rejection:
     for body in conversion.massless[:1]:
         place = body.top.at
         message = (
-            f"link '{body.top.name}' has no mass, so that it is dropped with all links below it, "
-            "and none is left; give it an <inertial>"
+            f"link '{body.top.name}' has no mass: it is dropped with all links below it, and no "
+            "link remains; give it an <inertial>"
         )
     return Rejection("libsdformat", "INE004", message, place.span)
 
 
 def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Frames that are attached to nothing, or have the name of another part."""
+    """Frames that are not attached to a link, or have the name of another part."""
     model = conversion.model
     for joint in _merged_joints(conversion):
         child = joint.child_name
         if child in conversion.dropped:
             reason = conversion.dropped[child]
             message = (
-                f"'{child}' is merged into a link that is dropped ({reason}), and its frame is "
-                "attached to nothing; give that link a mass"
+                f"'{child}' is merged into a link that is dropped ({reason}), and its frame "
+                "has no link; give that link a mass"
             )
             yield Rejection("gz", "INE004", message, joint.at.span)
     for name, joint in _shared_frames(conversion):
@@ -119,7 +121,7 @@ def _of_frames(conversion: SdfConversion) -> Iterator[Rejection]:
             if added.tag not in ("frame", "model"):
                 continue
             if name in taken:
-                message = f"another part is called '{name}'; rename one of the two"
+                message = f"another part has the name '{name}'; rename one of the two"
                 yield Rejection("gz", "", message, added.span)
             taken.add(name)
 
@@ -161,9 +163,9 @@ def _of_names(conversion: SdfConversion) -> Iterator[Rejection]:
     model = conversion.model
     places = [
         *((link.name, "link", link.body.top.at) for link in conversion.links),
-        *((one.get("name") or "", "link", one) for one in conversion.added_links),
+        *((link.get("name") or "", "link", link) for link in conversion.added_links),
         *((joint.joint.name, "joint", joint.joint.at) for joint in conversion.joints),
-        *((one.get("name") or "", "joint", one) for one in conversion.added_joints),
+        *((joint.get("name") or "", "joint", joint) for joint in conversion.added_joints),
     ]
     places += [("world", "link", joint.at) for joint in model.joints if joint.child_name == "world"]
     taken: dict[str, str] = {}
@@ -184,17 +186,19 @@ def _of_joints(conversion: SdfConversion) -> Iterator[Rejection]:
     """SDF joints between missing links, and floating joints, which do not remain as frames."""
     for joint, end, into in conversion.lost_joint_ends():
         if into and conversion.converter.has_frames:
-            continue  # its frame bears the joint
-        what = f"is merged into '{into}'" if into else "is not in the converted model"
+            continue  # the joint is attached to its frame
+        defect = f"is merged into '{into}'" if into else "is not in the converted model"
         message = (
-            f"<joint> '{joint.get('name')}' in <gazebo>: {end.tag} '{end.text.strip()}' {what}"
+            f"<joint> '{joint.get('name')}' in <gazebo>: {end.tag} '{end.text.strip()}' {defect}"
         )
         yield Rejection("gz", "GAZ067" if into else "GAZ001", message, end.span)
     for link in conversion.links:
-        above = link.body.joint
-        if above is not None and above.kind == "floating":
-            message = f"floating joint '{above.name}' is not converted: '{link.name}' has no frame"
-            yield Rejection("gz", "JNT022", message, above.at.span)
+        joint_above = link.body.joint
+        if joint_above is not None and joint_above.kind == "floating":
+            message = (
+                f"floating joint '{joint_above.name}' is not converted: '{link.name}' has no frame"
+            )
+            yield Rejection("gz", "JNT022", message, joint_above.at.span)
 
 
 def _of_inertia(conversion: SdfConversion) -> Iterator[Rejection]:

@@ -63,19 +63,20 @@ class SettingElement(Record):
     @property
     def siblings(self) -> tuple[str, ...]:
         """The valid tags in its parent."""
-        above = self.path.rpartition("/")[0]
-        rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
-        return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
+        parent_path = self.path.rpartition("/")[0]
+        inside = [path for path in self.known if path.startswith(parent_path)]
+        tags = (path.removeprefix(f"{parent_path}/") for path in inside)
+        return tuple(tag for tag in tags if tag and "/" not in tag and "@" not in tag)
 
     @property
-    def holds_type_as_attribute(self) -> bool:
+    def has_type_attribute(self) -> bool:
         """True for noise of a single quantity; noise of images and scans has a ``<type>``."""
         return self.at.tag == "noise" and "/" in self.path
 
     def attributes(self) -> Iterator[tuple[Attribute, Setting]]:
         """Its attributes with their definitions in SDF; unknown attributes are ignored."""
         known, path = self.known, f"{self.path}/"
-        if self.holds_type_as_attribute:
+        if self.has_type_attribute:
             known, path = settings("noise"), ""
         for name, attribute in self.at.attributes.items():
             if setting := known.get(f"{path}@{name}"):
@@ -92,8 +93,8 @@ def written(sensor: Sensor) -> Iterator[SettingElement]:
         while stack:
             path, element, known = stack.pop()
             path += element.tag
-            around = element.parent.tag if element.parent else block.tag
-            yield SettingElement(element, around, path, known)
+            parent_tag = element.parent.tag if element.parent else block.tag
+            yield SettingElement(element, parent_tag, path, known)
             if path not in known:
                 continue
             if element.tag == "noise":

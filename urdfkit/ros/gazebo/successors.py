@@ -27,10 +27,10 @@ def successor(use: PluginUse, target: str) -> Fix | None:
     Returns:
         None if the plugin is unknown, or a value has no counterpart.
     """
-    classic = [one for one in use.known if one.generation.startswith("classic")]
+    classic = [plugin for plugin in use.known if plugin.generation.startswith("classic")]
     if not classic:
         return None
-    plugin = min(classic, key=lambda one: (one.removed, len(use.unread(one))))
+    plugin = min(classic, key=lambda candidate: (candidate.removed, len(use.unread(candidate))))
     known = data("successors")
     if systems := known["systems"].get(use.filename):
         lines = _systems(use, plugin, systems, target)
@@ -118,36 +118,36 @@ def _written(item: PluginParameter) -> str:
     return item.at.tag_at.inner_span.text.strip() if isinstance(item.at, Element) else ""
 
 
-def _below(use: PluginUse, plugin: Plugin, above: str, name: str) -> list[str]:
+def _below(use: PluginUse, plugin: Plugin, prefix: str, name: str) -> list[str]:
     """A topic below a name, if a plugin reads the name; an absolute topic is unchanged."""
-    if above not in plugin.parameters:
+    if prefix not in plugin.parameters:
         return []
     assert use.at.parent is not None
     sensor = use.at.parent.attributes.get("name")
     (topic, *_) = _parameter(use, plugin, name) or [name]
-    (first, *_) = _parameter(use, plugin, above) or [sensor.span.text if sensor else ""]
-    whole = topic if topic.startswith("/") else f"{first.rstrip('/')}/{topic}"
-    return _remapped(use, whole)
+    (first, *_) = _parameter(use, plugin, prefix) or [sensor.span.text if sensor else ""]
+    full_topic = topic if topic.startswith("/") else f"{first.rstrip('/')}/{topic}"
+    return _remapped(use, full_topic)
 
 
 def _remapped(use: PluginUse, name: str) -> list[str]:
     """The ROS 2 topic to which a topic of a plugin is remapped."""
     pairs = (_written(item).partition(":=") for item in use.values("ros/remapping"))
-    wanted = name.lstrip("/")
-    topics = [new.strip() for old, _, new in pairs if old.strip().lstrip("/") == wanted and new]
+    topic = name.lstrip("/")
+    topics = [new.strip() for old, _, new in pairs if old.strip().lstrip("/") == topic and new]
     return topics[:1] or [name.removeprefix("~/")]
 
 
 def _in_namespace(use: PluginUse, topic: str) -> str:
     """A topic in the namespace of the node, unless it begins with a slash."""
-    given = (*use.values("ros/namespace"), *use.values("robotNamespace"))
-    namespace = next(filter(None, map(_written, given)), "").rstrip("/")
+    parameters = (*use.values("ros/namespace"), *use.values("robotNamespace"))
+    namespace = next(filter(None, map(_written, parameters)), "").rstrip("/")
     return topic if topic.startswith("/") or not namespace else f"{namespace}/{topic}"
 
 
 def _half(value: str) -> str:
     """Half of a number or an expression; empty for another text."""
-    if (found := number(value)) is not None:
-        return f"{found / 2:.10g}"
+    if (number_value := number(value)) is not None:
+        return f"{number_value / 2:.10g}"
     expression = re.fullmatch(r"\$\{([^{}]*)\}", value)
     return f"${{({expression.group(1)})/2}}" if expression else ""

@@ -56,9 +56,9 @@ def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
     topic = topic or f"world/*/sensor/{sensor.name}/*"
     for entry in _entries("sensors", sensor.type):
         message, _, path = entry.partition(" ")
-        above = topic.rpartition("/")[0]
+        parent = topic.rpartition("/")[0]
         start = ".." if path.startswith("..") else "."
-        name = path.replace(start, above if start == ".." else topic, 1)
+        name = path.replace(start, parent if start == ".." else topic, 1)
         info = sensor.find("camera/camera_info_topic")
         if message == "CameraInfo" and info is not None:
             name = info.text.strip()
@@ -72,9 +72,9 @@ def of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
         message, parameter, default = entry.split()
         tags = parameter[1:].split("/")
         written = [plugin.child(tag) for tag in tags]
-        given = [one.text.strip().strip("/") if one is not None else "" for one in written]
+        texts = [tag.text.strip().strip("/") if tag is not None else "" for tag in written]
         defaults = default.strip("/").rsplit("/", len(tags) - 1)
-        name = "/".join(text or part for text, part in zip(given, defaults, strict=True))
+        name = "/".join(text or part for text, part in zip(texts, defaults, strict=True))
         who = f"plugin '{plugin.get('name')}'"
         is_read = parameter.startswith("<")
         yield GazeboTopic(who, message, name, is_read, tags[-1], is_system=True)
@@ -88,8 +88,8 @@ def are_all_known(model: RobotModel) -> bool:
     """True if the topics of all sensors and systems of the robot are catalogued."""
     plugins = (_library(plugin) for gazebo in model.gazebo for plugin in gazebo.all("plugin"))
     known = data("bridge")["silent"].split()
-    return all(_entries("sensors", one.type) for one in sensors(model)) and all(
-        _entries("plugins", one) or one in known for one in plugins
+    return all(_entries("sensors", sensor.type) for sensor in sensors(model)) and all(
+        _entries("plugins", plugin) or plugin in known for plugin in plugins
     )
 
 

@@ -43,12 +43,12 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
     plain = text if whole else text.removeprefix("-").replace(".", "", 1)
     if plain.isascii() and plain.isdecimal():  # the most frequent case, without a pattern
         return text, ""
-    found = re.match(_INTEGER if whole else _FLOAT, text, re.IGNORECASE)
-    if found is None:
+    match = re.match(_INTEGER if whole else _FLOAT, text, re.IGNORECASE)
+    if match is None:
         return "", ""
-    rest = text[found.end() :].strip()
+    rest = text[match.end() :].strip()
     is_harmless = rest.lower() in _UNITS or (whole and rest[:1] == "." and not rest.strip(".0"))
-    return found.group(1), "" if is_harmless else rest
+    return match.group(1), "" if is_harmless else rest
 
 
 def value(text: str) -> float:
@@ -63,4 +63,4 @@ def quoted(text: str) -> str:
 def corrected(text: str) -> str:
     """Replacement of a number with trailing text, as the end of a help."""
     right = text.replace(",", ".")
-    return right if number(right) is not None else "the number alone"
+    return right if number(right) is not None else "only the number"

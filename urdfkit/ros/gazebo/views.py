@@ -35,13 +35,13 @@ def planar_scan(sensor: Sensor) -> Scan | None:
     if not block:
         return None
     names = ("samples", "min_angle", "max_angle")
-    wide = [sensor.number(f"{block}/scan/horizontal/{name}") for name in names]
-    high = sensor.number(f"{block}/scan/vertical/samples")
+    horizontal = [sensor.number(f"{block}/scan/horizontal/{name}") for name in names]
+    vertical = sensor.number(f"{block}/scan/vertical/samples")
     ends = [sensor.number(f"{block}/range/{name}") for name in ("min", "max")]
-    samples, first, last, low, top = (one.value if one else None for one in (*wide, *ends))
+    samples, first, last, low, top = (item.value if item else None for item in (*horizontal, *ends))
     if samples is None or first is None or last is None or low is None or top is None:
         return None
-    is_flat = high is None or high.value <= 1
+    is_flat = vertical is None or vertical.value <= 1
     if not is_flat or not NARROW <= last - first <= 2 * pi + 0.01 or samples < 2 or low < 0:
         return None
     return Scan(first, last, min(int(samples), MAX_BEAMS), low, top)
@@ -53,14 +53,14 @@ def is_camera(sensor: Sensor) -> bool:
 
 def image_rays(sensor: Sensor) -> list[Vector]:
     """Directions across the image of a camera, in its frame: x forwards, z upwards."""
-    numbers_of = (
+    settings = (
         sensor.number(f"camera/{path}")
         for path in ("horizontal_fov", "image/width", "image/height")
     )
-    found = [one.value if one else None for one in numbers_of]
+    values = [setting.value if setting else None for setting in settings]
     field, width, height = (
         value if value and value > 0 else default
-        for value, default in zip(found, (_FIELD, _WIDTH, _HEIGHT), strict=True)
+        for value, default in zip(values, (_FIELD, _WIDTH, _HEIGHT), strict=True)
     )
     if field >= pi:
         return []

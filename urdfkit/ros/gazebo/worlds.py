@@ -65,7 +65,7 @@ class World(Record):
     @property
     def ground(self) -> float | None:
         """Height of the floor in m, if it is one level plane; None if unknown."""
-        if self.at.child("heightmap") or any(one.tag == "heightmap" for one in self.at.walk()):
+        if self.at.child("heightmap") or any(part.tag == "heightmap" for part in self.at.walk()):
             return None
         heights = {
             height
@@ -75,8 +75,8 @@ class World(Record):
         return heights.pop() if len(heights) == 1 else None
 
     def adds_defaults(self) -> bool | None:
-        """Whether the systems of the server's configuration come to its own; None: by version."""
-        for policies in (one for one in self.at.children if one.tag.endswith(":policies")):
+        """True if it loads the systems of the server configuration, too; None: by version."""
+        for policies in (child for child in self.at.children if child.tag.endswith(":policies")):
             written = policies.child("include_server_config_plugins")
             if written is not None:
                 return written.text.strip().lower() in ("true", "1")
@@ -99,11 +99,11 @@ def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Proble
 
 def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
     """Name and systems of the worlds of gz sim, by file."""
-    found = {}
+    worlds = {}
     for file, text in data("worlds")["worlds"].items():
         name, _, systems = text.partition(":")
-        found[file] = (name, frozenset(systems.split()))
-    return found
+        worlds[file] = (name, frozenset(systems.split()))
+    return worlds
 
 
 def default_systems() -> frozenset[str]:
@@ -130,8 +130,8 @@ def all_systems(world: World, models: Models) -> frozenset[str]:
 
 
 def _filenames(text: bytes) -> list[str]:
-    found = re.findall(_FILENAME, without_comments(text))
-    return [name.decode("utf-8", "replace") for name in found]
+    names = re.findall(_FILENAME, without_comments(text))
+    return [name.decode("utf-8", "replace") for name in names]
 
 
 class Models:
@@ -153,28 +153,28 @@ class Models:
 
     def libraries(self, uri: str) -> list[str]:
         """File names of the plugins of a model; empty if it is not available."""
-        found: list[str] = []
+        files: list[str] = []
         for directory in self.directories.get(model_name(uri), ()):
             source = self._resolver.readable(os.path.join(directory, "model.sdf"))
-            found += _filenames(source.data) if source else []
-        return found
+            files += _filenames(source.data) if source else []
+        return files
 
 
 @lru_cache(maxsize=2)
 def _models(root: str, resolver: Resolver) -> dict[str, list[str]]:
     """Model directories of a workspace, by name."""
-    found: dict[str, list[str]] = {}
+    directories: dict[str, list[str]] = {}
     for path in resolver.directories.files_below(root, MAX_DIRECTORIES):
         directory, name = os.path.split(path)
         if name in _DEFINITIONS:
-            found.setdefault(os.path.basename(directory), []).append(directory)
-    return found
+            directories.setdefault(os.path.basename(directory), []).append(directory)
+    return directories
 
 
 def model_name(uri: str) -> str:
     """The name in ``model://name``; empty for other URIs."""
-    found = _MODEL.match(uri)
-    return found.group(1) if found else ""
+    match = _MODEL.match(uri)
+    return match.group(1) if match else ""
 
 
 def _is_plane(element: Element) -> bool:
@@ -183,7 +183,7 @@ def _is_plane(element: Element) -> bool:
         uri = element.child("uri")
         words = (uri.text if uri is not None else "").casefold()
         return words.strip().rstrip("/").endswith(("ground_plane", "ground plane"))
-    return any(one.tag == "plane" and one.parent is not None for one in element.walk())
+    return any(part.tag == "plane" and part.parent is not None for part in element.walk())
 
 
 def _level(element: Element) -> float | None:

@@ -45,22 +45,22 @@ def _masses(robot: Imported, body: ImportedBody) -> Iterator[Change]:
         yield Change(body.links[0].at, f"link '{body.name}' has no mass: {facts.massless}")
         return
     for link in body.links:
-        found = robot.properties_of(link)
-        if found is not None:
-            yield from _mass(robot, link, found.mass)
+        properties = robot.properties_of(link)
+        if properties is not None:
+            yield from _mass(robot, link, properties.mass)
         elif not facts.massless:
-            how = "no <inertial>: its mass is that of meshes that are not measured here"
-            yield Change(link.at, f"link '{link.name}' has {how}")
+            reason = "no <inertial>: its mass is computed from meshes, which are not read here"
+            yield Change(link.at, f"link '{link.name}' has {reason}")
 
 
 def _mass(robot: Imported, link: Link, mass: float) -> Iterator[Change]:
     if abs(mass - link.mass) <= _ROUNDING * max(mass, link.mass):
         return
     is_computed = bool(robot.facts.density and link.collisions)
-    how = "from its collision shapes" if is_computed else "by default"
-    written = "no <inertial>" if link.inertial is None else f"{link.mass:g} kg"
+    mass_source = "from its collision shapes" if is_computed else "by default"
+    original = "no <inertial>" if link.inertial is None else f"{link.mass:g} kg"
     at = (link.inertial or link).at
-    yield Change(at, f"link '{link.name}' with {written} gets {mass:.4g} kg {how}")
+    yield Change(at, f"link '{link.name}' with {original} gets {mass:.4g} kg {mass_source}")
 
 
 #: Relative difference up to which masses are equal.
@@ -68,10 +68,12 @@ _ROUNDING = 1e-9
 
 
 def _tensors(robot: Imported) -> Iterator[Change]:
-    written = [link.inertial for link in robot.tree.model.links if link.inertial]
-    if robot.facts.ignores_tensors and written:
-        how = "each comes from the collision shapes"
-        yield Change(written[0].at, f"tensors are not read: {len(written)} in all; {how}")
+    inertials = [link.inertial for link in robot.tree.model.links if link.inertial]
+    if robot.facts.ignores_tensors and inertials:
+        replacement = "each comes from the collision shapes"
+        yield Change(
+            inertials[0].at, f"tensors are not read: {len(inertials)} in all; {replacement}"
+        )
 
 
 def _visuals(robot: Imported) -> Iterator[Change]:

@@ -90,10 +90,10 @@ def facts_of(name: str) -> ImporterFacts:
     return record(ImporterFacts, data(f"importers/{name}"), name=name)
 
 
-def chosen(selected: Iterable[str]) -> tuple[ImporterFacts, ...]:
+def selected(words: Iterable[str]) -> tuple[ImporterFacts, ...]:
     """Importers by name, without duplicates.
 
     Raises:
         UnknownImporter: a name is unknown; suggests the nearest name.
     """
-    return tuple(map(facts_of, dict.fromkeys(selected)))
+    return tuple(map(facts_of, dict.fromkeys(words)))

@@ -28,7 +28,7 @@ class ImportedJoint(Record):
     #: q and nq: index of its first position, and number of positions.
     q: int
     nq: int
-    #: v and nv: the same for its velocities.
+    #: v and nv: index of its first velocity, and number of velocities.
     v: int
     nv: int
 
@@ -56,7 +56,7 @@ class Imported:
     """A robot after the import by a program with its default settings."""
 
     def __init__(self, tree: KinematicTree, facts: ImporterFacts, solid: Solid) -> None:
-        #: tree and facts: the same.
+
         self.tree = tree
         self.facts = facts
         self._solid = solid

@@ -44,16 +44,15 @@ def index_map(source: Imported, target: Imported) -> IndexMap:
 
 
 def _compare(source: Imported, target: Imported, first: dict[str, ImportedJoint]) -> None:
-    second = {one.joint.name: one for one in target.joints}
+    second = {imported.joint.name: imported for imported in target.joints}
     names = source.facts.name, target.facts.name
-    for have, lack, name, other in ((first, second, *names), (second, first, *names[::-1])):
+    for have, lack, name, other_name in ((first, second, *names), (second, first, *names[::-1])):
         for joint in have:
             if joint not in lack:
-                raise NoIndexMap(f"joint '{joint}' has coordinates in {name}, and none in {other}")
-    for joint, one in first.items():
-        if max(one.nv, second[joint].nv) > 1:
-            kind = one.joint.kind
+                raise NoIndexMap(f"joint '{joint}' has coordinates in {name}, not in {other_name}")
+    for joint, imported in first.items():
+        if max(imported.nv, second[joint].nv) > 1:
             raise NoIndexMap(
-                f"joint '{joint}' is {kind}: its {one.nv} velocities in {names[0]} and "
-                f"{second[joint].nv} in {names[1]} need not mean the same"
+                f"joint '{joint}' is {imported.joint.kind}: its {imported.nv} velocities in "
+                f"{names[0]} and {second[joint].nv} in {names[1]} may have different meanings"
             )

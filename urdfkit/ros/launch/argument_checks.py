@@ -159,18 +159,18 @@ def is_included(path: str, resolver: Resolver) -> bool:
 
 
 def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bool:
-    """True if a launch file of a directory references another one, and a package."""
+    """True if another launch file of a directory references this file, and its package."""
     name = os.path.basename(path)
-    found = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
-    others = [file for file in found if os.path.basename(file) != name]
-    return len(others) > MAX_FILES or any(
-        _names(name.encode(), package.encode(), one, resolver) for one in others
+    files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
+    siblings = [file for file in files if os.path.basename(file) != name]
+    return len(siblings) > MAX_FILES or any(
+        _references(file, name.encode(), package.encode(), resolver) for file in siblings
     )
 
 
-def _names(name: bytes, package: bytes, other: str, resolver: Resolver) -> bool:
-    """True if a launch file contains the name of another one, or computes a path with this end."""
-    source = resolver.readable(other)
+def _references(path: str, name: bytes, package: bytes, resolver: Resolver) -> bool:
+    """True if a launch file contains a file name, or computes a path with this end."""
+    source = resolver.readable(path)
     text = source.data if source else b""
     is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))
     return is_named and package in text

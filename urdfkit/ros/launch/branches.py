@@ -9,7 +9,7 @@ from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 @lru_cache(CACHE_SIZE)
 def decided_calls(tree: ast.Module) -> frozenset[ast.Call]:
-    """The calls that run only in one branch of the program, or whose value is used only there."""
+    """The calls that run, or whose value is used, only in one branch of the program."""
     within: set[ast.AST] = set(_decided(tree))
     names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     loads = [node for node in names if isinstance(node.ctx, ast.Load)]
@@ -24,12 +24,12 @@ def decided_calls(tree: ast.Module) -> frozenset[ast.Call]:
 def _decided(tree: ast.Module) -> Iterator[ast.AST]:
     stack: list[tuple[ast.AST, bool]] = [(tree, False)]
     while stack:
-        node, is_decided = stack.pop()
-        if is_decided:
+        node, is_conditional = stack.pop()
+        if is_conditional:
             yield node
         is_branch = isinstance(node, (ast.If, ast.IfExp, ast.match_case))
         for name, value in ast.iter_fields(node):
-            may_not_run = is_decided or (is_branch and name != "test")
+            may_not_run = is_conditional or (is_branch and name != "test")
             for child in value if isinstance(value, list) else [value]:
                 if isinstance(child, ast.AST):
                     stack.append((child, may_not_run))
@@ -38,7 +38,7 @@ def _decided(tree: ast.Module) -> Iterator[ast.AST]:
 
 
 def _returns(node: ast.AST) -> bool:
-    return isinstance(node, ast.If) and any(isinstance(one, ast.Return) for one in node.body)
+    return isinstance(node, ast.If) and any(isinstance(child, ast.Return) for child in node.body)
 
 
 def _names(targets: list[ast.expr]) -> set[str]:

@@ -92,11 +92,11 @@ def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[Brid
         yield from _images(started)
     if not is_bridge(started):
         return
-    named = config_file(started.words)
-    path = named.text if named else started.parameters.values.get("config_file")
+    config = config_file(started.words)
+    path = config.text if config else started.parameters.values.get("config_file")
     for word in started.words:
-        if found := _of_word(word):
-            yield found
+        if topic := _of_word(word):
+            yield topic
     if path:
         yield from _in_file(path, resolver)
 
@@ -119,11 +119,11 @@ def _of_word(word: Word) -> BridgedTopic | None:
         return None
     topic, _, types = text.partition("@")
     directions = {sign: direction for direction, sign in SIGNS.items()}
-    sign = next((one for one in types if one in directions), "")
+    sign = next((char for char in types if char in directions), "")
     ros_type, _, rest = types.partition(sign) if sign else (types, "", "")
-    gz_type, _, other = rest.partition("@")
+    gz_type, _, ros_topic = rest.partition("@")
     return BridgedTopic(
-        word.span, other or topic, topic, ros_type, gz_type, directions.get(sign, "")
+        word.span, ros_topic or topic, topic, ros_type, gz_type, directions.get(sign, "")
     )
 
 
@@ -131,20 +131,21 @@ def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
     source = resolver.readable(path)
     entries = load(source) if source else None
     for entry in entries if isinstance(entries, list) else ():
-        values = {str(key): one for key, one in mapping(entry).items() if isinstance(one, Value)}
-        given = {key: one.text for key, one in values.items()}
-        if not values or "service_name" in given:
+        items = mapping(entry).items()
+        values = {str(key): value for key, value in items if isinstance(value, Value)}
+        texts = {key: value.text for key, value in values.items()}
+        if not values or "service_name" in texts:
             continue
-        topic = next((given[key] for key in ("gz_topic_name", "topic_name") if key in given), "")
-        unknown = tuple((key, one.span) for key, one in values.items() if key not in KEYS)
-        places = {key: one.span for key, one in values.items()}
+        topic = next((texts[key] for key in ("gz_topic_name", "topic_name") if key in texts), "")
+        unknown = tuple((key, value.span) for key, value in values.items() if key not in KEYS)
+        places = {key: value.span for key, value in values.items()}
         yield BridgedTopic(
             next(iter(places.values())),
-            topic or given.get("ros_topic_name", ""),
-            given.get("ros_topic_name") or given.get("topic_name") or topic,
-            given.get("ros_type_name", ""),
-            given.get("gz_type_name", ""),
-            given.get("direction", BOTH),
+            topic or texts.get("ros_topic_name", ""),
+            texts.get("ros_topic_name") or texts.get("topic_name") or topic,
+            texts.get("ros_type_name", ""),
+            texts.get("gz_type_name", ""),
+            texts.get("direction", BOTH),
             unknown,
             places,
         )

@@ -45,7 +45,7 @@ class Collector:
 
     Args:
         reader: reads launch files of any format.
-        outer: the launch files that include the present one.
+        outer: paths of the including launch files.
         included: number of included files so far.
     """
 
@@ -81,21 +81,21 @@ class Collector:
         """Record that a file is needed; True if it exists and is readable."""
         if path.startswith(f"{UNKNOWN}/"):
             return False  # its package is reported already
-        there = path if disk.exists(path) else self.resolver.installed(path)
-        is_outside = there is not None and not self.resolver.admits(there)
-        exists = there is not None and not is_outside
+        location = path if disk.exists(path) else self.resolver.installed(path)
+        is_outside = location is not None and not self.resolver.admits(location)
+        exists = location is not None and not is_outside
         self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
 
     def start(self, node: StartedProgram) -> None:
         """Record a node that is started, and the file that its command line names."""
         self.started.append(node)
-        named = config_file(node.words)
-        if named and named.text and os.path.isabs(named.text):
-            self.file(named.text, named.span, BRIDGE)
+        config = config_file(node.words)
+        if config and config.text and os.path.isabs(config.text):
+            self.file(config.text, config.span, BRIDGE)
 
     def include(self, file: IncludedFile) -> None:
-        """Record an included launch file, and the nodes of a missing one that belongs to ROS."""
+        """Record an included launch file; if it is missing but known, the nodes that it starts."""
         self.includes.append(file)
         if disk.exists(file.path):
             return
@@ -110,9 +110,9 @@ class Collector:
 
         A path that leaves its package leads elsewhere when the package is installed.
         """
-        home = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
-        path, written = os.path.normpath(path), path
-        if home and not _leaves(written, home[1]) and disk.exists(path):
+        package = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
+        path, written_path = os.path.normpath(path), path
+        if package and not _leaves(written_path, package[1]) and disk.exists(path):
             self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
@@ -125,7 +125,7 @@ class Collector:
         if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
             return
         if os.path.basename(words[0]) == _FORMER and frame.outer is None:
-            message = f"{_FORMER} was removed with ROS Noetic, and ROS 2 has none"
+            message = f"{_FORMER} was removed in ROS Noetic and does not exist in ROS 2"
             severity = Severity.WARNING if span.source.path.endswith(".py") else Severity.INFO
             self.problems.append(Problem("LAU003", span, message, "write xacro", severity=severity))
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
@@ -152,8 +152,8 @@ class Collector:
                 path = self.resolver.installed(path) or path
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
-            found = LaunchedDescription(path, known, frame, is_whole, is_yaml, is_expanded)
-            self.descriptions.append(found)
+            description = LaunchedDescription(path, known, frame, is_whole, is_yaml, is_expanded)
+            self.descriptions.append(description)
 
     def unexpanded(self, path: str, span: Span, frame: CallFrame | None) -> None:
         """Record a file that is used unexpanded; reported if xacro must expand it."""
@@ -161,7 +161,7 @@ class Collector:
             return
         source = self.resolver.readable(path)
         if source and b"<xacro:" in blank_comments(source.data):
-            message = f"'{os.path.basename(path)}' is a xacro file, which nothing expands here"
+            message = f"'{os.path.basename(path)}' is a xacro file, but is used without expansion"
             self.problems.append(Problem("LAU015", span, message, _EXPAND, frame))
 
     def follow(
@@ -184,21 +184,23 @@ class Collector:
         outer = (*self.outer, source.path)
         if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
             return
-        included = self.resolver.readable(path)
-        if included is None:
+        included_source = self.resolver.readable(path)
+        if included_source is None:
             return
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
-        self._reader(inner, LaunchedFile(included, arguments, frame))
+        self._reader(inner, LaunchedFile(included_source, arguments, frame))
         self.included = inner.included
         self.unread += inner.unread
         self.has_scopes = self.has_scopes or inner.has_scopes
         self.started_by_included += (
-            one._replace(is_sure=one.is_sure and is_sure)
-            for one in (*inner.started, *inner.started_by_included)
+            program._replace(is_sure=program.is_sure and is_sure)
+            for program in (*inner.started, *inner.started_by_included)
         )
-        self.includes += (one._replace(is_sure=one.is_sure and is_sure) for one in inner.includes)
+        self.includes += (
+            file._replace(is_sure=file.is_sure and is_sure) for file in inner.includes
+        )
         self.descriptions += inner.descriptions
-        self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
+        self.files += (file for file in inner.files if file.purpose == PARAMETERS and file.exists)
         self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
@@ -229,7 +231,7 @@ def path_from(source: Source, text: str) -> str:
 
 
 def _leaves(path: str, directory: str) -> bool:
-    """True if a path leaves a directory on the way, wherever it ends."""
+    """True if a part of a path leads out of a directory, even if the path returns to it."""
     parts = path.split(os.sep)
     ends = (end for end, part in enumerate(parts, 1) if part == os.pardir)
     return any(not is_within(os.path.normpath(os.sep.join(parts[:end])), directory) for end in ends)

@@ -24,8 +24,8 @@ def missing_space(values: Values, command: ast.expr | None) -> Problem | None:
             if is_first_word and _ENDS_IN_XACRO.search(before):
                 message = "missing space between 'xacro' and the file path"
                 return _problem(values.span(piece), message, "write 'xacro ' with a space")
-            if found := _BEGINS_WITH_ARGUMENT.match(text):
-                word = found.group()
+            if match := _BEGINS_WITH_ARGUMENT.match(text):
+                word = match.group()
                 message = f"missing space before '{word}'"
                 return _problem(
                     values.span(piece), message, f"write ' {word}' with a space before it"
@@ -40,7 +40,7 @@ def _problem(span: Span, message: str, help: str) -> Problem:
 
 
 def _text(values: Values, piece: ast.expr | None) -> str:
-    """The text of a piece; of a substitution a word, and of what is unknown a space."""
+    """The text of a piece: a word for a substitution, a space if it is unknown."""
     text = values.text(piece)
     if text is not None:
         return text or " "

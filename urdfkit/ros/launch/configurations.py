@@ -22,8 +22,8 @@ class Configurations:
     """The launch configurations of one file.
 
     Args:
-        own: the arguments that it declares by plain names.
-        idle: those of them whose value nothing reads.
+        own: the arguments that it declares.
+        idle: expressions whose value is unused.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class Configurations:
         self._is_whole = own.imports_plainly and None not in names
 
     def include(self, call: ast.Call, path: str) -> Iterator[Problem]:
-        """What is wrong with the arguments that an included launch file is given."""
+        """Problems of the arguments that an include passes."""
         passed = self._passed(call)
         source = self._values.collector.resolver.readable(path)
         if source is None:
@@ -51,12 +51,12 @@ class Configurations:
         known = {*self._known, *(name for name, _ in passed or ())}
         if passed is not None and not taken.required <= known and not self._may_inherit():
             yield from missing_in_include(known, taken, source, self._values.span(call), None)
-        self._known |= taken.names  # which an include leaves behind
+        self._known |= taken.names  # an include declares them for the including file, too
 
-    def given(self, call: ast.Call) -> dict[str, str | None] | None:
-        """The arguments of an include, with their values as far as those are known.
+    def passed(self, call: ast.Call) -> dict[str, str | None] | None:
+        """The arguments of an include and of this file; a value is None if it is unknown.
 
-        None if not even the names are. In ROS 2 an included file sees those of this one, too.
+        None if the names are unknown.
         """
         pairs = self._pairs(call)
         if pairs is None:
@@ -65,8 +65,8 @@ class Configurations:
         own = {name: self._values.configuration(name) for name in self._values.arguments}
         return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
 
-    def seen(self, call: ast.Call) -> dict[str, Word] | None:
-        """The arguments that an included file sees, with their places; None as in `given`."""
+    def visible(self, call: ast.Call) -> dict[str, Word] | None:
+        """The arguments that an included file sees, with their locations; None as in `passed`."""
         pairs = self._pairs(call)
         if pairs is None:
             return None
@@ -90,7 +90,7 @@ class Configurations:
         return known if len(known) == len(names) else None
 
     def _pairs(self, call: ast.Call) -> list[tuple[ast.expr | None, ast.expr]] | None:
-        """The names and values that an include passes; None if they are not written out."""
+        """The names and values that an include passes; None if they are not literal."""
         written = argument(call, 1, "launch_arguments")
         if written is None:
             return []
@@ -105,7 +105,7 @@ class Configurations:
         return [(k, v) for k, v in pairs] if len(pairs) == len(node.elts) else None
 
     def undeclared(self) -> Iterator[Problem]:
-        """The uses of arguments that neither this file nor one that it includes declares."""
+        """Uses of arguments that neither this file nor its included files declare."""
         used: dict[str, ast.Call] = {}
         for call in self._calls:
             if (
@@ -126,5 +126,5 @@ class Configurations:
                 yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
 
     def _may_inherit(self) -> bool:
-        """True if files that include this one may give it more arguments than are known."""
+        """True if other launch files may include this file and pass unknown arguments."""
         return is_included(self._values.source.path, self._values.collector.resolver)

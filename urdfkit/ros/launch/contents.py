@@ -14,7 +14,7 @@ PARAMETERS = "parameter file"
 #: Name of a map description of Nav2 in messages.
 MAP = "map"
 #: Name of the topic file of ros_gz_bridge in messages.
-BRIDGE = "configuration of the bridge"
+BRIDGE = "bridge configuration"
 
 #: Greatest depth of nested includes.
 MAX_DEPTH = 8
@@ -72,8 +72,8 @@ class GivenParameters(Record):
     """The parameters of a node."""
 
     values: Mapping[str, str | None]  # by name; None if known only at run time
-    files: tuple[str, ...] = ()  # parameter files with others
-    is_whole: bool = True  # False if there are others whose names are known only at run time
+    files: tuple[str, ...] = ()  # paths of parameter files
+    is_whole: bool = True  # False if names of parameters are known only at run time
     lists: Mapping[str, tuple[str | None, ...]] = {}  # list parameters; None as above
 
     @property
@@ -107,30 +107,27 @@ class IncludedFile(Record):
     """An included launch file, whether it exists or not."""
 
     path: str  # with its expressions resolved; absolute
-    arguments: Mapping[str, Word] | None  # that it sees; None if not even their names are known
-    span: Span  # where it is included
-    frame: CallFrame | None  # the launch files that led there
-    is_sure: bool = True  # False if a condition decides that is known at run time only
+    arguments: Mapping[str, Word] | None  # visible to it; None if their names are unknown
+    span: Span  # of the include
+    frame: CallFrame | None  # the including launch files
+    is_sure: bool = True  # False if its condition is known only at run time
 
 
 class Launch(Record):
-    """What a launch file needs."""
+    """The contents of a launch file."""
 
-    descriptions: tuple[LaunchedDescription, ...]  # the robots it describes
-    #: files and packages: that it names, found or not.
+    descriptions: tuple[LaunchedDescription, ...]
+    #: files and packages: referenced ones, existing or not.
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
-    #: What is wrong with its text, under the codes of the rules that explain it.
-    problems: tuple[Problem, ...]
+    problems: tuple[Problem, ...]  # of its text
     started: tuple[StartedProgram, ...]  # the programs that it starts
-    included: tuple[StartedProgram, ...]  # those that the files start which it includes
-    #: Paths of the files that it includes and that were not read; empty if not known.
-    unread: tuple[str, ...]
+    included: tuple[StartedProgram, ...]  # the programs that its included files start
+    unread: tuple[str, ...]  # paths of included files that were not read; "" if unknown
     has_scopes: bool  # True if it sets namespaces, parameters or remappings for several nodes
-    #: True if it gives parameters names that are in no file, by a namespace for what is in a file,
-    #: or in its own text.
+    #: True if it names parameters itself, in its text or by a namespace for a parameter file.
     names_parameters: bool
-    includes: tuple[IncludedFile, ...] = ()  # the files that it and those which it includes include
+    includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:

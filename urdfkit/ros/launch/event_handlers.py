@@ -35,8 +35,8 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             yield Problem(
                 "LAU010",
                 values.span(waiting),
-                f"it is started when {name} exits, which runs until the end",
-                "take the spawner before it as target_action, or OnProcessStart",
+                f"started when {name} exits, but it runs until shutdown",
+                "use the preceding spawner as target_action, or use OnProcessStart",
                 severity=Severity.WARNING,
             )
 
@@ -44,10 +44,10 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
 def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that are both in a launch description and in its event handler or timer."""
     for call in calls:
-        held = argument(call, 0, "initial_entities")
-        if called(call) != "LaunchDescription" or held is None:
+        entities = argument(call, 0, "initial_entities")
+        if called(call) != "LaunchDescription" or entities is None:
             continue
-        listed = _listed(held, values)
+        listed = _listed(entities, values)
         direct = {item.id: item for item in listed if isinstance(item, ast.Name)}
         later = (name for item in listed for name in _later(values.suggested(item), values))
         for name in later:
@@ -55,7 +55,7 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
                 yield Problem(
                     "LAU010",
                     values.span(direct[name.id]),
-                    f"'{name.id}' is started twice, and launch stops at the second time",
+                    f"'{name.id}' is started twice: launch stops at the second start",
                     "keep it in the event handler only",
                     severity=Severity.ERROR,
                 )

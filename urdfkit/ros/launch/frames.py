@@ -37,22 +37,22 @@ class NamedFrame(Record):
 
 def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
     """References to frames of the robot in the files of a launch file."""
-    seen: set[str] = set()
+    read_paths: set[str] = set()
     for file in launch.files:
-        if not file.exists or file.path in seen:
+        if not file.exists or file.path in read_paths:
             continue
-        seen.add(file.path)
+        read_paths.add(file.path)
         if file.path.endswith((".yaml", ".yml")):
-            found = _of_parameters
+            references = _of_parameters
         elif file.path.endswith(".rviz"):
-            found = _of_rviz
+            references = _of_rviz
         else:
             continue
         source = resolver.readable(file.path)
-        for who, key, value in found(source) if source else ():
+        for owner, key, value in references(source) if source else ():
             name = value.text.strip().lstrip("/")
             if name and not any(mark in name for mark in _OPEN):
-                yield NamedFrame(name, who, key, value.span, file.span)
+                yield NamedFrame(name, owner, key, value.span, file.span)
 
 
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:

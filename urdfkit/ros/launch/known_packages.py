@@ -26,9 +26,9 @@ def mistakes(
     """
     for program in started:
         is_ros_2 = b"exec" in program.span.source.data
-        found = unknown_executable(program) if is_ros_2 and program.frame is None else None
-        if found and not _is_own(program.package, program, resolver):
-            yield found
+        problem = unknown_executable(program) if is_ros_2 and program.frame is None else None
+        if problem and not _is_own(program.package, program, resolver):
+            yield problem
     for file in included:
         if file.frame is None and not _is_own(_name(file)[0], file, resolver):
             yield from filter(None, [unknown_file(file)])
@@ -39,24 +39,28 @@ def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
     """The nodes that a launch file of ROS 2 starts; empty if it is not in the catalogue."""
     package, name = _name(included)
     shipped = data("launch")["shipped"].get(f"{package}/launch/{name}")
-    given = included.arguments
-    if shipped is None or given is None or not given.keys().isdisjoint(shipped["unless"].split()):
+    arguments = included.arguments
+    if (
+        shipped is None
+        or arguments is None
+        or not arguments.keys().isdisjoint(shipped["unless"].split())
+    ):
         return
-    file, time = given.get(shipped["parameters"]), given.get(_SIM_TIME)
+    file, time = arguments.get(shipped["parameters"]), arguments.get(_SIM_TIME)
     files = (file.text,) if file and file.text and os.path.isabs(file.text) else ()
     values = {_SIM_TIME: time.text if time else None}
     for node in shipped["nodes"].split():
-        path, _, own = node.partition("=")
-        of, _, executable = path.partition("/")
+        path, _, name_of_node = node.partition("=")
+        package_of_node, _, executable = path.partition("/")
         yield StartedProgram(
-            of,
+            package_of_node,
             executable,
             (),
             included.span,
             included.frame,
             included.is_sure,
             parameters=GivenParameters(values, files, is_whole=bool(files)),
-            name=own,
+            name=name_of_node,
         )
 
 
@@ -80,7 +84,7 @@ def unknown_executable(started: StartedProgram) -> Problem | None:
     message = f"package '{started.package}' has no executable '{name}'{did_you_mean(name, known)}"
     severity = Severity.WARNING
     if name in former:
-        message, severity = f"{message} (it had until Galactic)", Severity.INFO
+        message, severity = f"{message} (supported up to Galactic)", Severity.INFO
     help = f"write one of {', '.join(known)}"
     return Problem("LAU003", started.span, message, help, started.frame, severity=severity)
 
@@ -89,15 +93,15 @@ def unknown_file(included: IncludedFile) -> Problem | None:
     """A misspelt launch file of a package that starts Gazebo."""
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {})
-    found = nearest(name, known, _TYPO) if name not in known else None
-    if not found:
+    suggested = nearest(name, known, _TYPO) if name not in known else None
+    if not suggested:
         return None
-    message, help = f"package '{package}' has no launch file '{name}'", f"write {found}"
-    same = [one for one in known if one.endswith(".py") == name.endswith(".py")]
-    if found in same or not same:
-        message += f"; did you mean '{found}'?"
-    else:  # that of the other ROS
-        help = f"write one of {', '.join(same)}"
+    message, help = f"package '{package}' has no launch file '{name}'", f"write {suggested}"
+    same_format = [file for file in known if file.endswith(".py") == name.endswith(".py")]
+    if suggested in same_format or not same_format:
+        message += f"; did you mean '{suggested}'?"
+    else:  # the suggestion is a launch file of the other ROS version
+        help = f"write one of {', '.join(same_format)}"
     return Problem("LAU003", included.span, message, help, included.frame)
 
 
@@ -110,26 +114,23 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {}).get(name, "").split()
     is_ros_1 = name.endswith(".launch")
-    for given, word in _passed(included) if known else ():
-        is_world = given in _WORLDS and not any(one.endswith("_args") for one in _names(included))
-        if given in known or not (is_ros_1 or is_world or nearest(given, known, _TYPO)):
+    has_args = any(passed.endswith("_args") for passed, _ in _passed(included))
+    for argument, word in _passed(included) if known else ():
+        is_world = argument in _WORLDS and not has_args
+        if argument in known or not (is_ros_1 or is_world or nearest(argument, known, _TYPO)):
             continue
-        suggested = "gz_args" if is_world and not is_ros_1 else nearest(given, known)
+        suggested = "gz_args" if is_world and not is_ros_1 else nearest(argument, known)
         hint = f"; did you mean '{suggested}'?" if suggested else ""
-        message = f"'{name}': unknown argument '{given}'{hint}"
+        message = f"'{name}': unknown argument '{argument}'{hint}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
 
 
 def _passed(included: IncludedFile) -> Iterator[tuple[str, Word]]:
-    """The arguments that an include passes itself."""
+    """The arguments that are written in the include."""
     for name, word in (included.arguments or {}).items():
         if word.span != included.span:
             yield name, word
-
-
-def _names(included: IncludedFile) -> list[str]:
-    return [name for name, _ in _passed(included)]
 
 
 def _name(included: IncludedFile) -> tuple[str, str]:

@@ -52,8 +52,8 @@ def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
     """The document of a launch file (None if it is invalid), and the problems of its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
-    if found := syntax_error(source):
-        span, reason = found
+    if error := syntax_error(source):
+        span, reason = error
         return None, (Problem("XML001", span, f"not YAML: {reason}"),)
     top = load(source)
     key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None

@@ -24,14 +24,14 @@ def node_parameters(source: Source) -> Iterator[NodeParameters]:
     """The nodes of a file, in order; keys above ``ros__parameters`` are namespaces."""
     stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
     while stack:
-        node, above, outside = stack.pop()
-        inside = mapping(node).get(_PARAMETERS)
-        if above is not None and isinstance(inside, dict):
-            namespace, _, name = f"{outside}/{above}".rpartition("/")
-            yield NodeParameters(name, above.span, inside, namespace)
+        node, parent, namespace_above = stack.pop()
+        parameters = mapping(node).get(_PARAMETERS)
+        if parent is not None and isinstance(parameters, dict):
+            namespace, _, name = f"{namespace_above}/{parent}".rpartition("/")
+            yield NodeParameters(name, parent.span, parameters, namespace)
             continue
-        within = f"{outside}/{above}" if above else ""
+        inner_namespace = f"{namespace_above}/{parent}" if parent else ""
         keys = [
             (key, value) for key, value in reversed(mapping(node).items()) if isinstance(key, Key)
         ]
-        stack += [(value, key, within) for key, value in keys]
+        stack += [(value, key, inner_namespace) for key, value in keys]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfkit.core import disk
-from urdfkit.ros.launch import moveit_builder, moveit_parameters
+from urdfkit.ros.launch import moveit
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
@@ -67,7 +67,7 @@ class _PythonReader:
         self.frame = file.frame
         self._tree = tree
         self.values = Values(collector, file, tree)
-        self.calls = [one for one in python_source.nodes(tree) if isinstance(one, ast.Call)]
+        self.calls = [node for node in python_source.nodes(tree) if isinstance(node, ast.Call)]
         #: Commands whose output becomes a parameter without a type.
         self._untyped: set[ast.expr] = set()
         #: True if actions may be in a group with a condition.
@@ -81,7 +81,7 @@ class _PythonReader:
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
         #: False for a part of a launch file, which another file completes.
         self._is_complete = any(called(call) == "LaunchDescription" for call in self.calls)
-        self._expressions = [one for one in python_source.nodes(tree) if isinstance(one, ast.expr)]
+        self._expressions = [n for n in python_source.nodes(tree) if isinstance(n, ast.expr)]
 
     def read(self) -> None:
         for call in self.calls:
@@ -104,7 +104,7 @@ class _PythonReader:
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
             else:
-                moveit_builder.use(call, self.values, self.collector)
+                moveit.record_files(call, self.values, self.collector)
         if self.frame is None:
             self._mistakes()
         self._mentions()
@@ -116,9 +116,9 @@ class _PythonReader:
         for call in self.calls:
             if call not in self._idle:
                 problems += mistakes(call, self.values)
-            found = dropped_directory(call, self.values) or joined(call, self.values)
-            if found:
-                problems.append(found)
+            problem = dropped_directory(call, self.values) or joined(call, self.values)
+            if problem:
+                problems.append(problem)
         for node in self._expressions:
             if mistake := added(node, self.values):
                 problems.append(mistake)
@@ -130,7 +130,7 @@ class _PythonReader:
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
-            return  # no launch description holds it
+            return  # it is not in a launch description
         name = self.values.text(argument(call, 0, "name"))
         default = argument(call, 1, "default_value")
         if name and default is not None:
@@ -151,7 +151,7 @@ class _PythonReader:
 
     def _node(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
-            return  # nobody starts it
+            return  # it is not started
         package = argument(call, None, "package")
         name = self.values.text(package)
         if name and package is not None:
@@ -180,7 +180,7 @@ class _PythonReader:
         )
         self.collector.start(started)
         if started.executable == "move_group":
-            problems = moveit_parameters.problems(call, self._tree, self.values, self.collector)
+            problems = moveit.parameter_problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
 
     def _remappings(self, node: ast.expr | None) -> dict[str, str] | None:
@@ -199,19 +199,19 @@ class _PythonReader:
         text = "" if written is None else self.values.text(written)
         return None if text is None else text.strip("/")
 
-    def _parameters(self, node: ast.expr | None, others: ast.expr | None) -> GivenParameters:
+    def _parameters(self, node: ast.expr | None, ros_arguments: ast.expr | None) -> GivenParameters:
         """The parameters in a list of dictionaries and files."""
-        found: dict[str, str | None] = {}
+        values: dict[str, str | None] = {}
         files: list[str] = []
         lists: dict[str, tuple[str | None, ...]] = {}
-        is_whole = others is None
+        is_whole = ros_arguments is None
         for item in self.values.items(node) if node else ():
-            given = self.values.suggested(item)
-            if isinstance(given, ast.Dict):
-                for key, value in zip(given.keys, given.values, strict=True):
+            value_node = self.values.suggested(item)
+            if isinstance(value_node, ast.Dict):
+                for key, value in zip(value_node.keys, value_node.values, strict=True):
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
-                    found[name or ""] = self.values.text(value)
+                    values[name or ""] = self.values.text(value)
                     lists.update(self._listed(name or "", value))
                     self._note_files(name or "", value)
             elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
@@ -220,8 +220,8 @@ class _PythonReader:
                 is_whole = is_whole and file is not None
             else:
                 is_whole = False
-        found.pop("", None)
-        return GivenParameters(found, tuple(files), is_whole, lists)
+        values.pop("", None)
+        return GivenParameters(values, tuple(files), is_whole, lists)
 
     def _listed(self, name: str, value: ast.expr) -> dict[str, tuple[str | None, ...]]:
         """The items of parameters that are lists, by name."""
@@ -241,11 +241,11 @@ class _PythonReader:
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
         for item in self.values.items(parameters) if parameters else ():
-            given = self.values.suggested(item)
-            for value in given.values if isinstance(given, ast.Dict) else ():
-                found = self.values.suggested(value)
-                if isinstance(found, ast.Call) and called(found) == "Command":
-                    yield found
+            dictionary = self.values.suggested(item)
+            for value in dictionary.values if isinstance(dictionary, ast.Dict) else ():
+                command = self.values.suggested(value)
+                if isinstance(command, ast.Call) and called(command) == "Command":
+                    yield command
 
     def _process(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
@@ -259,20 +259,20 @@ class _PythonReader:
         node = argument(call, 0, "launch_description_source")
         path = self.values.text(node)
         path = (path and self._path(path)) or ""
-        is_there = False
+        exists = False
         if node is not None and path:
-            is_there = self.collector.file(path, self.values.span(node), "included launch file")
+            exists = self.collector.file(path, self.values.span(node), "included launch file")
         self.collector.problems += self.configurations.include(call, path)
-        passed = self.configurations.given(call)
+        passed = self.configurations.passed(call)
         holds = self._condition(call)
         is_sure = holds is True and not self._has_groups
-        if holds is not False and (passed is None or not is_there):
+        if holds is not False and (passed is None or not exists):
             self.collector.unread.append(path)
         if path and holds is not False:
-            seen = self.configurations.seen(call)
-            included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)
+            arguments = self.configurations.visible(call)
+            included = IncludedFile(path, arguments, self.values.span(call), self.frame, is_sure)
             self.collector.include(included)
-        if is_there and passed is not None and holds is not False:
+        if exists and passed is not None and holds is not False:
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
     def _condition(self, action: ast.Call) -> bool | None:
@@ -303,7 +303,7 @@ class _PythonReader:
             self.collector.command(text, span, frame, is_yaml=is_yaml)
 
     def _process_file(self, call: ast.Call) -> None:
-        """Of the module xacro."""
+        """``xacro.process_file(path)``."""
         file, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
         self._describe(call, file, mappings)
 
@@ -316,7 +316,7 @@ class _PythonReader:
                 self._describe(call, argument(file, 0, "file"), self._mappings_of(call))
 
     def _mappings_of(self, parsing: ast.Call) -> ast.expr | None:
-        """The arguments with which ``xacro.process_doc`` expands what a call has parsed."""
+        """The arguments with which ``xacro.process_doc`` expands the document of a call."""
         for call in self.calls:
             if called(call) == "process_doc":
                 document = argument(call, 0, "doc")
@@ -341,15 +341,15 @@ class _PythonReader:
         opened = self.values.opened(file) or self.values.suggested(file)
         if isinstance(opened, ast.Call) and called(opened) in ("open", "Path"):
             path = self.values.text(argument(opened, 0, "file"))
-            found = path and self._path(path)
-            if found:
-                self.collector.unexpanded(found, self.values.span(text), None)
+            resolved = path and self._path(path)
+            if resolved:
+                self.collector.unexpanded(resolved, self.values.span(text), None)
 
     def _describe(
         self,
         call: ast.Call,
         file: ast.expr | None,
-        given: ast.expr | None = None,
+        mappings_node: ast.expr | None = None,
         *,
         is_expanded: bool = True,
     ) -> None:
@@ -357,12 +357,12 @@ class _PythonReader:
         path = text and self._path(text)
         if not path:
             return
-        mappings = self.values.suggested(given)
+        mappings = self.values.suggested(mappings_node)
         arguments: dict[str, str | None] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):
                 arguments[self.values.text(key) or ""] = self.values.text(value)
-        elif given is not None:
+        elif mappings_node is not None:
             arguments[""] = None
         span = self.values.span(call)
         frame = self._frame(call)
@@ -379,6 +379,6 @@ class _PythonReader:
             self.collector.file(path, self.values.span(node), purpose)
 
     def _path(self, text: str) -> str | None:
-        """An absolute path; None for a relative one: launch is started from anywhere."""
+        """An absolute path; None for a relative path: the working directory is unknown."""
         path = path_from(self.source, text)
         return path if os.path.isabs(text) or disk.exists(path) else None

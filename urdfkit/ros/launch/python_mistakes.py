@@ -43,7 +43,7 @@ _DOCUMENTS = ("process_file", "parse")
 _TEXTS = ("toxml", "toprettyxml")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
 #: Numbers and booleans, as launch accepts only texts and substitutions.
-_NO_TEXT = (bool, int, float)
+_SCALARS = (bool, int, float)
 
 
 def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -55,7 +55,7 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
         yield from _documents(argument(call, None, "parameters"), values)
         yield from _former(call, values)
     elif name in _HOLDERS:
-        yield from _held(call, values)
+        yield from _action_list(call, values)
     elif name in _SOURCES:
         yield from _source(call, values)
     elif name == "ExecuteProcess":
@@ -75,7 +75,7 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
-        message = f"'{name}' is made and never started"
+        message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
         yield Problem("LAU010", span, message, help, severity=Severity.INFO)
 
@@ -97,9 +97,11 @@ def joined(call: ast.Call, values: Values) -> Problem | None:
     if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
         return None
     for part in call.args:
-        given = values.suggested(part)
-        if isinstance(given, ast.Call) and called(given) in _SUBSTITUTIONS:
-            message = f"os.path.join takes no {called(given)}: its value is known at run time only"
+        value = values.suggested(part)
+        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
+            message = (
+                f"os.path.join does not accept {called(value)}: its value is known only at run time"
+            )
             help = "write PathJoinSubstitution([...]) with the same parts"
             return _rejected(part, message, help, values)
     return None
@@ -108,26 +110,26 @@ def joined(call: ast.Call, values: Values) -> Problem | None:
 def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
     """The problem if the function that launch calls is missing or returns nothing."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    found = [one for one in functions if one.name == _ENTRY]
-    if found and not _gives(found[-1]):
-        at = _name_of(found[-1], source)
+    entries = [function for function in functions if function.name == _ENTRY]
+    if entries and not _returns_value(entries[-1]):
+        span = _name_of(entries[-1], source)
         message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
-        yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
-    by_name = {one.name: one for one in functions}
+        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
+    by_name = {function.name: function for function in functions}
     if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, 0.9)):
-        at = _name_of(by_name[name], source)
+        span = _name_of(by_name[name], source)
         message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
-        yield Problem("LAU010", at, message, help, severity=Severity.ERROR)
+        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
 
 
 def _name_of(function: ast.FunctionDef, source: Source) -> Span:
     """The name in the definition of a function."""
     start = source.offset(function.lineno, 1) + function.col_offset
-    found = re.compile(rb"def\s+([^\s(]+)").match(source.data, start)
-    return Span(source, *found.span(1)) if found else Span(source, start, start)
+    match = re.compile(rb"def\s+([^\s(]+)").match(source.data, start)
+    return Span(source, *match.span(1)) if match else Span(source, start, start)
 
 
-def _gives(function: ast.FunctionDef) -> bool:
+def _returns_value(function: ast.FunctionDef) -> bool:
     """True if a function returns a value, or does not return."""
     stack: list[ast.AST] = [*function.body]
     while stack:  # an expression may be too deep for recursion
@@ -144,40 +146,42 @@ def _gives(function: ast.FunctionDef) -> bool:
 
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
     for keyword in call.keywords:
-        now = _FORMER.get(keyword.arg or "")
-        if now and b"ROS_DISTRO" not in values.source.data:  # otherwise it depends on the version
-            at = values.span(keyword.value)
-            message = f"Node has no argument '{keyword.arg}' (it had until Foxy)"
-            yield Problem("LAU010", at, message, f"write {now}=", severity=Severity.INFO)
+        new_name = _FORMER.get(keyword.arg or "")
+        if (
+            new_name and b"ROS_DISTRO" not in values.source.data
+        ):  # otherwise it depends on the version
+            span = values.span(keyword.value)
+            message = f"Node has no argument '{keyword.arg}' (supported up to Foxy)"
+            yield Problem("LAU010", span, message, f"write {new_name}=", severity=Severity.INFO)
 
 
-def _held(call: ast.Call, values: Values) -> Iterator[Problem]:
+def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
     position, name = _HOLDERS[called(call)]
     node = argument(call, position, name)
-    given = values.suggested(node)
-    if node is not None and isinstance(given, ast.Call) and called(given) in _ACTIONS:
+    value = values.suggested(node)
+    if node is not None and isinstance(value, ast.Call) and called(value) in _ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
         yield _rejected(node, message, "write it in [ ]", values)
-    for item in values.items(node) if isinstance(given, ast.List) else ():
+    for item in values.items(node) if isinstance(value, ast.List) else ():
         if item is not None and isinstance(values.suggested(item), ast.List):
-            message = f"{name} of {called(call)} holds a list, where launch takes actions"
+            message = f"{name} of {called(call)} contains a list, but launch expects actions"
             yield _rejected(item, message, "write a * before it, or + between the lists", values)
 
 
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
     """A command line that is not a list with one word per item."""
     node = argument(call, 0, "cmd")
-    given = values.suggested(node)
+    command = values.suggested(node)
     yield from _words(node, values)
     if node is None or argument(call, None, "shell") is not None:
         return
     first = values.items(node)[:1]
     text = first[0].value if first and isinstance(first[0], ast.Constant) else None
-    if isinstance(given, ast.Constant) and isinstance(given.value, str):
-        message = "cmd of ExecuteProcess is a text, which launch takes apart into letters"
-        yield _rejected(node, message, f"write {given.value.split()}", values)
+    if isinstance(command, ast.Constant) and isinstance(command.value, str):
+        message = "cmd of ExecuteProcess is a string, which launch splits into letters"
+        yield _rejected(node, message, f"write {command.value.split()}", values)
     elif isinstance(text, str) and " " in text.strip() and first[0] is not None:
-        message = f"'{text}' is one word, so launch looks for a program of that whole name"
+        message = f"'{text}' is one word, so launch looks for a program with this name"
         yield _rejected(first[0], message, "write one item for each word, or shell=True", values)
 
 
@@ -186,10 +190,10 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
     node = argument(call, 0, "launch_file_path")
     path = values.text(node) or ""
     name = called(call)
-    for other, suffixes in _SOURCES.items():
+    for matching_source, suffixes in _SOURCES.items():
         if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
-            yield _rejected(call.func, message, f"write {other}", values)
+            yield _rejected(call.func, message, f"write {matching_source}", values)
     yield from missing_slash(values.items(node), values)
 
 
@@ -211,20 +215,20 @@ def added(node: ast.expr, values: Values) -> Problem | None:
     sides = [values.suggested(side) for side in (node.left, node.right)]
     is_text = [isinstance(side, ast.Constant) and isinstance(side.value, str) for side in sides]
     names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
-    found = next((name for name in names if name in _SUBSTITUTIONS), "")
-    if not (found and any(is_text)):
+    substitution = next((name for name in names if name in _SUBSTITUTIONS), "")
+    if not (substitution and any(is_text)):
         return None
-    message = f"a text and a {found} cannot be added: its value is known at run time only"
+    message = f"a string and a {substitution} cannot be added: its value is known only at run time"
     return _rejected(node, message, "write both into a list, with a comma between them", values)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
-    for name, what in _LISTS.items():
+    for name, expected in _LISTS.items():
         node = argument(call, None, name)
-        given = values.suggested(node)
-        is_text = isinstance(given, ast.Constant) and isinstance(given.value, str)
-        if node is not None and (is_text or isinstance(given, ast.Dict)):
-            yield _rejected(node, f"{name} of Node is not {what}", "write it in [ ]", values)
+        value = values.suggested(node)
+        is_text = isinstance(value, ast.Constant) and isinstance(value.value, str)
+        if node is not None and (is_text or isinstance(value, ast.Dict)):
+            yield _rejected(node, f"{name} of Node is not {expected}", "write it in [ ]", values)
     pairs = argument(call, None, "remappings")
     for pair in values.items(pairs) if isinstance(values.suggested(pairs), ast.List) else ():
         if isinstance(pair, ast.Constant) and isinstance(pair.value, str):
@@ -234,18 +238,18 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    """A parameter that is the document of xacro, or the method that would give its text."""
+    """A parameter that is a document of xacro, or a method that is not called."""
     dictionaries = (values.suggested(item) for item in values.items(node) if node)
-    for given in dictionaries:
-        for value in given.values if isinstance(given, ast.Dict) else ():
-            found = values.suggested(value)
-            is_method = isinstance(found, ast.Attribute) and found.attr in _TEXTS
-            if is_method and isinstance(found, ast.Attribute):
-                message = f"{found.attr} is a method, where launch takes a text"
-                yield _rejected(value, message, f"write {found.attr}()", values)
-            elif isinstance(found, ast.Call) and called(found) in _DOCUMENTS:
-                message = f"{called(found)}() gives a document of XML, where launch takes a text"
-                yield _rejected(value, message, "write .toxml() behind it", values)
+    for dictionary in dictionaries:
+        for value in dictionary.values if isinstance(dictionary, ast.Dict) else ():
+            text = values.suggested(value)
+            is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
+            if is_method and isinstance(text, ast.Attribute):
+                message = f"{text.attr} is a method, but launch expects a string"
+                yield _rejected(value, message, f"write {text.attr}()", values)
+            elif isinstance(text, ast.Call) and called(text) in _DOCUMENTS:
+                message = f"{called(text)}() returns an XML document, but launch expects a string"
+                yield _rejected(value, message, "append .toxml()", values)
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -253,36 +257,34 @@ def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
         yield from _text(item, "a word of the command line", values)
 
 
-def _text(node: ast.expr | None, what: str, values: Values) -> Iterator[Problem]:
-    """A value that must be a text and is a number or a boolean."""
-    given = values.suggested(node)
-    if isinstance(given, ast.UnaryOp):
-        given = given.operand
-    if node is None or not isinstance(given, ast.Constant) or type(given.value) not in _NO_TEXT:
+def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:
+    """A number or a boolean instead of a text."""
+    value = values.suggested(node)
+    if isinstance(value, ast.UnaryOp):
+        value = value.operand
+    if node is None or not isinstance(value, ast.Constant) or type(value.value) not in _SCALARS:
         return
-    kind = type(given.value).__name__
-    written = ast.unparse(node) if not isinstance(node, ast.Name) else given.value
+    kind = type(value.value).__name__
+    written = ast.unparse(node) if not isinstance(node, ast.Name) else value.value
     text = str(written).lower() if kind == "bool" else str(written)
     yield _rejected(
-        node, f"{what} is a {kind}, where launch takes texts", f"write '{text}'", values
+        node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'", values
     )
 
 
 def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    given = values.suggested(node)
-    if node is not None and isinstance(given, ast.Dict):
-        yield _rejected(
-            node, "launch_arguments is a dictionary", "write .items() behind it", values
-        )
-    if isinstance(given, ast.Call) and isinstance(given.func, ast.Attribute):
-        pairs = values.suggested(given.func.value) if given.func.attr == "items" else None
+    arguments = values.suggested(node)
+    if node is not None and isinstance(arguments, ast.Dict):
+        yield _rejected(node, "launch_arguments is a dictionary", "append .items()", values)
+    if isinstance(arguments, ast.Call) and isinstance(arguments.func, ast.Attribute):
+        pairs = values.suggested(arguments.func.value) if arguments.func.attr == "items" else None
         for value in pairs.values if isinstance(pairs, ast.Dict) else ():
             yield from _text(value, "the value of a launch argument", values)
 
 
 def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    given = values.suggested(node)
-    text = given.value if isinstance(given, ast.Constant) else None
+    value = values.suggested(node)
+    text = value.value if isinstance(value, ast.Constant) else None
     if node is not None and isinstance(text, str) and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
         yield _rejected(node, f"condition '{text}' is neither true nor false", help, values)

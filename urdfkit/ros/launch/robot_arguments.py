@@ -29,8 +29,8 @@ class RobotArguments(Record):
 
     arguments: dict[str, str]  # for xacro
     launch: str  # path of the launch file
-    frame: CallFrame | None  # its place; None if it passes them to another robot
-    is_whole: bool = True  # False if there are others that are known only at run time
+    frame: CallFrame | None  # its location; None if it passes them to another robot
+    is_whole: bool = True  # False if some arguments are known only at run time
     parameters: tuple[FileUse, ...] = ()  # parameter files that it loads for the robot
 
 
@@ -41,13 +41,14 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
         path: of the launch file.
     """
     # With several robots, it is unknown which of them the parameters are for.
-    is_one = len({one.path for one in launch.descriptions}) == 1
-    parameters = launch.parameters if is_one else ()
-    for one in launch.descriptions:
-        yield one.path, RobotArguments(one.arguments, path, one.frame, one.is_whole, parameters)
+    is_single = len({robot.path for robot in launch.descriptions}) == 1
+    parameters = launch.parameters if is_single else ()
+    for robot in launch.descriptions:
+        arguments = RobotArguments(robot.arguments, path, robot.frame, robot.is_whole, parameters)
+        yield robot.path, arguments
 
 
-def given(
+def passed_arguments(
     robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
 ) -> list[RobotArguments]:
     """Arguments from launch files for a robot: of its package, then others of the workspace.
@@ -62,35 +63,33 @@ def given(
     """
     real = disk.real(robot)
     own: list[RobotArguments] = []
-    others: list[RobotArguments] = []
+    of_siblings: list[RobotArguments] = []
     package = resolver.packages.enclosing(robot)
     for directory, name in directories_of_launch_files(robot, resolver):
-        for path, one in _started(directory, name, resolver, only_parameters=only_parameters):
-            if not one.arguments.keys() >= set(needed):
+        for path, passed in _started(directory, name, resolver, only_parameters=only_parameters):
+            if not passed.arguments.keys() >= set(needed):
                 continue
             if disk.real(path) == real:
-                own.append(one)
+                own.append(passed)
             elif needed and resolver.packages.enclosing(path) == package:
-                chosen = {name: one.arguments[name] for name in needed}
-                others.append(RobotArguments(chosen, one.launch, None))
-    return own or others
+                chosen = {name: passed.arguments[name] for name in needed}
+                of_siblings.append(RobotArguments(chosen, passed.launch, None))
+    return own or of_siblings
 
 
 def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) -> tuple[str, ...]:
-    """Those of some arguments to which each launch file that starts a robot gives unknown values.
+    """The arguments to which no launch file that starts the robot passes a known value.
 
-    That is what they may be: a launch file that the values of others come from is not read. Empty
-    if no launch file starts the robot.
+    Empty if all arguments of one of these launch files are known, or if there is none.
     """
     real = disk.real(robot)
     for directory, mentioned in directories_of_launch_files(robot, resolver):
-        found = [
-            one for path, one in _started(directory, mentioned, resolver) if disk.real(path) == real
-        ]
-        if found:
-            is_open = not any(one.is_whole for one in found)
-            known = {name for one in found for name in one.arguments}
-            return tuple(sorted(set(names) - known)) if is_open else ()
+        robots = _started(directory, mentioned, resolver)
+        launches = [arguments for path, arguments in robots if disk.real(path) == real]
+        if launches:
+            known = {name for launch in launches for name in launch.arguments}
+            is_whole = any(launch.is_whole for launch in launches)
+            return () if is_whole else tuple(sorted(set(names) - known))
     return ()
 
 
@@ -112,8 +111,8 @@ def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
 def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
     """True for a file that a launch file of its workspace expands with xacro."""
     real, launches = disk.real(source.path), launches_of_workspace(source.path, resolver)
-    described = (one for launch in launches for one in launch.descriptions)
-    return any(one.is_expanded and disk.real(one.path) == real for one in described)
+    robots = (robot for launch in launches for robot in launch.descriptions)
+    return any(robot.is_expanded and disk.real(robot.path) == real for robot in robots)
 
 
 def is_not_started(source: Source, resolver: Resolver) -> bool:
@@ -130,7 +129,7 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
         return False
     package = resolver.packages.enclosing(source.path)
     launches = launches_of_workspace(source.path, resolver) if package else ()
-    paths = {one.path for launch in launches for one in launch.descriptions}
+    paths = {robot.path for launch in launches for robot in launch.descriptions}
     return is_generated(source) or any(resolver.packages.enclosing(p) == package for p in paths)
 
 
@@ -145,11 +144,11 @@ def _started(
 ) -> tuple[tuple[str, RobotArguments], ...]:
     """The robots that the launch files of a directory start."""
     return tuple(
-        one
+        robot
         for source in launch_files(directory, mentioned, resolver)
         if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
-        for one in started(read_launch(source, resolver, choice), source.path)
+        for robot in started(read_launch(source, resolver, choice), source.path)
     )
 
 
@@ -181,8 +180,8 @@ class _Argument(Record):
 
     name: str  # empty if known only at run time
     choices: tuple[str, ...]  # empty texts are known only at run time
-    default: str | None  # None if there is none, or if it is known at run time only
-    is_open: bool  # True if there is none
+    default: str | None  # None if it is missing, or known only at run time
+    is_required: bool  # True if it has no default
 
 
 def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
@@ -191,14 +190,14 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
     Args:
         with_defaults: also those of arguments with a default, and defaults without choices.
     """
-    found: dict[str, list[str]] = {}
-    for one in _of_python(source) if source.path.endswith(".py") else _of_xml(source):
-        values = [choice for choice in one.choices if choice]
-        if with_defaults and not values and one.default is not None:
-            values = [one.default]
-        if one.name and values and (with_defaults or one.is_open):
-            found[one.name] = values
-    return found
+    values_by_name: dict[str, list[str]] = {}
+    for argument in _of_python(source) if source.path.endswith(".py") else _of_xml(source):
+        values = [choice for choice in argument.choices if choice]
+        if with_defaults and not values and argument.default is not None:
+            values = [argument.default]
+        if argument.name and values and (with_defaults or argument.is_required):
+            values_by_name[argument.name] = values
+    return values_by_name
 
 
 def _of_python(source: Source) -> Iterator[_Argument]:
@@ -210,7 +209,7 @@ def _of_python(source: Source) -> Iterator[_Argument]:
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
-        return  # which its own check reports
+        return  # reported by the check of the file itself
     for call in python_source.nodes(tree):
         if isinstance(call, ast.Call) and called(call) == "DeclareLaunchArgument":
             choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")

@@ -16,14 +16,14 @@ DISPLAYS = (
 
 
 def manager_of(source: Source) -> dict[str, Node]:
-    """The part of a configuration that has the displays; empty if there is none."""
+    """The section of a configuration that contains the displays; empty if it is missing."""
     return mapping(load(source), "Visualization Manager")
 
 
 def displays(source: Source) -> Iterator[dict[str, Node]]:
-    """The displays that are on, those in groups too."""
-    found = manager_of(source).get("Displays")
-    stack: list[Node] = list(found) if isinstance(found, list) else []
+    """The enabled displays, including those in groups."""
+    listed = manager_of(source).get("Displays")
+    stack: list[Node] = list(listed) if isinstance(listed, list) else []
     while stack:
         display = mapping(stack.pop())
         enabled = display.get("Enabled")
@@ -35,6 +35,6 @@ def displays(source: Source) -> Iterator[dict[str, Node]]:
 
 
 def topic_of(display: dict[str, Node], name: str = "Topic") -> Value | None:
-    """The topic that a display reads; None if it names none, or as a text of ROS 1."""
+    """The topic of a display; None if it is missing, or a plain text as in ROS 1."""
     value = mapping(display, name).get("Value")
     return value if isinstance(value, Value) and value.text else None

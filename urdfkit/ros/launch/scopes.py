@@ -24,8 +24,7 @@ class _Scope(Record):
 class Scopes:
     """The names of a program, each in its function.
 
-    A name that is given two different values has none here: which of them holds at a place, only
-    the running program knows.
+    A name with two different values has none here, as its value is known only at run time.
     """
 
     def __init__(self, tree: ast.Module) -> None:
@@ -45,7 +44,7 @@ class Scopes:
             scope = scope.outer
         values = scope.values[name.id] if scope else [None]
         first = values[0]
-        return first if all(_are_alike(first, other) for other in values[1:]) else None
+        return first if all(_are_equal(first, value) for value in values[1:]) else None
 
     @staticmethod
     def _bound(node: ast.AST, scope: _Scope) -> _Scope:
@@ -87,11 +86,11 @@ def unread(tree: ast.Module) -> set[ast.expr]:
     }
 
 
-def _are_alike(one: ast.expr | None, other: ast.expr | None) -> bool:
-    if one is None or other is None:
+def _are_equal(first: ast.expr | None, second: ast.expr | None) -> bool:
+    if first is None or second is None:
         return False
     try:
-        return ast.dump(one) == ast.dump(other)
+        return ast.dump(first) == ast.dump(second)
     except RecursionError:  # a sum of a thousand parts
         return False
 

@@ -1,4 +1,4 @@
-"""Which arguments a launch file takes."""
+"""The arguments that a launch file accepts."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ _PLAIN = frozenset(sys.stdlib_module_names) | frozenset(
 class Signature(Record):
     """The arguments of a launch file."""
 
-    required: frozenset[str]  # names of those that must be given
-    optional: frozenset[str]  # of the others
+    required: frozenset[str]  # names of arguments that must be passed
+    optional: frozenset[str]  # names of other arguments
     imports_plainly: bool  # False if functions of other modules may declare more
-    is_plain: bool  # True if these are all that it declares itself
-    includes: bool  # True if it includes other files, which may take more
+    is_plain: bool  # True if the file itself declares no other arguments
+    includes: bool  # True if it includes other files, which may accept more
 
     @property
     def names(self) -> frozenset[str]:
@@ -40,7 +40,7 @@ class Signature(Record):
 
     @property
     def is_whole(self) -> bool:
-        """True if it takes no others."""
+        """True if it accepts no other arguments."""
         return self.is_plain and not self.includes
 
 
@@ -52,7 +52,7 @@ _UNKNOWN = Signature(frozenset(), frozenset(), False, False, False)
 
 @lru_cache(CACHE_SIZE)
 def signature(source: Source) -> Signature:
-    """The arguments of a launch file; one that cannot be read may take any."""
+    """The arguments of a launch file; unknown if it cannot be read."""
     if source.path.endswith(".py"):
         try:
             tree = python_source.parse(source.data)
@@ -74,7 +74,7 @@ def signature(source: Source) -> Signature:
 
 
 def arguments_in(root: Element) -> Iterator[Element]:
-    """The declarations of arguments in XML; not what an ``<include>`` passes."""
+    """The declarations of arguments in XML, without those that an ``<include>`` passes."""
     for element in root.walk():
         inside = element.parent.tag if element.parent else ""
         if element.tag in ("arg", "let") and inside != "include":
@@ -82,7 +82,7 @@ def arguments_in(root: Element) -> Iterator[Element]:
 
 
 def _used(root: Element) -> set[str]:
-    """The arguments without which a launch file stops: those used under no condition."""
+    """The arguments that a launch file uses without a condition, and so requires."""
     used: set[str] = set()
     stack = [root]
     while stack:
@@ -112,21 +112,22 @@ def of_python(tree: ast.Module) -> Signature:
         if word is None:
             is_plain = False
             continue
-        words = {keyword.arg for keyword in node.keywords}
-        is_given = len(node.args) > 1 or not words.isdisjoint(("default_value", "condition", None))
-        needs = name == "DeclareLaunchArgument" and not is_given
-        (required if needs else optional).add(word)
+        keywords = {keyword.arg for keyword in node.keywords}
+        has_default = not keywords.isdisjoint(("default_value", "condition", None))
+        has_default = has_default or len(node.args) > 1
+        is_required = name == "DeclareLaunchArgument" and not has_default
+        (required if is_required else optional).add(word)
     return Signature(frozenset(required), frozenset(optional), imports_plainly, is_plain, includes)
 
 
 def declares(call: ast.Call) -> bool:
-    """True for an action that makes a launch configuration."""
+    """True for an action that creates a launch configuration."""
     name = called(call)
     return name == "SetLaunchConfiguration" or bool(_DECLARE.match(name))
 
 
 def _imported(tree: ast.Module) -> set[str]:
-    """The first parts of the names of the modules that a program imports."""
+    """The top-level names of the modules that a program imports."""
     names: set[str] = set()
     for node in python_source.nodes(tree):
         if isinstance(node, ast.Import):

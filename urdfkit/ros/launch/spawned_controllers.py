@@ -1,4 +1,4 @@
-"""The controllers that a launch file has loaded, by the spawner's and ros2control's command line.
+"""Controllers that a launch file loads: command lines of the spawner and of ros2control.
 
 Sources: ``spawner`` of ros-controls/ros_control (noetic) and of ros-controls/ros2_control (humble
 to rolling), ``load_controller`` of its ros2controlcli.
@@ -20,14 +20,14 @@ _VALUED = frozenset(
     "--controller-manager-timeout --switch-timeout --service-call-timeout --controller-ros-args "
     "--wait-for --shutdown-timeout --set-state --spin-time".split()
 )
-#: Options after which the command line itself says what a controller is.
-#: Options and words with which controllers are loaded and not started.
+#: Options and words that load controllers without starting them.
 _LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
+#: Options that define the type of a controller.
 _DEFINING = frozenset(("-t", "--controller-type"))
 
 
 def controllers(started: StartedProgram) -> Iterator[Word]:
-    """The names of controllers that a program loads by what others define."""
+    """Names of the controllers that a program loads, unless it defines their type itself."""
     words = _arguments(started)
     texts = [(word.text or "").partition("=")[0] for word in words]
     if not _DEFINING.isdisjoint(texts):
@@ -42,48 +42,48 @@ def controllers(started: StartedProgram) -> Iterator[Word]:
 
 
 def manager(started: StartedProgram) -> Word | None:
-    """The controller manager that a program is told to talk to; None if it is told none."""
+    """The controller manager in the command line of a program; None if it is missing."""
     words = _arguments(started)
     for flag, word in pairwise(words):
         if flag.text in _MANAGER:
             return word
     assigned = (word for word in words if (word.text or "").startswith("--controller-manager="))
-    found = next(assigned, None)
-    return found and Word((found.text or "").partition("=")[2], found.span)
+    assignment = next(assigned, None)
+    return assignment and Word((assignment.text or "").partition("=")[2], assignment.span)
 
 
 def manager_name(started: StartedProgram) -> str | None:
-    """The controller manager that a program talks to, in its namespace; None if it is not known."""
-    wanted = manager(started)
-    is_named = wanted is None or bool(wanted.text)
-    is_elsewhere = any((word.text or "").startswith("--namespace") for word in started.words)
-    if started.namespace is None or not is_named or is_elsewhere:  # --namespace is of ROS 1
+    """Full name of the controller manager that a program calls; None if unknown."""
+    option = manager(started)
+    is_known = option is None or bool(option.text)
+    has_namespace = any((word.text or "").startswith("--namespace") for word in started.words)
+    if started.namespace is None or not is_known or has_namespace:  # --namespace is of ROS 1
         return None
-    return resolve_name(wanted.text or "" if wanted else MANAGER, started.namespace)
+    return resolve_name(option.text or "" if option else MANAGER, started.namespace)
 
 
 def resolve_name(name: str, namespace: str | None) -> str:
-    """A name of ROS in a namespace."""
+    """Full name of a ROS resource, such as a topic, in a namespace."""
     return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")
 
 
 def topic_name(name: str, started: StartedProgram) -> str | None:
-    """The whole name of a topic of a node, after its remappings; None where it is not known."""
+    """Full name of a topic of a node, after remapping; None if unknown."""
     if started.remappings is None or started.namespace is None:
         return None
-    whole = resolve_name(name, started.namespace)
-    renamed = {resolve_name(old, started.namespace): new for old, new in started.remappings.items()}
-    return resolve_name(renamed.get(whole, whole), started.namespace)
+    full_name = resolve_name(name, started.namespace)
+    renames = {resolve_name(old, started.namespace): new for old, new in started.remappings.items()}
+    return resolve_name(renames.get(full_name, full_name), started.namespace)
 
 
 def activates(started: StartedProgram) -> bool:
-    """True if a program that loads controllers starts them, too."""
+    """True if a program also starts the controllers that it loads."""
     texts = {word.text for word in started.words}
     return None not in texts and texts.isdisjoint(_LEFT_INACTIVE)
 
 
 def _arguments(started: StartedProgram) -> tuple[Word, ...]:
-    """The words after the command; none if it loads no controllers."""
+    """The words after the command; empty if it loads no controllers."""
     words = started.words
     if started.package == MANAGER:
         if started.executable in _SPAWNERS:

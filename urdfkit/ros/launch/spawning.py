@@ -1,4 +1,4 @@
-"""The programs that put models into Gazebo, and their command lines: ``catalog/launch.json``."""
+"""The programs that spawn models in Gazebo, and their command lines: ``catalog/launch.json``."""
 
 from __future__ import annotations
 
@@ -10,27 +10,26 @@ from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
 class Spawner(Record):
-    """A program that puts models into Gazebo."""
+    """A program that spawns models in Gazebo."""
 
     #: valued and plain: its options with and without a value.
     valued: frozenset[str]
     plain: frozenset[str]
-    required: tuple[tuple[str, ...], ...]  # groups of options, of each of which one must be there
-    is_strict: bool  # True if it stops at other options; else it ignores them
+    required: tuple[tuple[str, ...], ...]  # groups of options; one option of each is required
+    is_strict: bool  # True if it rejects unknown options instead of ignoring them
 
     @property
     def known(self) -> frozenset[str]:
-        """All its options."""
         return self.valued | self.plain
 
 
 _NUMBER = re.compile(r"-[\d.]")
-#: What argparse takes for an option and its value: ``-z0.5``.
+#: An option joined to its value, which argparse accepts: ``-z0.5``.
 _WITH_NUMBER = re.compile(r"-([A-Za-z])(-?[\d.]+)$")
 
 
 def spawner_of(started: StartedProgram) -> Spawner | None:
-    """The program that is started, if it puts models into Gazebo."""
+    """The spawner that is started; None for other programs."""
     entry = data("launch")["spawners"].get(f"{started.package}/{started.executable}")
     if entry is None:
         return None
@@ -40,8 +39,8 @@ def spawner_of(started: StartedProgram) -> Spawner | None:
 
 
 def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word], bool]:
-    """The options, with the words of their values; False if there may be others."""
-    given: dict[str, Word] = {}
+    """Options with the words of their values; the boolean is False if some may be unknown."""
+    found_options: dict[str, Word] = {}
     is_known = True
     words = iter(started.words)
     for word in words:
@@ -52,11 +51,11 @@ def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word],
         if text.startswith("--ros-args"):
             break
         option, _, value = text.lstrip("-").partition("=")
-        if spawner.is_strict and (both := _WITH_NUMBER.match(text)):
-            option, value = both.groups()
+        if spawner.is_strict and (match := _WITH_NUMBER.match(text)):
+            option, value = match.groups()
         if not spawner.is_strict:
-            option = option.replace("-", "_")  # gflags takes both
-        given[option] = Word(value, word.span) if value else word
+            option = option.replace("-", "_")  # gflags accepts both
+        found_options[option] = Word(value, word.span) if value else word
         if option in spawner.valued and not value:
-            given[option] = next(words, word)
-    return given, is_known
+            found_options[option] = next(words, word)
+    return found_options, is_known

@@ -2,15 +2,17 @@
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import Word
-from urdfkit.ros.launch.evaluation import evaluate
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.xacro.budget import Budget, deadline
+from urdfkit.xacro.expressions import evaluate as evaluate_in
+from urdfkit.xacro.sandbox import Sandbox
 
 #: Substitutions of ROS 1 and ROS 2 in a parameter file.
 _IN_FILES = {
@@ -25,6 +27,12 @@ _PLACEHOLDER = r"[!<>?]"
 MAX_LEVELS = 50
 #: Most characters of a text after substitution, as arguments could double repeatedly.
 MAX_LENGTH = 100_000
+#: Names that roslaunch defines, apart from arguments and functions.
+_NAMES = {"true": True, "false": False} | {
+    kind.__name__: kind for kind in (list, dict, map, str, float, int)
+}
+#: Length of the longest result of an expression.
+MAX_RESULT = 4096
 
 
 class Substitutions:
@@ -79,14 +87,14 @@ class Substitutions:
         """The words of a command line, with the locations of constant words."""
         if attribute is None:
             return ()
-        written: list[str] = []
+        texts: list[str] = []
         for is_command, part in pieces(attribute.value):
             value = self.command(part, attribute.span) if is_command else part
             # An argument with an empty default is also a word.
-            written.append(value or _UNKNOWN_WORD)
+            texts.append(value or _UNKNOWN_WORD)
         return tuple(
             Word(None if _UNKNOWN_WORD in word else word, attribute.span)
-            for word in command_words("".join(written))
+            for word in command_words("".join(texts))
         )
 
     def _found(self, package: str, span: Span) -> str:
@@ -94,8 +102,42 @@ class Substitutions:
 
         Only the file in it is relevant, not whether xacro is installed.
         """
-        found = self._collector.package(package, self._source, span)
-        return found if found is not None else f"{UNKNOWN}/{package}"
+        directory = self._collector.package(package, self._source, span)
+        return directory if directory is not None else f"{UNKNOWN}/{package}"
+
+
+def evaluate(
+    text: str, arguments: Mapping[str, str], functions: Mapping[str, Callable[[str], str]]
+) -> str | None:
+    """The result of ``$(eval ...)`` in ROS 1 as text; None if it is unknown.
+
+    It is evaluated in the sandbox of xacro's expressions. Source: ``_eval`` and ``_DictWrapper`` in
+    ``roslaunch/substitution_args.py`` of ros/ros_comm.
+
+    Args:
+        arguments: of the launch file; available by name.
+        functions: of one text, such as ``find``.
+    """
+    values = {name: _converted(value) for name, value in arguments.items()}
+    names = _NAMES | {"arg": values.__getitem__, **functions, **values}
+    try:
+        result = evaluate_in(text.strip(), names, Sandbox(Budget(deadline())))
+    except Exception:  # an expression may raise any exception
+        return None
+    is_text = isinstance(result, (str, bool, int, float)) and len(str(result)) <= MAX_RESULT
+    return str(result) if is_text else None
+
+
+def _converted(text: str) -> str | bool | int | float:
+    """The value of an argument in an expression, as roslaunch converts it."""
+    if text.lower() in ("true", "false"):
+        return text.lower() == "true"
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
 
 
 def pieces(text: str) -> Iterator[tuple[bool, str]]:
@@ -121,5 +163,5 @@ def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
     """The first substitution in a YAML file, or None."""
     source = resolver.readable(path)
     text = source.data.decode("utf-8", "replace") if source else ""
-    found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
-    return found.group(0) if found else None
+    match = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
+    return match.group(0) if match else None

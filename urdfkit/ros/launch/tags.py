@@ -71,7 +71,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             help = f'write {name}="..."'
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
-        return  # whose attributes are not read
+        return  # its attributes are not read
     if ros == 1:
         yield from _given_twice(element, frame)
     known = own.names(element.tag)
@@ -87,7 +87,8 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
         if name in known or name in _CONDITIONS or _OF_OTHERS.search(name):
             continue
         suggested = own.translated.get(path) or nearest(name, known)
-        help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
+        known_list = "known attributes: " + ", ".join(sorted(known))
+        help = f"did you mean {suggested}?" if suggested else known_list
         message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
 
@@ -102,8 +103,8 @@ def _condition(attribute: Attribute, frame: CallFrame | None) -> Iterator[Proble
         and outside != text
         and "$(" not in outside
     ):
-        message = f"<{attribute.element.tag}>: {attribute.name} is '{text}', no boolean"
-        help = "write $(eval ...) around all of it"
+        message = f"<{attribute.element.tag}>: {attribute.name} is '{text}', not a boolean"
+        help = "write the whole condition in $(eval ...)"
         yield Problem("LAU010", attribute.span, message, help, frame, severity=Severity.ERROR)
 
 

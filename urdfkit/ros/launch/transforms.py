@@ -65,11 +65,11 @@ def mistakes(started: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     for word in flags:
         if word.text not in _OPTIONS:
             hint = did_you_mean(word.text or "", _OPTIONS)
-            known = "--frame-id, --child-frame-id, --x, --yaw and others"
+            known = "known options: --frame-id, --child-frame-id, --x, --yaw and others"
             yield word, f"static_transform_publisher has no option '{word.text}'{hint}", known
     numbers = [word for word in words if number(word.text) is not None]
     are_numbers = words[: len(numbers)] == numbers
     if not flags and not (len(numbers) in _COUNTS and are_numbers and len(words) - 2 in _COUNTS):
-        message = f"static_transform_publisher gets {len(words)} words: it takes 6 numbers, or 7 "
-        help = "x y z yaw pitch roll PARENT CHILD, without a period as in ROS 1"
-        yield words[0], f"{message}with a quaternion, and two frames", help
+        message = f"static_transform_publisher has {len(words)} arguments, but requires 6 numbers"
+        help = "write x y z yaw pitch roll PARENT CHILD, without the period of ROS 1"
+        yield words[0], f"{message}, or 7 with a quaternion, and two frames", help

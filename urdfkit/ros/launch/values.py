@@ -25,7 +25,7 @@ class Values:
     """Evaluates constants in a launch file.
 
     Attributes:
-        arguments: texts, or expressions of their defaults; None for those that are not known.
+        arguments: values as text, or expressions of defaults; None if unknown.
     """
 
     def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
@@ -178,7 +178,7 @@ def _joined(parts: Iterable[str | None]) -> str | None:
 
 
 def _path(parts: Iterable[str | None]) -> str | None:
-    """Joined parts of a path; an absolute part drops the parts before it."""
+    """Joined path; an absolute part drops the parts before it."""
     texts = _all_known(parts)
     return None if texts is None else os.path.join("", *texts)
 

@@ -31,12 +31,12 @@ class StartedWorld(Record):
 
     generation: str  # ``gz`` or ``classic``
     name: str  # a path, or the name of a world that comes with Gazebo; empty for the default one
-    engine: str  # the render engine that the command line chooses; empty if it chooses none
-    libraries: tuple[str, ...]  # that Gazebo Classic loads besides the plugins of the world
+    engine: str  # the render engine in the command line; empty if it is missing
+    libraries: tuple[str, ...]  # system plugins that the command line loads into Gazebo Classic
     has_window: bool  # False if only the server is started
-    span: Span  # where the world is named
-    frame: CallFrame | None  # the launch files that led there
-    is_sure: bool  # False if a condition decides that is known at run time only
+    span: Span  # of the world's name
+    frame: CallFrame | None  # the including launch files
+    is_sure: bool  # False if it depends on a condition that is known only at run time
     is_paused: bool = False  # True if gz sim waits until the user starts the simulation
     is_glued: bool = False  # True if there is no space between ``-r`` and the path of the world
 
@@ -49,11 +49,11 @@ class StartedWorld(Record):
 def worlds(launch: Launch) -> Iterator[StartedWorld]:
     """The known worlds of a launch file and of the files that it includes."""
     for included in launch.includes:
-        if found := _of_file(included):
-            yield found
+        if world := _of_file(included):
+            yield world
     for started in (*launch.started, *launch.included):
-        if found := _of_program(started):
-            yield found
+        if world := _of_program(started):
+            yield world
 
 
 def _of_file(included: IncludedFile) -> StartedWorld | None:
@@ -62,15 +62,15 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
     generation, *names = data("worlds")["files"].get(name, "").split() or ("",)
     if not generation or included.arguments is None:
         return None
-    given = [included.arguments[one] for one in names if one in included.arguments]
-    word = next(iter(given), Word("", included.span))
+    passed = [included.arguments[name] for name in names if name in included.arguments]
+    word = next(iter(passed), Word("", included.span))
     if word.text is None:
         return None
     is_line = names[0].endswith("_args")
     runs = ["-r"] if generation == GZ else []
     words = command_words(word.text) if is_line else [*runs, word.text]
-    found = _started(generation, words, word.span, included)
-    return found._replace(libraries=_OF_ROS) if found else None
+    world = _started(generation, words, word.span, included)
+    return world._replace(libraries=_OF_ROS) if world else None
 
 
 def _of_program(started: StartedProgram) -> StartedWorld | None:
@@ -88,12 +88,12 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
         if tuple(words[: len(command)]) == command:
             generation, words = kind, words[len(command) :]
             break
-    found = _started(generation, words, started.span, started) if generation else None
-    return found._replace(libraries=_OF_ROS) if found and started.package else found
+    world = _started(generation, words, started.span, started) if generation else None
+    return world._replace(libraries=_OF_ROS) if world and started.package else world
 
 
-def _parted(word: str) -> list[str]:
-    """A word of the command line; two where the path of a world follows ``-r`` at once."""
+def _split(word: str) -> list[str]:
+    """A word of the command line; two words if a path follows ``-r`` without a space."""
     return ["-r", word[2:]] if word.startswith("-r/") else [word]
 
 
@@ -102,11 +102,11 @@ def _started(
 ) -> StartedWorld | None:
     """The world of a command line; None if it starts only the window."""
     valued = data("worlds")["valued"][generation].split()
-    given: dict[str, str] = {}
+    options: dict[str, str] = {}
     libraries: list[str] = []
     names: list[str] = []
     is_glued = any(word.startswith("-r/") for word in words)
-    rest = iter(part for word in words for part in _parted(word))
+    rest = iter(part for word in words for part in _split(word))
     for word in rest:
         option, _, value = word.partition("=")
         if not word.startswith("-"):
@@ -116,17 +116,17 @@ def _started(
             value = next(rest, "")
         if generation == CLASSIC and option in ("-s", "--server-plugin"):
             libraries.append(os.path.basename(value))
-        given[option] = value
-    if generation == GZ and "-g" in given:
+        options[option] = value
+    if generation == GZ and "-g" in options:
         return None
-    runs = any(_RUN.match(option) for option in given)
-    engine = given.get("--render-engine-server") or given.get("--render-engine", "")
+    runs = any(_RUN.match(option) for option in options)
+    engine = options.get("--render-engine-server") or options.get("--render-engine", "")
     return StartedWorld(
         generation,
         names[0] if names else "",
         engine,
         tuple(libraries),
-        generation == CLASSIC or "-s" not in given,
+        generation == CLASSIC or "-s" not in options,
         span,
         by.frame,
         by.is_sure,

@@ -28,8 +28,8 @@ from urdfkit.workspace.manifest import manifest_of
 MAX_LEVELS = 50
 #: Most problems that are reported for a launch file.
 MAX_PROBLEMS = 1000
-#: Help for a file of another program.
-_FOREIGN = "leave it, or rename it: launch files are known by their names"
+#: Help for a file of another program with the suffix of a launch file.
+_FOREIGN = "ignore this, or rename the file: launch files are recognised by name"
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
 #: Tags that apply to the nodes after them.
@@ -76,9 +76,9 @@ class _XmlReader(XmlLaunchFile):
         elif broken:
             self._unreadable(broken[0].span, broken[0].message)
         elif document is not None and document.root.tag == "launchConfiguration":
-            self._foreign("<launchConfiguration> is of Eclipse")
+            self._foreign("<launchConfiguration> belongs to Eclipse")
         elif is_yaml and next(node_parameters(self.source), None):
-            self._foreign("it holds the parameters of nodes")
+            self._foreign("it contains node parameters")
         elif not is_launch:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
@@ -156,7 +156,7 @@ class _XmlReader(XmlLaunchFile):
         return (self.ros == 1 or self._is_whole) and not self._may_inherit()
 
     def _may_inherit(self) -> bool:
-        """True if files that include this one may give it more arguments than are known."""
+        """True if other launch files may include this file and pass unknown arguments."""
         return not self._outer and is_included(self.source.path, self.collector.resolver)
 
     def _node(self, element: Element) -> None:
@@ -180,9 +180,9 @@ class _XmlReader(XmlLaunchFile):
         path = self.path(attribute) if attribute else None
         purpose = "included launch file"
         if path:
-            seen = self._seen(element)
+            arguments = self._seen(element)
             is_sure = not self.unknown_conditions
-            included = IncludedFile(path, seen, element.span, self.frame, is_sure)
+            included = IncludedFile(path, arguments, element.span, self.frame, is_sure)
             self.collector.include(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
@@ -201,7 +201,7 @@ class _XmlReader(XmlLaunchFile):
         self._is_whole = self._is_whole and taken.is_whole
         self._compare(element, taken, source)
         if self.ros == 2:
-            self._arguments.declare(taken.names)  # which an include leaves behind
+            self._arguments.declare(taken.names)  # an include declares them here, too
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
             self.collector.follow(path, self.source, self._passed(element), frame)
@@ -220,8 +220,10 @@ class _XmlReader(XmlLaunchFile):
         _XmlReader(self.collector, file, inherited, here).read()
 
     def _of_other_ros(self, attribute: Attribute, path: str) -> None:
-        message = f"roslaunch reads XML alone, and '{os.path.basename(path)}' is of ROS 2"
-        help = "include a launch file of ROS 1, or write this one for ROS 2"
+        message = (
+            f"roslaunch reads only XML, but '{os.path.basename(path)}' is a launch file of ROS 2"
+        )
+        help = "include a launch file of ROS 1, or write this file for ROS 2"
         problem = Problem("LAU010", attribute.span, message, help, self.frame)
         self.collector.problems.append(problem)
         self.collector.unread.append(path)
@@ -240,7 +242,7 @@ class _XmlReader(XmlLaunchFile):
             and not self.is_off(child)
         ]
         if element.get("pass_all_args"):
-            return  # what was given on the command line, too
+            return  # arguments of the command line are passed, too
         known = {name for name, _ in passed}
         if self.ros == 2:
             known |= self._arguments.declared
@@ -260,12 +262,12 @@ class _XmlReader(XmlLaunchFile):
 
     def _seen(self, element: Element) -> dict[str, Word]:
         """The arguments that an included file sees, with their locations."""
-        places = {
+        spans = {
             child.get("name") or "": child.attributes["value"].span
             for child in element.children
             if "value" in child.attributes and not self.is_off(child)
         }
         return {
-            name: Word(value, places.get(name, element.span))
+            name: Word(value, spans.get(name, element.span))
             for name, value in self._passed(element).items()
         }

@@ -47,4 +47,4 @@ class XmlLaunchFile:
     def has_unknown_condition(self, element: Element) -> bool:
         """True if the condition of an element is known only at run time."""
         conditions = (element.attributes.get(name) for name in ("if", "unless"))
-        return any(one is not None and self.text(one) is None for one in conditions)
+        return any(condition and self.text(condition) is None for condition in conditions)

@@ -25,8 +25,8 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
     if name is None or "rviz" in name:
         for option, path in pairwise(word.text for word in words):
             if arguments and option in ("-d", "--display-config") and path:
-                whole = path_from(file.source, path)
-                file.collector.file(whole, arguments.span, "RViz configuration")
+                full_path = path_from(file.source, path)
+                file.collector.file(full_path, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
     started = StartedProgram(
         name or "",
@@ -45,8 +45,8 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
 
 def _remappings(file: XmlLaunchFile, node: Element) -> dict[str, str] | None:
     texts = [
-        (file.text(one.attributes.get("from")), file.text(one.attributes.get("to")))
-        for one in node.all("remap")
+        (file.text(remap.attributes.get("from")), file.text(remap.attributes.get("to")))
+        for remap in node.all("remap")
     ]
     known = {old: new for old, new in texts if old and new}
     return known if len(known) == len(texts) else None
@@ -67,18 +67,18 @@ def start_executable(file: XmlLaunchFile, element: Element) -> None:
 
 def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
     """The parameters of a node in ROS 2; in ROS 1 they do not belong to a node."""
-    found: dict[str, str | None] = {}
+    values: dict[str, str | None] = {}
     files: list[str] = []
     is_whole = file.ros == 2 and "ros_args" not in node.attributes
     for child in node.all("param"):
         source = child.attributes.get("from")
         if source is None:
-            found[child.get("name") or ""] = file.text(child.attributes.get("value"))
+            values[child.get("name") or ""] = file.text(child.attributes.get("value"))
             continue
         path = file.path(source)
         is_whole = is_whole and path is not None
         files += [path] if path else []
-    return GivenParameters(found, tuple(files), is_whole)
+    return GivenParameters(values, tuple(files), is_whole)
 
 
 def read_param(file: XmlLaunchFile, element: Element) -> None:
@@ -104,13 +104,13 @@ def read_param(file: XmlLaunchFile, element: Element) -> None:
 
 
 def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> None:
-    """The command of a robot description: ROS 1's attribute, ROS 2's ``$(command '...')``."""
+    """Read the command of a robot description: an attribute, or ``$(command '...')`` in ROS 2."""
     text = attribute.value
     if attribute.name == "value":
-        found = re.fullmatch(r"\s*\$\(command\s+(['\"])(.*)\1[^)]*\)\s*", text, re.DOTALL)
-        if found is None:
+        match = re.fullmatch(r"\s*\$\(command\s+(['\"])(.*)\1[^)]*\)\s*", text, re.DOTALL)
+        if match is None:
             return
-        text = found.group(2)
+        text = match.group(2)
     command = file.substitutions.text(text, attribute.span)
     if command is not None:
         is_yaml = attribute.name == "value" and attribute.element.get("type") is None
@@ -133,22 +133,22 @@ def _parameter_file(file: XmlLaunchFile, attribute: Attribute, switch: str) -> N
     path = file.path(attribute)
     if path is None or not file.collector.file(path, attribute.span, PARAMETERS):
         return
-    switched = attribute.element.get(switch)
-    if switched not in (None, "false", "False", "0") or file.ros is None:
+    value = attribute.element.get(switch)
+    if value not in (None, "false", "False", "0") or file.ros is None:
         return
-    if found := unresolved(path, file.ros, file.collector.resolver):
-        message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
-        help = f'write {switch}="true"' + _undeclared(found, attribute.element)
+    if substitution := unresolved(path, file.ros, file.collector.resolver):
+        message = f"'{os.path.basename(path)}' contains {substitution}, which is not resolved"
+        help = f'write {switch}="true"' + _undeclared(substitution, attribute.element)
         problem = Problem("LAU019", attribute.span, message, help, file.frame)
         file.collector.problems.append(problem)
 
 
 def _undeclared(substitution: str, element: Element) -> str:
-    """What a substitution takes besides: roslaunch stops at an argument without a declaration."""
+    """Help for a substitution of an undeclared argument, at which roslaunch stops."""
     if not substitution.startswith("$(arg "):
         return ""
     name = substitution[len("$(arg ") : -1]
     while element.parent is not None:
         element = element.parent
-    is_declared = name in {one.get("name") for one in arguments_in(element)}
+    is_declared = name in {argument.get("name") for argument in arguments_in(element)}
     return "" if is_declared else f', and declare <arg name="{name}"/>'

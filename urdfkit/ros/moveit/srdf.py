@@ -224,9 +224,9 @@ def _launched(path: str, robot: RosDescription, names: set[str]) -> Iterator[dic
 
     The robot may be checked with the default of an argument such as a prefix.
     """
-    from urdfkit.ros.launch.robot_arguments import given
+    from urdfkit.ros.launch.robot_arguments import passed_arguments
 
-    for launched in given(path, (), robot.resolver):
+    for launched in passed_arguments(path, (), robot.resolver):
         whole = {name: value for name, value in launched.arguments.items() if name in names}
         if launched.frame:
             yield whole

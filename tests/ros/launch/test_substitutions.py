@@ -2,7 +2,7 @@
 
 import pytest
 
-from urdfkit.ros.launch.evaluation import evaluate
+from urdfkit.ros.launch.substitutions import evaluate
 
 ARGUMENTS = {"model": "cart", "sim": "true", "count": "2", "prefix": "", "rate": "1.5"}
 

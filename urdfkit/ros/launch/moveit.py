@@ -1,0 +1,196 @@
+"""MoveIt's configuration in Python launch files: ``MoveItConfigsBuilder``, and dictionaries.
+
+Sources: ``moveit_configs_builder.py`` of moveit_configs_utils, ``planning_pipeline.cpp`` and
+``kinematics_plugin_loader.cpp`` of moveit/moveit2.
+"""
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+
+from urdfkit.core import disk
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.located_yaml import Key, Node, load, mapping
+
+#: Methods whose first argument is a file of the package.
+_FILES = (
+    "joint_limits", "moveit_cpp", "pilz_cartesian_limits", "robot_description",
+    "robot_description_kinematics", "robot_description_semantic", "trajectory_execution",
+)  # fmt: skip
+#: Pipelines for which moveit_configs_utils has settings.
+_PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
+
+_KINEMATICS = "robot_description_kinematics"
+_SOLVER = ".kinematics_solver"
+#: Statements that change a dictionary after its creation.
+_CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
+_LOADS = ("safe_load", "load", "full_load")
+#: Placeholder of unknown keys.
+_OPEN = "*"
+
+
+def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
+    """Record the files that a method of the builder reads, and its package."""
+    builder = _builder(call)
+    if builder is None:
+        return
+    robot = values.text(argument(builder, 0, "robot_name"))
+    written = argument(builder, 1, "package_name")
+    package = values.text(written) if written else robot and f"{robot}_moveit_config"
+    if not package:
+        return
+    directory = collector.package(package, values.source, values.span(written or builder))
+    if called(call) in _FILES:
+        node = argument(call, 0, "file_path")
+        path = values.text(node)
+        if node is not None and path and not path.startswith(UNKNOWN):
+            path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
+            collector.file(path, values.span(node), "MoveIt configuration")
+    elif called(call) == "to_moveit_configs" and directory:
+        _without_plugin(directory, collector)
+    elif called(call) == "planning_pipelines" and directory:
+        _default(call, values, collector)
+        for item in values.items(argument(call, 1, "pipelines")):
+            name = values.text(item)
+            file = os.path.join(directory, "config", f"{name}_planning.yaml")
+            if item is not None and name and name not in _PIPELINES and not disk.exists(file):
+                message = f"planning pipeline '{name}' has no config/{name}_planning.yaml"
+                message += did_you_mean(name, _PIPELINES)
+                help = "add the file, or name one of " + ", ".join(_PIPELINES)
+                collector.problems.append(Problem("LAU003", values.span(item), message, help))
+
+
+def _default(call: ast.Call, values: Values, collector: Collector) -> None:
+    """Report a default that is not one of the pipelines, which the builder rejects."""
+    node = argument(call, 0, "default_planning_pipeline")
+    names = [values.text(item) for item in values.items(argument(call, 1, "pipelines"))]
+    known = [name for name in names if name]
+    default = values.text(node)
+    if node is not None and default and known and default not in names and None not in names:
+        message = f"default_planning_pipeline '{default}' is not in pipelines: {', '.join(known)}"
+        help = f"add '{default}' to pipelines"
+        collector.problems.append(Problem("LAU024", values.span(node), message, help))
+
+
+def _without_plugin(directory: str, collector: Collector) -> None:
+    """Report pipelines of a package whose settings have no planning plugin."""
+    for name in _PIPELINES:
+        path = os.path.join(directory, "config", f"{name}_planning.yaml")
+        try:
+            root = mapping(load(collector.resolver.read(path))) if disk.is_file(path) else {}
+        except UnreadableFile:
+            continue
+        if any(isinstance(key, Key) for key in root) and root.keys().isdisjoint(
+            ("planning_plugin", "planning_plugins")
+        ):
+            message = f"config/{name}_planning.yaml has no planning plugin"
+            help = f"add planning_plugins (planning_plugin up to Humble) with the plugin of {name}"
+            if mapping(root, name):
+                message += f": its settings are below '{name}'"
+                help = f"remove '{name}:', and the indentation below it"
+            first = next(key for key in root if isinstance(key, Key))
+            problem = Problem("LAU024", first.span, message, help, severity=Severity.WARNING)
+            collector.problems.append(problem)
+
+
+def _builder(call: ast.Call) -> ast.Call | None:
+    """The call that begins a chain of methods, if it creates a builder."""
+    node: ast.expr = call
+    while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        node = node.func.value
+    is_builder = isinstance(node, ast.Call) and called(node) == "MoveItConfigsBuilder"
+    return node if isinstance(node, ast.Call) and is_builder and node is not call else None
+
+
+def parameter_problems(
+    node: ast.Call, tree: ast.Module, values: Values, collector: Collector
+) -> Iterator[Problem]:
+    """Missing parameters of a ``Node`` with move_group; empty unless all parameters are known."""
+    if _CHANGES.search(values.source.data):
+        return
+    reader = _Reader(tree, values, collector)
+    parameters = argument(node, None, "parameters")
+    items = values.items(parameters) if parameters else [None]
+    keys = {key for item in items for key in reader.keys(item)}
+    if _OPEN in keys:
+        return
+    for item in items:
+        for name, place in reader.pipelines(item):
+            plugins = (_OPEN, "planning_plugin", "planning_plugins")
+            if not keys.isdisjoint(f"{name}.{plugin}" for plugin in plugins):
+                continue
+            message = f"planning pipeline '{name}' has no planning plugin"
+            help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
+            yield Problem("LAU024", values.span(place), message, help, severity=Severity.WARNING)
+    if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
+        message = (
+            f"the kinematics solvers are not in {_KINEMATICS}, so no planning group has a solver"
+        )
+        help = f'write {{"{_KINEMATICS}": ...}} around them'
+        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
+
+
+class _Reader:
+    """Reads names in dictionaries, and in YAML files that a function of the launch file loads."""
+
+    def __init__(self, tree: ast.Module, values: Values, collector: Collector) -> None:
+        self._values = values
+        self._resolver = collector.resolver
+        self._functions = {
+            node.name
+            for node in tree.body
+            if isinstance(node, ast.FunctionDef)
+            and any(isinstance(n, ast.Call) and called(n) in _LOADS for n in ast.walk(node))
+        }
+
+    def keys(self, node: ast.expr | None) -> set[str]:
+        """The names of parameters, with dots between levels."""
+        node = self._values.suggested(node)
+        if isinstance(node, ast.Dict):
+            names: set[str] = set()
+            for key, value in zip(node.keys, node.values, strict=True):
+                name = self._values.text(key)
+                if name is None:
+                    return {_OPEN}
+                names |= {name, *(f"{name}.{inner}" for inner in self.keys(value))}
+            return names
+        root = self._loaded(node) if isinstance(node, ast.Call) else None
+        if root is None:
+            return {_OPEN}
+        nested = {f"{key}.{inner}" for key, value in root.items() for inner in mapping(value)}
+        return {*map(str, root), *nested}
+
+    def pipelines(self, node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
+        """The names in a list of planning pipelines, with their locations."""
+        dictionary = self._values.suggested(node)
+        pairs = (
+            zip(dictionary.keys, dictionary.values, strict=True)
+            if isinstance(dictionary, ast.Dict)
+            else ()
+        )
+        for key, value in pairs:
+            is_pipelines = self._values.text(key) == "planning_pipelines"
+            for item in self._values.items(value) if is_pipelines else ():
+                if item is not None and (name := self._values.text(item)):
+                    yield name, item
+
+    def _loaded(self, call: ast.Call) -> dict[str, Node] | None:
+        """The YAML that a function of the launch file reads from a path, or a path in a package."""
+        texts = [self._values.text(argument) for argument in call.args]
+        if called(call) not in self._functions or call.keywords or None in texts:
+            return None
+        parts = [text or "" for text in texts]
+        try:
+            if len(parts) == 2:
+                parts[0] = self._resolver.package(parts[0], self._values.source.path)
+            path = os.path.join(*parts) if parts else ""
+            if not os.path.isabs(path) or not disk.is_file(path):
+                return None
+            return mapping(load(self._resolver.read(path)))
+        except UrdfkitError:
+            return None
