@@ -279,6 +279,10 @@ FILES: dict[str, tuple[Mapping[str, str | Callable[[], str]], str]] = {
         "",
     ),
     "elements": ({"r.urdf": lambda: f'<robot name="r">{"<a/>" * 2_000_000}</robot>'}, "XAC013"),
+    "a launch file in Python": (
+        {"b.launch.py": lambda: "x = 1\n" * 300_000},
+        "LAU001",
+    ),
     "a manifest": (
         {"r.urdf": ROBOT, "package.xml": "<package>" + "<depend>a</depend>" * 50_000},
         "",

@@ -64,7 +64,7 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
                 f"the spawner waits for '{name}', which nothing starts; the controller manager is "
                 f"'{other}'",
                 f"write --controller-manager {other}"
-                if b"exec" in one.span.source.data
+                if one.is_ros_2
                 else f'write ns="{other.rpartition("/")[0] or "/"}"',
                 related=(Related(place, "it is started here"),),
             )
