@@ -108,6 +108,8 @@ BOMBS = {
     "deep XML": ("<a>" * 100_000 + "</a>" * 100_000, "XAC013"),
     "many elements": ("<a/>" * 400_000, "XAC013"),
     "many comments": ("<!-- a -->" * 300_000 + "<xacro:property name='1' value='1'/>", "XAC001"),
+    "millions of comments": ("<!---->" * 3_000_000, "XAC013"),
+    "millions of processing instructions": ("<?a?>" * 3_000_000, "XAC013"),
     "many properties": ('<xacro:property name="a" value="1"/>' * 30_000 + "<xacro:b/>", "XAC001"),
     "many errors": ("".join(f'<a b="${{x{n}}}"/>' for n in range(20_000)), "XAC001"),
     "many failing tags": ("".join(f"<xacro:x{n}/>" for n in range(2_000)), "XAC001"),
