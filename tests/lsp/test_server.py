@@ -4,6 +4,7 @@ import asyncio
 import os
 import random
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from tests.conftest import ROOT
 from tests.lsp.edited import MISSION, XACRO
 from tests.lsp.editor import PATIENCE, Conversation, Editor, session, talk
 from urdfkit.core.installation import install_command
+from urdfkit.lsp.main_thread import MainThreadExecutor
 from urdfkit.lsp.text import to_path, to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.text.editing.formatter import formatted
@@ -306,6 +308,37 @@ def test_closing_and_files_that_change_on_disk(held: Held, tmp_path: Path) -> No
         await editor.until(to_uri(str(parts)), lambda found: found == [])
 
     held(conversation)
+
+
+def test_a_text_without_end_does_not_stop_the_others(held: Held, tmp_path: Path) -> None:
+    (tmp_path / "urdfkit.toml").write_text("xacro-seconds = 0.5")
+    endless = (
+        '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n-1}"/>'
+        '<xacro:m n="${n-1}"/></xacro:if></xacro:macro><xacro:m n="40"/>'
+    )
+
+    async def conversation(editor: Editor) -> None:
+        bomb = editor.open(tmp_path / "bomb.xacro", XACRO.format(endless))
+        text = XACRO.format('<link name="arm"/>')
+        file = editor.open(tmp_path / "arm.xacro", text)
+        here = position(text, '"arm"', 2)
+        shown = await editor.client.text_document_hover_async(lsp.HoverParams(file, here))
+        assert "**link** `arm`" in shown.contents.value
+        await editor.until(bomb.uri, lambda found: codes(found) == ["XAC013"])
+
+    held(conversation)
+
+
+def test_robots_are_read_in_the_main_thread() -> None:
+    """Where the system can interrupt an expansion."""
+    executor = MainThreadExecutor()
+    thread = executor.submit(threading.current_thread)
+    failing = executor.submit(int, "x")
+    threading.Thread(target=executor.shutdown).start()
+    executor.run()
+    assert thread.result() is threading.main_thread()
+    with pytest.raises(ValueError, match="'x'"):
+        failing.result()
 
 
 def test_values_of_expressions_stand_behind_them(held: Held, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited
 from urdfkit.errors import Cancelled
 from urdfkit.lsp.workspace import Workspace
+from urdfkit.xacro.recovery import expand_repeatedly
 
 LEG = XACRO.format(
     '<xacro:macro name="leg" params="p"><link name="${p}"/>{}</xacro:macro>'
@@ -49,6 +50,25 @@ def test_the_text_counts_and_not_the_file() -> None:
     assert "XAC007" not in codes(file.workspace.check(file.path), MISSION)
     file.workspace.close(file.path)
     assert "XAC007" in codes(file.workspace.check(file.path), MISSION)
+
+
+def test_a_text_is_expanded_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A text that takes as long as it may must not delay an editor several times."""
+    file = Edited(tmp_path / "r.xacro", XACRO.format('<link name="${1}"/>'))
+    expanded: list[object] = []
+
+    def counted(request: Any) -> Any:
+        expanded.append(request)
+        return expand_repeatedly(request)
+
+    monkeypatch.setattr("urdfkit.xacro.expand_repeatedly", counted)
+    file.workspace.check(file.path)
+    file.workspace.check(file.path, thorough=True)
+    file.workspace.robot(file.path).page(file.path)
+    assert len(expanded) == 1
+    file.workspace.set_text(file.path, XACRO.format('<link name="${2}"/>').encode())
+    file.workspace.check(file.path)
+    assert len(expanded) == 2
 
 
 def test_a_cancelled_check_ends_before_the_next_rule_and_changes_nothing() -> None:

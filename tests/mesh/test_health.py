@@ -13,7 +13,7 @@ from tests.mesh.shapes_made import as_part
 from urdfkit.mesh.components import contains, split_pieces
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.health import examine, examine_mesh
+from urdfkit.mesh.health import Health, _examine, examine, examine_mesh
 from urdfkit.mesh.welding import weld
 
 
@@ -81,3 +81,20 @@ def test_welding_and_volumes() -> None:
     points, faces = weld(loose, np.arange(36).reshape(-1, 3))
     assert len(points) == 8
     assert split_pieces(points, Edges(faces)).volumes == pytest.approx([6])
+
+
+def test_parts_are_examined_separately() -> None:
+    """A cavity in one part, and a part that faces inwards inside of another."""
+    box, cavity = trimesh.creation.box((3, 3, 3)), trimesh.creation.box()
+    cavity.invert()
+    gap = trimesh.creation.box((5, 5, 5))
+    gap.update_faces(np.arange(11))
+    both = trimesh.util.concatenate([box, cavity])
+    assert isinstance(both, trimesh.Trimesh)
+    hollow = as_part(both)
+    for parts, inverted in (((hollow, as_part(gap)), 0), ((as_part(cavity), as_part(gap)), 1)):
+        separate = [examine(part.vertices, part.faces) for part in parts]
+        assert [health.inverted for health in separate] == [inverted, 0]
+        assert _examine([(part.vertices, part.faces) for part in parts]) == Health(
+            *(sum(values) for values in zip(*separate, strict=True))
+        )

@@ -108,6 +108,8 @@ BOMBS = {
     "deep XML": ("<a>" * 100_000 + "</a>" * 100_000, "XAC013"),
     "many elements": ("<a/>" * 400_000, "XAC013"),
     "many comments": ("<!-- a -->" * 300_000 + "<xacro:property name='1' value='1'/>", "XAC001"),
+    "millions of comments": ("<!---->" * 3_000_000, "XAC013"),
+    "millions of processing instructions": ("<?a?>" * 3_000_000, "XAC013"),
     "many properties": ('<xacro:property name="a" value="1"/>' * 30_000 + "<xacro:b/>", "XAC001"),
     "many errors": ("".join(f'<a b="${{x{n}}}"/>' for n in range(20_000)), "XAC001"),
     "many failing tags": ("".join(f"<xacro:x{n}/>" for n in range(2_000)), "XAC001"),
@@ -116,6 +118,7 @@ BOMBS = {
         "XAC001",
     ),
     "brackets that nothing closes": (f"<x><![CDATA[{'${' * 300_000}]]></x><xacro:a/>", "XAC001"),
+    "packages that are not found": (f'<a b="{"$(find a)" * 100_000}"/>', "XAC011"),
     "an include of itself": ('<xacro:include filename="robot.xacro"/>', "XAC013"),
     "an include of itself twice": ('<xacro:include filename="robot.xacro"/>' * 2, "XAC013"),
     "thousands of includes": (
@@ -278,6 +281,10 @@ FILES: dict[str, tuple[Mapping[str, str | Callable[[], str]], str]] = {
         "",
     ),
     "elements": ({"r.urdf": lambda: f'<robot name="r">{"<a/>" * 2_000_000}</robot>'}, "XAC013"),
+    "a launch file in Python": (
+        {"b.launch.py": lambda: "x = 1\n" * 300_000},
+        "LAU001",
+    ),
     "a manifest": (
         {"r.urdf": ROBOT, "package.xml": "<package>" + "<depend>a</depend>" * 50_000},
         "",
@@ -297,7 +304,7 @@ def limit() -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 1))
 
 
-#: As the language server expands: in a thread, where no signal interrupts anything.
+#: Expands in a thread, where no signal interrupts anything.
 IN_THREAD = """
 import sys, threading
 from urdfkit.cli import main
@@ -352,7 +359,7 @@ def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
 @on_unix
 @pytest.mark.parametrize("what", BOMBS)
 def test_a_bomb_ends_in_a_report_without_the_system(what: str, workspace: Path) -> None:
-    """By the bounds of the sandbox alone, as in the language server and on Windows."""
+    """By the bounds of the sandbox alone, as on Windows."""
     file, code = placed_bomb(what, workspace)
     assert code in checked(file, "-c", IN_THREAD)
 

@@ -95,17 +95,27 @@ class DescriptionFile:
         if not is_xacro(self.source) and not self._is_passed_to_xacro:
             document, xml_problems = read_xml(self.source, self._frame)
             return Reading(document, tuple(xml_problems), None)
-        from urdfkit.xacro import expand
-
-        xacro = expand(
-            self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
-        )
+        xacro = self._expansion()
         problems = xacro.problems
         if any(problem.argument for problem in problems):
             from urdfkit.lint.argument_values import with_values
 
             problems = tuple(with_values(problems, xacro, self.resolver))
         return Reading(xacro.document, problems, xacro)
+
+    def _expansion(self) -> Xacro:
+        from urdfkit.xacro import expand
+
+        key = (self.source, frozenset(self.arguments.items()), self.trust, self._frame)
+        expansions: dict[object, Xacro] | None = self.resolver.expansions
+        xacro = expansions.get(key) if expansions else None
+        if xacro is None:
+            xacro = expand(
+                self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
+            )
+            if expansions is not None:
+                expansions[key] = xacro
+        return xacro
 
     @property
     def _is_passed_to_xacro(self) -> bool:

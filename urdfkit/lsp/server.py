@@ -1,9 +1,10 @@
 """The protocol: requests of the client are answered by the workspace.
 
-All work on robots is done in a second thread, so that a slow robot does not block the server. A
-changed text is checked after a short pause in typing; the check of an outdated text ends before
-its next rule. The rules that open meshes run on saving. Errors of handlers are logged and answered
-with an empty result: the server does not end.
+All work on robots is done in the main thread, where the limits of an expansion apply, and the
+protocol runs in a second thread, so that a slow robot does not block it. A changed text is checked
+after a short pause in typing; the check of an outdated text ends before its next rule. The rules
+that open meshes run on saving. Errors of handlers are logged and answered with an empty result: the
+server does not end.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ import os
 import sys
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from difflib import SequenceMatcher
 from itertools import accumulate
 from typing import Any, TypeVar
@@ -25,6 +25,7 @@ from pygls.lsp.server import LanguageServer
 
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
+from urdfkit.lsp.main_thread import MainThreadExecutor
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
@@ -42,8 +43,6 @@ WATCHED = (
     "**/{package.xml,urdfkit.toml,pyproject.toml,"
     "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,launch.py,stl,dae,obj,ply,glb,gltf}}"
 )
-#: Stack size in bytes of the worker thread: xacro recurses into nested macros.
-_STACK = 64 * 1024 * 1024
 #: New objects after which garbage is collected during a check: several large robots. Garbage is
 #: also collected after each check.
 _GARBAGE = 1_000_000
@@ -61,8 +60,7 @@ class Server(LanguageServer):
 
     def __init__(self) -> None:
         super().__init__("urdfkit", __version__)
-        threading.stack_size(_STACK)
-        self.worker = ThreadPoolExecutor(1, "robots")
+        self.worker = MainThreadExecutor()
         self.worker.submit(_prepare)
         self.robots = Workspace()
         self.uris: dict[str, str] = {}
@@ -72,7 +70,7 @@ class Server(LanguageServer):
         self._shown_failure = ""
 
     async def in_worker(self, handler: Callable[[], Result], fallback: Result) -> Result:
-        """Run a function in the worker thread; ``fallback`` if it fails."""
+        """Run a function in the main thread; ``fallback`` if it fails."""
         try:
             return await asyncio.get_running_loop().run_in_executor(self.worker, handler)
         except UrdfkitError as error:
@@ -88,7 +86,7 @@ class Server(LanguageServer):
         fallback: object,
         options: object = None,
     ) -> None:
-        """Answer a type of requests by a handler in the worker thread.
+        """Answer a type of requests by a handler in the main thread.
 
         Args:
             handler: returns the result for the parameters of a request.
@@ -240,7 +238,7 @@ class Server(LanguageServer):
     # ---------------------------------------------------------------- answers
 
     def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Page, int]:
-        """The robot, the text and the offset of a position; runs in the worker thread.
+        """The robot, the text and the offset of a position; runs in the main thread.
 
         Raises:
             UrdfkitError: the file is unreadable.
@@ -249,7 +247,7 @@ class Server(LanguageServer):
         return robot, page, self.encoding.offset(page.source, position)
 
     def page(self, uri: str) -> tuple[OpenRobot, Page]:
-        """The robot and the elements of a file; runs in the worker thread."""
+        """The robot and the elements of a file; runs in the main thread."""
         path = self.path(uri)
         robot = self.robots.robot(path)
         return robot, robot.page(path)
@@ -258,7 +256,7 @@ class Server(LanguageServer):
         return [self.encoding.location(span, self.uris) for span in dict.fromkeys(spans)]
 
     def replaced(self, path: str, text: bytes) -> list[lsp.TextEdit]:
-        """Edits of the lines in which a file differs from a text; runs in the worker thread."""
+        """Edits of the lines in which a file differs from a text; runs in the main thread."""
         source = self.robots.robot(path).source(path)
         old, new = source.data.splitlines(keepends=True), text.splitlines(keepends=True)
         starts = [0, *accumulate(map(len, old))]
@@ -295,4 +293,12 @@ def serve(server: Server) -> None:
     with os.fdopen(os.dup(1), "wb", buffering=0) as output:
         os.dup2(2, 1)
         sys.stdout = sys.stderr
-        server.start_io(sys.stdin.buffer, output)
+
+        def exchange_messages() -> None:
+            try:
+                server.start_io(sys.stdin.buffer, output)
+            finally:
+                server.worker.shutdown()
+
+        threading.Thread(target=exchange_messages).start()
+        server.worker.run()

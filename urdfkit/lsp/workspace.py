@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from typing import Any
 
 from urdfkit.core import expansion_limits
 from urdfkit.core.record import Record
@@ -55,6 +56,7 @@ class Workspace:
         self._launched: dict[str, dict[str, str]] = {}
         self._configs: dict[str, tuple[Config, str]] = {}
         self._resolvers: dict[str, Resolver] = {}
+        self._expansions: dict[object, Any] = {}  # of the current texts
         self._robots: dict[str, OpenRobot] = {}
         self._before: dict[str, OpenRobot] = {}
         self._diagnostics: dict[str, dict[str, list[Diagnostic]]] = {}
@@ -87,6 +89,7 @@ class Workspace:
     def _forget_robots(self) -> None:
         self._before.update(self._robots)
         self._robots.clear()
+        self._expansions.clear()
 
     def config(self, path: str) -> tuple[Config, str]:
         """The configuration of a file, and its problems; trust settings are ignored."""
@@ -170,7 +173,8 @@ class Workspace:
     def _resolver(self, config: Config) -> Resolver:
         """The resolver; it caches directories, perhaps thousands, until files on disk change."""
         if config.path not in self._resolvers:
-            self._resolvers[config.path] = Resolver(config.packages)
+            self._resolvers[config.path] = resolver = Resolver(config.packages)
+            resolver.expansions = self._expansions
         expansion_limits.allow(config.limits)
         return self._resolvers[config.path].with_texts(self.texts)
 

@@ -80,7 +80,13 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
     return np.asarray(farthest <= thickness)
 
 
-def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0.0) -> Flags:
+def inside_out(
+    places: Floats,
+    faces: Integers,
+    pieces: Pieces,
+    least: float = 0.0,
+    of_part: Integers | None = None,
+) -> Flags:
     """(p,), True for closed pieces that face inwards and do not lie in another closed piece.
 
     A piece inside another may be a cavity, whose normals point inwards. A two-sided surface, as
@@ -90,12 +96,17 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
         places: (n, 3).
         faces: (m, 3).
         least: volume up to which a piece is ignored.
+        of_part: (m,), the part of the mesh of each face; pieces of other parts are ignored.
     """
     is_inverted = np.zeros(len(pieces.volumes), dtype=bool)
+    part = np.zeros(len(pieces.volumes), dtype=np.int64)
+    if of_part is not None:
+        part[pieces.of_face] = of_part
     corners = pieces.corners(places, faces)
     rounding = ROUNDING * np.linalg.norm(pieces.high - pieces.low, axis=1) ** 3
     for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -np.maximum(least, rounding))):
         around = ~pieces.is_closed | (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
+        around &= part == part[piece]
         around &= (pieces.low <= pieces.low[piece]).all(axis=1)
         around &= (pieces.high >= pieces.high[piece]).all(axis=1)
         is_inverted[piece] = not any(

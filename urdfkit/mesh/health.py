@@ -74,8 +74,7 @@ def examine_mesh(mesh: Mesh) -> Health:
         return joined._replace(overlap=_overlap(*weld(mesh.vertices, mesh.faces)))
     if len(mesh.parts) < 2:
         return joined
-    parts = [examine(part.vertices, part.faces) for part in mesh.parts]
-    separate = Health(*(sum(values) for values in zip(*parts, strict=True)))
+    separate = _examine([(part.vertices, part.faces) for part in mesh.parts])
     if separate.defects >= joined.defects:
         return joined
     return separate._replace(overlap=_overlap(*_weld_parts(mesh)) if not separate.defects else 0.0)
@@ -87,7 +86,11 @@ def _overlap(points: Floats, faces: Integers) -> float:
 
 def _weld_parts(mesh: Mesh) -> tuple[Floats, Integers]:
     """The triangles of all parts, each part welded separately."""
-    parts = [weld(part.vertices, part.faces) for part in mesh.parts]
+    return _joined([weld(part.vertices, part.faces) for part in mesh.parts])
+
+
+def _joined(parts: list[tuple[Floats, Integers]]) -> tuple[Floats, Integers]:
+    """The vertices and triangles of all parts, which share no vertex."""
     starts = np.cumsum([0, *(len(points) for points, _ in parts[:-1])])
     faces = [faces + start for (_, faces), start in zip(parts, starts, strict=True)]
     return np.concatenate([points for points, _ in parts]), np.concatenate(faces)
@@ -100,15 +103,23 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         vertices: (n, 3).
         faces: (m, 3), indices of vertices.
     """
-    number = len(faces)
-    points, welded, good = weld_finite(vertices, faces)
+    return _examine([(vertices, faces)])
+
+
+def _examine(parts: list[tuple[Floats, Integers]]) -> Health:
+    """Examine separate parts together: thousands of parts take as long as one."""
+    number = sum(len(faces) for _, faces in parts)
+    welded_parts = [weld_finite(*part)[:2] for part in parts]
+    points, welded = _joined(welded_parts)
+    of_part = np.repeat(np.arange(len(parts)), [len(faces) for _, faces in welded_parts])
     sound = have_distinct_corners(welded)
-    non_finite, collapsed = number - int(good.sum()), _count(~sound)
+    non_finite, collapsed = number - len(welded), _count(~sound)
     welded = welded[sound]
     if not len(welded):
         return Health(number, non_finite, collapsed, 0, 0, 0, 0, 0, 0, 0, 0.0)
     edges = Edges(welded)
     pieces = split_pieces(points, edges)
+    inverted = inside_out(points, welded, pieces, of_part=of_part[sound])
     return Health(
         number,
         non_finite,
@@ -118,7 +129,7 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         _count(edges.is_unmatched),
         _count(edges.is_inconsistent),
         len(pieces.volumes),
-        _count(inside_out(points, welded, pieces)),
+        _count(inverted),
         _count(pieces.is_hollow[pieces.of_face]),
         float(pieces.volumes.sum()),
     )

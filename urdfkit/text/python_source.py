@@ -6,15 +6,32 @@ from functools import lru_cache
 
 #: Files whose trees are cached: launch files include the same files often.
 CACHE_SIZE = 64
+#: Most bytes of a file, and of all cached ones: a tree takes several hundred times as many. The
+#: largest public launch files have 60 kB.
+MAX_BYTES = 256 * 1024
 
 
-@lru_cache(CACHE_SIZE)
+_trees: dict[tuple[bytes | str, str], ast.Module] = {}
+
+
 def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
     """The syntax tree of a Python file, shared and not to be changed.
 
     Raises:
-        SyntaxError: it is not Python, or nested too deeply.
+        SyntaxError: it is not Python, nested too deeply, or too large.
     """
+    if len(text) > MAX_BYTES:
+        raise SyntaxError(f"larger than {MAX_BYTES // 1024} KiB")
+    tree = _trees.get((text, path))
+    if tree is None:
+        if len(text) + sum(len(cached) for cached, _ in _trees) > MAX_BYTES:
+            _trees.clear()
+            nodes.cache_clear()
+        tree = _trees[text, path] = _parsed(text, path)
+    return tree
+
+
+def _parsed(text: bytes | str, path: str) -> ast.Module:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about style
         try:

@@ -15,6 +15,7 @@ from stat import S_ISDIR, S_ISREG
 from urdfkit.core import disk
 from urdfkit.core.memo import Memo
 from urdfkit.core.paths import is_within, upwards
+from urdfkit.core.static_typing import Any
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.directories import Directories
@@ -59,6 +60,8 @@ class Resolver:
         self._texts = _by_real_path(texts or {})
         #: Sources in use; the texts of thousands of robots are not cached.
         self._sources: Memo[tuple[object, ...], ref[Source]] = Memo()
+        #: Expansions by source and arguments, if the same texts are read repeatedly.
+        self.expansions: dict[object, Any] | None = None
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
         self._admits_everything = False
@@ -131,16 +134,14 @@ class Resolver:
 
     def _read(self, path: str) -> Source:
         data = self.text(path)
-        if data is not None:
-            return Source(path, data)
         try:
-            key = (path, *disk.version(path))
+            key = (path, *disk.version(path)) if data is None else (path, data)
         except (OSError, ValueError):
             return Source.read(path)  # raises the reason
         known = self._sources.get(key)
         source = known() if known else None
         if source is None:
-            source = Source.read(path)
+            source = Source.read(path) if data is None else Source(path, data)
             self._sources[key] = ref(source)
         return source
 

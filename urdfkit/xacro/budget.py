@@ -10,6 +10,8 @@ from urdfkit.text.xml_reader import DocumentTooLarge
 UNITS_PER_MEGABYTE = 60_000
 #: Units of an element, by its memory in comparison to a character.
 ELEMENT_SIZE = 100
+#: Units of an attribute, a comment or another small node.
+NODE_SIZE = 30
 #: Units of a call or an iteration of a comprehension, by its time in comparison to a character.
 STEP_SIZE = 10
 #: Processor time of this thread; of the process in a browser, which has one thread.

@@ -8,7 +8,7 @@ from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import DocumentTooLarge, entity_problem, require_shallow_dtd
-from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
+from urdfkit.xacro.budget import ELEMENT_SIZE, NODE_SIZE, Budget
 from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
 
 #: Most levels of elements, which xacro processes by recursion. Real robots have ten.
@@ -58,6 +58,7 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         self.arguments: list[Node] = []
 
     def start_element_handler(self, name: str, attributes: list[str]) -> None:
+        self._budget.charge(ELEMENT_SIZE + NODE_SIZE * (len(attributes) // 2))
         uri, _, prefix, tag = self._parsed(name)
         parent = self.curNode
         self.curNode = node = Node(tag, uri, prefix)
@@ -68,7 +69,6 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
         self._starts.append(self._parser.CurrentByteIndex)
         node.frame = self._frame
         node.budget = self._budget
-        self._budget.charge(ELEMENT_SIZE)
         if len(self._starts) > MAX_DEPTH:
             raise DocumentTooLarge(f"elements are nested more than {MAX_DEPTH} levels deep")
         if tag == "xacro:arg":
@@ -116,10 +116,19 @@ class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
             text.end_offset = self._parser.CurrentByteIndex
 
     def comment_handler(self, data: str) -> None:
+        self._budget.charge(NODE_SIZE)
         super().comment_handler(data)
         if "$" in data:
             comment = self.curNode.childNodes[-1]
             comment.end_offset = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
+
+    def pi_handler(self, target: str, data: str) -> None:
+        self._budget.charge(NODE_SIZE)
+        super().pi_handler(target, data)
+
+    def start_cdata_section_handler(self) -> None:
+        self._budget.charge(NODE_SIZE)
+        super().start_cdata_section_handler()
 
     def entity_decl_handler(self, *declaration: Any) -> None:
         at = self._parser.CurrentByteIndex

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
@@ -93,9 +94,14 @@ def _find(span: Span, located: LocatedExpression, number: int = 0) -> Span | Non
     if not located.token or len(located.token) > _MAX_TOKEN:
         return None
     pattern = "".join(_SPELLINGS.get(char) or re.escape(char) for char in located.token)
-    text = span.text
-    matches = list(re.finditer(pattern, text))
+    matches = _matches(pattern, span.source.data[span.start : span.end])
     if not -len(matches) <= number < len(matches):
         return None
-    start = span.start + len(text[: matches[number].start()].encode())
-    return Span(span.source, start, start + len(matches[number].group().encode()))
+    start, end = matches[number]
+    return Span(span.source, span.start + start, span.start + end)
+
+
+@lru_cache(maxsize=1)
+def _matches(pattern: str, text: bytes) -> list[tuple[int, int]]:
+    """Start and end of all matches; cached, because each of many equal expressions may fail."""
+    return [match.span() for match in re.finditer(pattern.encode("utf-8", "surrogatepass"), text)]

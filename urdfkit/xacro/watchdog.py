@@ -2,8 +2,8 @@
 
 The sandbox limits each operation in advance, and checks the time between operations. Here the
 system interrupts an expansion that takes too long or too much memory, so that operations which the
-sandbox does not check are limited, too. Signals reach only the main thread; in other threads, as in
-the language server, only the sandbox applies.
+sandbox does not check are limited, too. Signals reach only the main thread; in other threads, only
+the sandbox applies.
 """
 
 import os

@@ -132,3 +132,14 @@ def test_what_is_no_triangle(tmp_path: Path) -> None:
     assert read(tmp_path, f"{SQUARE}l 1 2\nl 2 3\nf 1 2 3\n").extras == ("2 lines",)
     with pytest.raises(UnloadableMesh, match="contains no triangles"):
         read(tmp_path, f"{SQUARE}f 0 0 0\nf 1 2\n")
+
+
+def test_thousands_of_materials_are_bounded(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("urdfkit.mesh.io.assemble.MAX_PARTS", 9)
+    faces = "".join(f"usemtl m{number}\nf 1 2 3\n" for number in range(10))
+    path = tmp_path / "a.obj"
+    path.write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\n{faces}")
+    with pytest.raises(UnloadableMesh, match="has more than 9 surfaces"):
+        load(str(path))

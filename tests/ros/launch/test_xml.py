@@ -1,13 +1,15 @@
 """Launch files in XML: values, conditions, includes, and what each kind of ROS writes."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import Launch
-from urdfkit.text.source import Source
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.known_packages import mistakes
+from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -183,3 +185,18 @@ def test_an_included_yaml_file_is_not_parsed_as_xml(package):
         (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
         launch = read(package, f'<include file="$(dirname)/{name}"/>')
         assert launch.problems == ()
+
+
+def test_thousands_of_programs_do_not_search_their_file_again() -> None:
+    class Text(bytes):
+        searches = 0
+
+        def __contains__(self, text: Any) -> bool:
+            Text.searches += 1
+            return super().__contains__(text)
+
+    source = Source("a.launch", b"")
+    source.data = Text(b'<node pkg="a" type="b"/>')
+    program = StartedProgram("a", "b", (), Span(source, 0, 0), None)
+    assert list(mistakes([program] * 3, (), Resolver())) == []
+    assert Text.searches == 1

@@ -64,7 +64,7 @@ def manager_in_another_namespace(context: Context, started: tuple[StartedProgram
                 f"the spawner waits for '{name}', which nothing starts; the controller manager is "
                 f"'{other}'",
                 f"write --controller-manager {other}"
-                if b"exec" in node.span.source.data
+                if node.is_ros_2
                 else f'write ns="{other.rpartition("/")[0] or "/"}"',
                 related=(Related(place, "the controller manager is started here"),),
             )

@@ -7,6 +7,7 @@ them differently.
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 from math import radians
 
 import numpy as np
@@ -19,6 +20,7 @@ from urdfkit.mesh.io.assemble import (
     LostData,
     assemble,
     counted_kinds,
+    limited,
     mesh_of,
     transformed,
 )
@@ -71,7 +73,8 @@ class _ColladaReader:
         self._placed = False
 
     def mesh(self, *, unplaced: bool = False) -> Mesh:
-        parts = [part for node, matrix in self._nodes() for part in self._node_parts(node, matrix)]
+        placed = (self._node_parts(node, matrix) for node, matrix in self._nodes())
+        parts = list(limited(chain.from_iterable(placed)))
         if unplaced and not self._placed:
             parts += self._unplaced()
         asset = child(self._tree.root, "asset")

@@ -22,6 +22,7 @@ from urdfkit.mesh.io.assemble import (
     Stream,
     assemble,
     counted_kinds,
+    limited,
     mesh_of,
     transformed,
 )
@@ -84,7 +85,7 @@ class _GltfReader:
         self._read = self._placed = 0
 
     def mesh(self) -> Mesh:
-        mesh = mesh_of(list(self._placed_parts()), self._losses, self._files)
+        mesh = mesh_of(self._placed_parts(), self._losses, self._files)
         return mesh._replace(up_axis="Y_UP", extras=self._extras())  # defined by glTF
 
     def _placed_parts(self) -> Iterator[MeshPart]:
@@ -127,7 +128,7 @@ class _GltfReader:
         """The surfaces of a mesh, before node transforms."""
         if index not in self._meshes:
             parts = map(self._part, self._root["meshes"][index].get("primitives", ()))
-            self._meshes[index] = [part for part in parts if part is not None]
+            self._meshes[index] = list(limited(parts))
         return self._meshes[index]
 
     def _part(self, primitive: GltfObject) -> MeshPart | None:

@@ -39,7 +39,7 @@ def read(data: bytes, directory: str) -> Mesh:
     points = lines.table(b"v")
     values = (points[:, :3], lines.table(b"vt")[:, :2], lines.table(b"vn")[:, :3])
     colors = points[:, 3:6] if points.shape[1] == 6 else None
-    parts = [_part(group, values, colors, library, losses) for group in lines.groups]
+    parts = (_part(group, values, colors, library, losses) for group in lines.groups)
     return mesh_of(parts, losses, files)._replace(extras=counted_kinds(lines.extras))
 
 

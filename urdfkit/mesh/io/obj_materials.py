@@ -55,7 +55,7 @@ class MaterialLibrary:
         if not len(numbers) or not np.isfinite(numbers).all():
             self._losses.add(f"{word.decode()} value* of a material that cannot be read")
             return material
-        values = [float(value) for value in np.clip(numbers, 0, 1)]
+        values = [min(max(float(value), 0.0), 1.0) for value in numbers]
         if word == b"Kd":
             red, green, blue = (values * 3)[:3] if len(values) < 3 else values[:3]
         else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
@@ -98,9 +99,20 @@ class StartedProgram(Record):
     name: str = ""  # of the node; empty if missing, or known only at run time
 
     @property
+    def is_ros_2(self) -> bool:
+        """True if its launch file contains ``exec``, which is ``type`` in ROS 1."""
+        return _contains_exec(self.span.source)
+
+    @property
     def is_remapped(self) -> bool:
         """True if it remaps topics."""
         return self.remappings is None or bool(self.remappings)
+
+
+@lru_cache(1)
+def _contains_exec(source: Source) -> bool:
+    """Cached for the thousands of programs of one file."""
+    return b"exec" in source.data
 
 
 class IncludedFile(Record):

@@ -25,8 +25,8 @@ def mistakes(
     A workspace may have packages of these names with other contents.
     """
     for program in started:
-        is_ros_2 = b"exec" in program.span.source.data
-        problem = unknown_executable(program) if is_ros_2 and program.frame is None else None
+        is_checked = program.frame is None and program.is_ros_2
+        problem = unknown_executable(program) if is_checked else None
         if problem and not _is_own(program.package, program, resolver):
             yield problem
     for file in included:

@@ -55,8 +55,7 @@ def static_transform(started: StartedProgram) -> StaticTransform | None:
 
 def mistakes(started: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
-    is_ros_2 = b"exec" in started.span.source.data
-    if not is_ros_2 or f"{started.package}/{started.executable}" != _PROGRAM:
+    if not started.is_ros_2 or f"{started.package}/{started.executable}" != _PROGRAM:
         return
     words = list(takewhile(lambda word: word.text != "--ros-args", started.words))
     if not words or any(word.text is None for word in words):
