@@ -113,3 +113,16 @@ def test_an_example_that_an_environment_variable_includes(
     robot = text.replace("<robot", '<robot name="r"', 1)
     example.write_text(robot)
     assert any(one.severity is Severity.ERROR for one in check(example).diagnostics)
+
+
+@pytest.mark.parametrize(("name", "severity"), [("", Severity.INFO), ("base", Severity.ERROR)])
+def test_a_part_whose_including_file_a_program_writes(
+    tmp_path: Path, name: str, severity: Severity
+) -> None:
+    """Mobile_Robot_URDF_Maker: six robots without a name; a wizard writes the sizes and includes."""
+    head = HEAD.replace(b' name="rover"', f' name="{name}"'.encode() if name else b"")
+    box = b'<box size="${length} ${width} ${height}"/>'
+    link = b'<link name="base"><visual><geometry>%s</geometry></visual>${mass}</link>' % box
+    part = add_file(tmp_path / "four_wheels.xacro", head + link + b"</robot>")
+    found = check(part, select=["XAC001"]).diagnostics
+    assert {one.severity for one in found} == {severity}
