@@ -16,13 +16,14 @@ Sources:
 """
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from functools import lru_cache
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.catalog.extensions import copied, extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
@@ -49,8 +50,9 @@ _DEFINITION = (
 )
 def check(context: Context) -> Findings:
     model = context.model
-    known = {**model.links_by_name, **model.joints_by_name}
-    suggester = Suggester(known)
+    links, joints = model.links_by_name, model.joints_by_name
+    known = {**links, **joints}
+    suggesters = {"link": Suggester(links), "joint": Suggester(joints), "": Suggester(known)}
     parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
     added = {one.get("name") for one in parts}
     properties = _properties(model)
@@ -72,7 +74,7 @@ def check(context: Context) -> Findings:
                 severity=Severity.WARNING,
             )
         else:
-            suggested = suggester.suggested(reference.value)
+            suggested = suggesters[_kind(tags)].suggested(reference.value)
             if not properties.get(suggested, _NONE).isdisjoint(tags):
                 suggested = ""  # the block would replace what another one says of that link
             yield _unknown(context, reference, suggested, tags)
@@ -95,6 +97,16 @@ def _properties(model: RobotModel) -> dict[str, set[str]]:
         tags = {child.tag for child in block.children} - _THINGS
         found.setdefault(block.get("reference") or "", set()).update(tags)
     return found
+
+
+def _kind(tags: Iterable[str]) -> str:
+    """``link`` or ``joint`` if only one of them has all of some tags, otherwise empty."""
+    kinds = {"link", "joint"}
+    for tag in tags:
+        extension = extensions().get(tag)
+        on = {extension.on} if extension else {kind for kind in kinds if tag in copied(kind)}
+        kinds &= on if on <= {"link", "joint"} and on else kinds
+    return kinds.pop() if len(kinds) == 1 else ""
 
 
 def _is_switched_off(context: Context, name: str) -> bool:
