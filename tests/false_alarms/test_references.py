@@ -52,7 +52,7 @@ def test_a_part_with_a_name_for_robots_elsewhere(name: str, more: str, severity:
 @pytest.mark.parametrize(
     ("tag", "reference", "hint"),
     [
-        ("<collision/>", "front_caster", "name a link or a joint of this robot"),
+        ("<collision/>", "front_caster", "did you mean 'front_caster_wheel'?"),
         ("<stopCfm>0</stopCfm>", "front_caster", "did you mean 'front_caster_joint'?"),
         (
             '<sensor name="s" type="force_torque"/>',
