@@ -164,3 +164,17 @@ def test_controllers_of_two_robots_in_one_file(tmp_path: Path, radius: str, coun
     prius = controller("prius", kind, **sides, wheel_separation="1.5", wheel_radius="0.4")
     assert len(driving.reported(tmp_path, "RCT014", prius + car)) == count
     assert len(driving.reported(tmp_path, "RCT014", prius)) == 2
+
+
+@pytest.mark.parametrize(("exported", "count"), [("linear_acceleration_x", 0), ("position", 1)])
+def test_interfaces_that_hardware_of_the_workspace_exports(
+    tmp_path: Path, exported: str, count: int
+) -> None:
+    """Bolt's IMU: the fix would have given the interface a name that its hardware does not have."""
+    package = add_package(tmp_path, "bolt_description")
+    imu = '<sensor name="imu"><state_interface name="linear_acceleration_x"/></sensor>'
+    text = whole_robot(ROBOT + control(driven("swing"), imu, plugin="bolt/System"))
+    robot = add_file(package / "urdf" / "bolt.urdf", text.encode())
+    hardware = add_package(tmp_path, "bolt_hardware")
+    add_file(hardware / "src" / "system.cpp", f'export_state("imu", "{exported}");'.encode())
+    assert len(check(robot, select=["RCT017"]).diagnostics) == count
