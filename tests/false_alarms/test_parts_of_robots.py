@@ -119,7 +119,7 @@ def test_an_example_that_an_environment_variable_includes(
 def test_a_part_whose_including_file_a_program_writes(
     tmp_path: Path, name: str, severity: Severity
 ) -> None:
-    """Mobile_Robot_URDF_Maker: robots without a name; a wizard writes the file that includes one."""
+    """Mobile_Robot_URDF_Maker: robots without a name; a wizard writes what includes one."""
     head = HEAD.replace(b' name="rover"', f' name="{name}"'.encode() if name else b"")
     box = b'<box size="${length} ${width} ${height}"/>'
     link = b'<link name="base"><visual><geometry>%s</geometry></visual>${mass}</link>' % box

@@ -15,20 +15,17 @@ Sources:
     gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
-import re
 from collections.abc import Collection, Iterable
-from functools import lru_cache
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
-from urdfkit.text.source import Source
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
 FIXED = GOOD = BAD.replace("whel", "wheel")
@@ -36,10 +33,6 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 #: What the robot lacks without the block; the rest is about a link that the robot does not have.
 _THINGS = frozenset(("sensor", "plugin"))
 _NONE: frozenset[str] = frozenset()
-#: The name of a link or joint, behind the expressions that it begins with.
-_DEFINITION = (
-    rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
-)
 
 
 @rule(
@@ -109,26 +102,13 @@ def _kind(tags: Iterable[str]) -> str:
     return kinds.pop() if len(kinds) == 1 else ""
 
 
-def _is_switched_off(context: Context, name: str) -> bool:
-    """True if a file of the robot defines the link or joint inside a condition that is false."""
-    expanded = context.reading.xacro
-    return expanded is not None and name in _defined(expanded.sources)
-
-
-@lru_cache(maxsize=1)  # a robot may have many unknown references
-def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
-    """The names of the links and joints in some files, without expressions at their beginning."""
-    found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
-    return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
-
-
 def _unknown(
     context: Context, reference: Attribute, suggested: str, tags: Collection[str]
 ) -> Finding:
     message = f"unknown link or joint '{reference.value}': Gazebo ignores {_listed(tags)}"
     help = f"did you mean '{suggested}'?" if suggested else ""
     fix = severity = None
-    if _is_switched_off(context, reference.value):
+    if is_switched_off(context, reference.value):
         help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
     elif suggested:
         from urdfkit.lint.misspelt_names import corrected_definition  # for few robots
