@@ -419,3 +419,14 @@ def test_an_argument_that_resembles_one_that_is_used(
     (found,) = reported(tmp_path / "arm", "LAU006", "a.launch.py", text)
     assert found.severity is severity
     assert ("did you mean" in found.message) is (severity is Severity.ERROR)
+
+
+@pytest.mark.parametrize(("more", "hint"), [("", True), ("fake_execution", False)])
+def test_an_argument_that_is_passed_is_not_suggested(tmp_path: Path, more: str, hint: bool) -> None:
+    """Robotnik's MoveIt packages: `execution_type` is not a misspelt `fake_execution`."""
+    files = {"launch/b.launch": launch('<arg name="fake_execution" default="a"/>')}
+    names = filter(None, ("execution", more))
+    passed = "".join(f'<arg name="{name}" value="a"/>' for name in names)
+    text = f'<include file="$(find arm)/launch/b.launch">{passed}</include>'
+    (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
+    assert ("did you mean 'fake_execution'?" in found.message) is hint

@@ -126,15 +126,17 @@ def unknown_to_included(
 
     In ROS 2 the file may use them without a declaration, and pass them on.
     """
+    passed = list(passed)
+    unused = set(taken.names).difference(name for name, _ in passed)
     for name, span in passed:
         if name in taken.names:
             continue
         word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
         is_used = ros == 2 and re.search(word, source.data)
-        is_mistyped = is_typo(name, taken.names)
+        is_mistyped = is_typo(name, unused)
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
-            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, taken.names)}"
+            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, unused)}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
 
