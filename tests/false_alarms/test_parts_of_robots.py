@@ -77,10 +77,18 @@ def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
         ("# xacro_add_files(urdf/arm.urdf.xacro)", Severity.ERROR),
         ("xacro_add_files(urdf/charm.urdf.xacro)", Severity.ERROR),
         ("install(FILES urdf/arm.urdf.xacro DESTINATION share/arm)", Severity.ERROR),
+        (
+            "set(ARM ${CMAKE_BINARY_DIR}/arm.urdf)\ninstall(FILES ${ARM} DESTINATION share/arm/urdf)",
+            Severity.WARNING,
+        ),
+        (
+            "install(FILES ${CMAKE_CURRENT_BINARY_DIR}/arm.urdf DESTINATION share/${PROJECT_NAME})",
+            Severity.ERROR,
+        ),
     ],
 )
 def test_a_file_that_the_build_expands(tmp_path: Path, command: str, severity: Severity) -> None:
-    """SO-ARM100: MoveIt's xacro includes the URDF that CMake makes of the robot's xacro."""
+    """SO-ARM100: CMake makes the URDF that MoveIt's xacro includes; DFKI's H1: downloads it."""
     add_file(tmp_path / "CMakeLists.txt", command.encode())
     add_file(tmp_path / "urdf" / "arm.urdf.xacro", _whole(b""))
     include = b'<xacro:include filename="../urdf/arm.urdf"/>'

@@ -2,7 +2,7 @@
 
 The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are
 reported at their places in the xacro. If all that it lacks is a package that is not on this
-machine, that is reported there alone.
+machine, or a file that the build creates, that is reported there alone.
 
 In Python, the output of a `Command` that is a parameter by itself is read as YAML. A `: ` in a
 comment of the robot is enough for "Unable to parse the value of parameter robot_description as
@@ -20,6 +20,7 @@ from urdfkit.lint.rule_index import get
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.contents import LaunchedDescription
 from urdfkit.text.diagnostic import Problem
+from urdfkit.xacro.errors import NOT_BUILT
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
@@ -62,12 +63,13 @@ def check(context: Context) -> Findings:
 def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
     """True if it is given arguments whose values are not known here.
 
-    Or if it lacks packages only that this machine does not have: that is reported where they are
-    needed, as are the errors that it has with its defaults. Macros that call each other for ever
-    may get others of their names from these packages.
+    Or if it lacks packages only that this machine does not have, or files that the build creates:
+    that is reported where they are needed, as are the errors that it has with its defaults. Macros
+    that call each other for ever may get others of their names from these packages.
     """
-    codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
-    return codes in ({"XAC011"}, {"XAC011", "XAC013"}) or not description.is_whole
+    problems = _errors(robot) or robot.reading.problems
+    codes = {problem.code for problem in problems if not problem.message.startswith(NOT_BUILT)}
+    return codes in (set(), {"XAC011"}, {"XAC011", "XAC013"}) or not description.is_whole
 
 
 def _errors(robot: Context) -> list[Problem]:
