@@ -78,7 +78,7 @@ def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
         ("xacro_add_files(urdf/charm.urdf.xacro)", Severity.ERROR),
         ("install(FILES urdf/arm.urdf.xacro DESTINATION share/arm)", Severity.ERROR),
         (
-            "set(ARM ${CMAKE_BINARY_DIR}/arm.urdf)\ninstall(FILES ${ARM} DESTINATION share/arm/urdf)",
+            "set(A ${CMAKE_BINARY_DIR}/arm.urdf)\ninstall(FILES ${A} DESTINATION share/arm/urdf)",
             Severity.WARNING,
         ),
         (
