@@ -97,10 +97,13 @@ def test_a_relative_path_from_a_directory_above(tmp_path: Path, name: str, sever
     assert ("PyBullet" in found.message) == (severity == "warning")
 
 
-def test_a_path_that_is_absolute_by_mistake(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "severity"), [("r.urdf", "warning"), ("r.xacro", "error")])
+def test_a_path_that_is_absolute_by_mistake(tmp_path: Path, name: str, severity: str) -> None:
+    """PyBullet_Industrial_Robotics_Gym: PyBullet looks next to the URDF, too."""
     put(tmp_path, "meshes/base.stl")
-    (found,) = robot(tmp_path / "r.urdf", "/meshes/base.stl")
-    assert found.help == "remove the first slash: the path is absolute"
+    (found,) = robot(tmp_path / name, "/meshes/base.stl")
+    assert (found.severity.value, found.help) == (severity, "remove the first slash")
+    assert ("PyBullet" in found.message) == (severity == "warning")
 
 
 @pytest.mark.parametrize(
