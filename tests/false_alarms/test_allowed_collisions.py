@@ -114,3 +114,24 @@ def test_an_overlap_that_the_srdf_allows(tmp_path: Path, disabled: str, count: i
     (tmp_path / "r.srdf").write_text(f'<robot name="example">{pair}</robot>')
     found = check(tmp_path / "r.urdf", select=["COL001"], options=Options(cache=False))
     assert len(found.diagnostics) == count
+
+
+@pytest.mark.parametrize(("geometry", "severity"), [(sphere(0.1), "warning"), ("", "info")])
+def test_a_link_without_geometry_is_not_adjacent(
+    tmp_path: Path, geometry: str, severity: str
+) -> None:
+    """Motoman's SDA10F: its base_link is only a frame, and cannot collide."""
+    robot = (link("base", geometry) if geometry else '<link name="base"/>') + "".join(
+        (
+            link("upper", f"{sphere(0.05)}@0 0 0.5"),
+            link("hand", f"{sphere(0.1)}@0 0 0.5"),
+            joint("base", "upper", "revolute", more=TURN),
+            joint("upper", "hand", "revolute", "0 0 0.7", TURN),
+        )
+    )
+    (tmp_path / "r.urdf").write_text(whole_robot(robot))
+    pair = '<disable_collisions link1="base" link2="hand" reason="Adjacent"/>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="example">{pair}</robot>')
+    report = check(tmp_path / "r.urdf", select=["SRD010"], options=Options(cache=False))
+    found = [one for one in report.diagnostics if "not adjacent" in one.message]
+    assert [one.severity.value for one in found] == [severity]
