@@ -160,3 +160,14 @@ def test_a_path_of_another_machine_does_not_become_one_of_this(tmp_path: Path) -
     put(tmp_path, "mesh/arm.stl")
     (found,) = robot(tmp_path / "r.urdf", "/home/somebody/robots/mesh/arm.stl")
     assert found.help == "did you mean 'mesh/arm.stl'?"
+
+
+@pytest.mark.parametrize(("name", "is_known"), [("gripper", True), ("camera", False)])
+def test_an_installed_mesh_of_another_package(tmp_path: Path, name: str, is_known: bool) -> None:
+    """A UR5e that Isaac Sim wrote: its gripper is in another package of the repository."""
+    package(tmp_path / "setup", "setup")
+    package(tmp_path / "gripper", "gripper", "meshes/finger.stl")
+    installed = f"file:///home/me/ws/install/{name}/share/{name}/meshes/finger.stl"
+    (found,) = robot(tmp_path / "setup" / "urdf" / "arm.urdf", installed)
+    assert (found.help == "did you mean 'package://gripper/meshes/finger.stl'?") is is_known
+    assert (found.fix is not None) is is_known
