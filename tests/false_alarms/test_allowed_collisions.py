@@ -1,4 +1,4 @@
-"""SRD009: MoveIt never is in a pose in which another pair, that it checks, collides."""
+"""Pairs that may collide: the SRDF states it, or MoveIt checks another pair that collides first."""
 
 from pathlib import Path
 
@@ -100,3 +100,38 @@ def test_a_pair_that_is_disabled_for_another_reason_as_well(tmp_path: Path) -> N
         '<disable_collisions link1="base" link2="hand" reason="User"/></robot>'
     )
     assert check(tmp_path / "r.urdf", select=["SRD009"]).diagnostics == ()
+
+
+@pytest.mark.parametrize(("disabled", "count"), [("base", 0), ("upper", 1)])
+def test_an_overlap_that_the_srdf_allows(tmp_path: Path, disabled: str, count: int) -> None:
+    """Fetch's bellows are inside its base and inside one another."""
+    robot = link("base", sphere(0.2)) + link("upper", f"{sphere(0.05)}@0 0 0.5")
+    robot += link("hand", f"{sphere(0.1)}@0 0 -0.6")
+    robot += joint("base", "upper", "revolute", more=TURN)
+    robot += joint("upper", "hand", "revolute", "0 0 0.7", TURN)
+    (tmp_path / "r.urdf").write_text(whole_robot(robot))
+    pair = f'<disable_collisions link1="{disabled}" link2="hand" reason="Default"/>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="example">{pair}</robot>')
+    found = check(tmp_path / "r.urdf", select=["COL001"], options=Options(cache=False))
+    assert len(found.diagnostics) == count
+
+
+@pytest.mark.parametrize(("geometry", "severity"), [(sphere(0.1), "warning"), ("", "info")])
+def test_a_link_without_geometry_is_not_adjacent(
+    tmp_path: Path, geometry: str, severity: str
+) -> None:
+    """Motoman's SDA10F: its base_link is only a frame, and cannot collide."""
+    robot = (link("base", geometry) if geometry else '<link name="base"/>') + "".join(
+        (
+            link("upper", f"{sphere(0.05)}@0 0 0.5"),
+            link("hand", f"{sphere(0.1)}@0 0 0.5"),
+            joint("base", "upper", "revolute", more=TURN),
+            joint("upper", "hand", "revolute", "0 0 0.7", TURN),
+        )
+    )
+    (tmp_path / "r.urdf").write_text(whole_robot(robot))
+    pair = '<disable_collisions link1="base" link2="hand" reason="Adjacent"/>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="example">{pair}</robot>')
+    report = check(tmp_path / "r.urdf", select=["SRD010"], options=Options(cache=False))
+    found = [one for one in report.diagnostics if "not adjacent" in one.message]
+    assert [one.severity.value for one in found] == [severity]

@@ -56,6 +56,33 @@ def test_an_argument_above_its_default_that_launch_files_pass(
         assert len(check(given, select=["XAC020"]).diagnostics) == count
 
 
+@pytest.mark.parametrize(("mappings", "count"), [("{'model': model}", 0), ("{'other': 'r'}", 1)])
+def test_an_argument_above_its_default_that_is_known_at_run_time(
+    tmp_path: Path, mappings: str, count: int
+) -> None:
+    """franka_arm.gazebo.xacro: a function of the launch file gets `robot_type` from the context."""
+    add_file(tmp_path / "package.xml", MANIFEST.encode())
+    add_file(tmp_path / "r.xacro", EARLY.encode())
+    text = f"""\
+import os, xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+
+def start(context):
+    model = context.perform_substitution(LaunchConfiguration('model'))
+    path = os.path.join(get_package_share_directory('arm'), 'r.xacro')
+    description = xacro.process_file(path, mappings={mappings}).toxml()
+    return []
+
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('model'), OpaqueFunction(function=start)])
+"""
+    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
+    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+
+
 DUAL = XACRO.replace("$(arg model)", "r").format(
     '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
 )

@@ -41,7 +41,7 @@ def unknown_joints(package: Path) -> list[Diagnostic]:
 def test_hardware_of_a_directory_that_nobody_may_choose(tmp_path: Path) -> None:
     arm(tmp_path, "hand", "hand", "cup")
     (found,) = unknown_joints(tmp_path)
-    assert (found.severity.value, found.confidence.value) == ("warning", "guessed")
+    assert (found.severity.value, found.confidence.value) == ("info", "guessed")
     assert found.variants == ("tool=cup",)
     assert "'cup_joint'" in found.message
 

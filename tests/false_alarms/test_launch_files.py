@@ -8,6 +8,7 @@ import pytest
 from tests.launched import launch, reported
 from tests.workspaces import add_file, add_package
 from urdfkit import check
+from urdfkit.text.diagnostic import Severity
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -367,3 +368,33 @@ def test_joint_states_of_two_namespaces(tmp_path: Path, namespace: str, count: i
         'args="joint_state_controller"/>'
     )
     assert len(reported(tmp_path / "arm", "LAU021", "a.launch", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("use", "severity"), [("", Severity.ERROR), ("controller_name", Severity.WARNING)]
+)
+def test_an_argument_that_resembles_one_that_is_used(
+    tmp_path: Path, use: str, severity: Severity
+) -> None:
+    """Franka's example.launch.py requires `controller_names`; an included file has others."""
+    text = (
+        "from launch.actions import DeclareLaunchArgument\n"
+        "from launch.substitutions import LaunchConfiguration\n"
+        "DeclareLaunchArgument('controller_name', default_value='1')\n"
+        "LaunchConfiguration('controller_nodes')\n"
+    )
+    text += f"LaunchConfiguration('{use}')\n" if use else ""
+    (found,) = reported(tmp_path / "arm", "LAU006", "a.launch.py", text)
+    assert found.severity is severity
+    assert ("did you mean" in found.message) is (severity is Severity.ERROR)
+
+
+@pytest.mark.parametrize(("more", "hint"), [("", True), ("fake_execution", False)])
+def test_an_argument_that_is_passed_is_not_suggested(tmp_path: Path, more: str, hint: bool) -> None:
+    """Robotnik's MoveIt packages: `execution_type` is not a misspelt `fake_execution`."""
+    files = {"launch/b.launch": launch('<arg name="fake_execution" default="a"/>')}
+    names = filter(None, ("execution", more))
+    passed = "".join(f'<arg name="{name}" value="a"/>' for name in names)
+    text = f'<include file="$(find arm)/launch/b.launch">{passed}</include>'
+    (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
+    assert ("did you mean 'fake_execution'?" in found.message) is hint

@@ -97,10 +97,13 @@ def test_a_relative_path_from_a_directory_above(tmp_path: Path, name: str, sever
     assert ("PyBullet" in found.message) == (severity == "warning")
 
 
-def test_a_path_that_is_absolute_by_mistake(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "severity"), [("r.urdf", "warning"), ("r.xacro", "error")])
+def test_a_path_that_is_absolute_by_mistake(tmp_path: Path, name: str, severity: str) -> None:
+    """PyBullet_Industrial_Robotics_Gym: PyBullet looks next to the URDF, too."""
     put(tmp_path, "meshes/base.stl")
-    (found,) = robot(tmp_path / "r.urdf", "/meshes/base.stl")
-    assert found.help == "remove the first slash: the path is absolute"
+    (found,) = robot(tmp_path / name, "/meshes/base.stl")
+    assert (found.severity.value, found.help) == (severity, "remove the first slash")
+    assert ("PyBullet" in found.message) == (severity == "warning")
 
 
 @pytest.mark.parametrize(
@@ -157,3 +160,14 @@ def test_a_path_of_another_machine_does_not_become_one_of_this(tmp_path: Path) -
     put(tmp_path, "mesh/arm.stl")
     (found,) = robot(tmp_path / "r.urdf", "/home/somebody/robots/mesh/arm.stl")
     assert found.help == "did you mean 'mesh/arm.stl'?"
+
+
+@pytest.mark.parametrize(("name", "is_known"), [("gripper", True), ("camera", False)])
+def test_an_installed_mesh_of_another_package(tmp_path: Path, name: str, is_known: bool) -> None:
+    """A UR5e that Isaac Sim wrote: its gripper is in another package of the repository."""
+    package(tmp_path / "setup", "setup")
+    package(tmp_path / "gripper", "gripper", "meshes/finger.stl")
+    installed = f"file:///home/me/ws/install/{name}/share/{name}/meshes/finger.stl"
+    (found,) = robot(tmp_path / "setup" / "urdf" / "arm.urdf", installed)
+    assert (found.help == "did you mean 'package://gripper/meshes/finger.stl'?") is is_known
+    assert (found.fix is not None) is is_known

@@ -77,10 +77,18 @@ def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
         ("# xacro_add_files(urdf/arm.urdf.xacro)", Severity.ERROR),
         ("xacro_add_files(urdf/charm.urdf.xacro)", Severity.ERROR),
         ("install(FILES urdf/arm.urdf.xacro DESTINATION share/arm)", Severity.ERROR),
+        (
+            "set(A ${CMAKE_BINARY_DIR}/arm.urdf)\ninstall(FILES ${A} DESTINATION share/arm/urdf)",
+            Severity.WARNING,
+        ),
+        (
+            "install(FILES ${CMAKE_CURRENT_BINARY_DIR}/arm.urdf DESTINATION share/${PROJECT_NAME})",
+            Severity.ERROR,
+        ),
     ],
 )
 def test_a_file_that_the_build_expands(tmp_path: Path, command: str, severity: Severity) -> None:
-    """SO-ARM100: MoveIt's xacro includes the URDF that CMake makes of the robot's xacro."""
+    """SO-ARM100: CMake makes the URDF that MoveIt's xacro includes; DFKI's H1: downloads it."""
     add_file(tmp_path / "CMakeLists.txt", command.encode())
     add_file(tmp_path / "urdf" / "arm.urdf.xacro", _whole(b""))
     include = b'<xacro:include filename="../urdf/arm.urdf"/>'
@@ -113,3 +121,16 @@ def test_an_example_that_an_environment_variable_includes(
     robot = text.replace("<robot", '<robot name="r"', 1)
     example.write_text(robot)
     assert any(one.severity is Severity.ERROR for one in check(example).diagnostics)
+
+
+@pytest.mark.parametrize(("name", "severity"), [("", Severity.INFO), ("base", Severity.ERROR)])
+def test_a_part_whose_including_file_a_program_writes(
+    tmp_path: Path, name: str, severity: Severity
+) -> None:
+    """Mobile_Robot_URDF_Maker: robots without a name; a wizard writes what includes one."""
+    head = HEAD.replace(b' name="rover"', f' name="{name}"'.encode() if name else b"")
+    box = b'<box size="${length} ${width} ${height}"/>'
+    link = b'<link name="base"><visual><geometry>%s</geometry></visual>${mass}</link>' % box
+    part = add_file(tmp_path / "four_wheels.xacro", head + link + b"</robot>")
+    found = check(part, select=["XAC001"]).diagnostics
+    assert {one.severity for one in found} == {severity}

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.reported import messages
+from tests.reported import messages, reported
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
@@ -47,3 +47,28 @@ FRAGMENT = (
 def test_a_part_with_a_name_for_robots_elsewhere(name: str, more: str, severity: Severity) -> None:
     report = check(Source(name, FRAGMENT.format(more).encode()), select=["REF001"])
     assert [found.severity for found in report.diagnostics] == [severity]
+
+
+@pytest.mark.parametrize(
+    ("tag", "reference", "hint"),
+    [
+        ("<collision/>", "front_caster", "did you mean 'front_caster_wheel'?"),
+        ("<stopCfm>0</stopCfm>", "front_caster", "did you mean 'front_caster_joint'?"),
+        (
+            '<sensor name="s" type="force_torque"/>',
+            "front_caster",
+            "did you mean 'front_caster_joint'?",
+        ),
+        ("<mu1>1</mu1>", "front_caster_whel", "did you mean 'front_caster_wheel'?"),
+    ],
+)
+def test_a_block_of_a_link_is_not_for_a_joint(tag: str, reference: str, hint: str) -> None:
+    """Mobile_Robot_URDF_Maker: joint 'front_caster_joint' was suggested for a <collision>."""
+    ends = '<parent link="base"/><child link="front_caster_wheel"/>'
+    robot = (
+        '<link name="base"/><link name="front_caster_wheel"/>'
+        f'<joint name="front_caster_joint" type="fixed">{ends}</joint>'
+        f'<gazebo reference="{reference}">{tag}</gazebo>'
+    )
+    (found,) = reported("GAZ001", robot)
+    assert found.help == hint

@@ -21,6 +21,7 @@ from tests.reported import reported
 from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.robot.samples import joint_xml, xacro_xml
 from urdfkit.text.diagnostic import Severity
 
 SENSOR = '<sensor name="finger"><state_interface name="Present Pressure 1"/></sensor>'
@@ -164,3 +165,39 @@ def test_controllers_of_two_robots_in_one_file(tmp_path: Path, radius: str, coun
     prius = controller("prius", kind, **sides, wheel_separation="1.5", wheel_radius="0.4")
     assert len(driving.reported(tmp_path, "RCT014", prius + car)) == count
     assert len(driving.reported(tmp_path, "RCT014", prius)) == 2
+
+
+@pytest.mark.parametrize(("exported", "count"), [("linear_acceleration_x", 0), ("position", 1)])
+def test_interfaces_that_hardware_of_the_workspace_exports(
+    tmp_path: Path, exported: str, count: int
+) -> None:
+    """Bolt's IMU: the fix would have given the interface a name that its hardware does not have."""
+    package = add_package(tmp_path, "bolt_description")
+    imu = '<sensor name="imu"><state_interface name="linear_acceleration_x"/></sensor>'
+    text = whole_robot(ROBOT + control(driven("swing"), imu, plugin="bolt/System"))
+    robot = add_file(package / "urdf" / "bolt.urdf", text.encode())
+    hardware = add_package(tmp_path, "bolt_hardware")
+    add_file(hardware / "src" / "system.cpp", f'export_state("imu", "{exported}");'.encode())
+    assert len(check(robot, select=["RCT017"]).diagnostics) == count
+
+
+@pytest.mark.parametrize(("joint", "count"), [("slide", 0), ("turn", 1)])
+def test_a_controller_of_a_joint_that_an_argument_disables(
+    tmp_path: Path, joint: str, count: int
+) -> None:
+    """odrive_ros2_control: two axes, of which the launch file enables one."""
+    (tmp_path / "c.yaml").write_text(
+        "controller_manager:\n  ros__parameters:\n    both:\n      type: "
+        "joint_trajectory_controller/JointTrajectoryController\n"
+        f"both:\n  ros__parameters:\n    joints: [swing, {joint}]\n"
+    )
+    second = joint_xml("prismatic", name="slide", child="tool")
+    xacro = xacro_xml(
+        '<xacro:arg name="has_slide" default="false"/>',
+        '<link name="base"/><link name="arm"/>' + joint_xml("continuous", name="swing"),
+        f'<xacro:if value="$(arg has_slide)"><link name="tool"/>{second}</xacro:if>',
+        control(driven("swing"), plugin=GZ)
+        + plugin("gz_ros2_control-system", f"<parameters>{tmp_path}/c.yaml</parameters>"),
+    )
+    robot = add_file(tmp_path / "r.urdf.xacro", xacro.encode())
+    assert len(check(robot, select=["RCT001"]).diagnostics) == count

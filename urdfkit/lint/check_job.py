@@ -121,7 +121,8 @@ def _with_assumed(checked: list[Checked]) -> list[Checked]:
     """The results of one robot, without errors that depend on assumed argument values.
 
     An error that occurs only with assumed values becomes a warning that states them, unless it
-    occurs with all of several sets: then it does not depend on the values.
+    occurs with all of several sets: then it does not depend on the values. It becomes an info if
+    its rule reports no error with another set: the values are those of another variant.
     """
     sets = [job.assumed for job, _ in checked if job.assumed]
     sets_by_finding: dict[object, list[str]] = {}
@@ -129,12 +130,24 @@ def _with_assumed(checked: list[Checked]) -> list[Checked]:
         for diagnostic in result.diagnostics:
             sets_by_finding.setdefault(_identity(diagnostic), []).append(job.assumed)
 
+    errors = [
+        {
+            diagnostic.code
+            for diagnostic in result.diagnostics
+            if diagnostic.severity is Severity.ERROR
+        }
+        for job, result in checked
+        if job.assumed
+    ]
+
     def lowered(finding: Diagnostic) -> Diagnostic:
         own = tuple(dict.fromkeys(sets_by_finding[_identity(finding)]))
         if finding.severity is not Severity.ERROR or "" in own or len(own) == len(sets) > 1:
             return finding
+        is_everywhere = all(finding.code in codes for codes in errors)
+        severity = Severity.WARNING if is_everywhere else Severity.INFO
         return finding._replace(
-            severity=Severity.WARNING, confidence=Confidence.GUESSED, variants=own, fix=None
+            severity=severity, confidence=Confidence.GUESSED, variants=own, fix=None
         )
 
     return [

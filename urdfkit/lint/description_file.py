@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 #: Code of the rule about arguments that are used before their default, which is still a value.
-_TOO_EARLY = "XAC020"
+TOO_EARLY = "XAC020"
 
 
 class Reading(Record):
@@ -41,14 +41,14 @@ class Reading(Record):
     @property
     def arguments_to_pass(self) -> tuple[str, ...]:
         """The missing arguments, otherwise those that are used before their default."""
-        early = (problem.argument for problem in self.problems if problem.code == _TOO_EARLY)
+        early = (problem.argument for problem in self.problems if problem.code == TOO_EARLY)
         return self.missing_arguments or tuple(dict.fromkeys(early))
 
     @property
     def lacking(self) -> list[Problem]:
         """The problems that are arguments without a value."""
         return [
-            problem for problem in self.problems if problem.argument and problem.code != _TOO_EARLY
+            problem for problem in self.problems if problem.argument and problem.code != TOO_EARLY
         ]
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.core import disk
 from urdfkit.lint.argument_values import found_values, plain_path, reported
 from urdfkit.lint.context import Context
-from urdfkit.lint.description_file import Reading
+from urdfkit.lint.description_file import TOO_EARLY, Reading
 from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
@@ -21,7 +21,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     names = tuple(dict.fromkeys(problem.argument for problem in reading.lacking))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
-        first = next(errors, None)
+        first = next((p for p in errors if p.code != TOO_EARLY), None)
         failure = "cannot be read" if reading.xacro is None else "does not expand"
         why = f"it {failure}" + (f": {first.message} ({first.code})" if first else "")
         return why, f"urdfkit check {shown(source.path)} --select XML,XAC shows the errors"

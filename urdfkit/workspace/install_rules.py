@@ -13,7 +13,12 @@ from urdfkit.core import disk
 from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
+from urdfkit.workspace.installs import (
+    MAX_BYTES,
+    known_variables,
+    read_built,
+    read_rules,
+)
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
@@ -149,11 +154,27 @@ class InstallRules:
         return False
 
 
-def is_expanded(path: str) -> bool:
-    """True if the nearest CMake file above a xacro expands it, as with ``xacro_add_files``."""
+def _cmake_file(path: str) -> str:
+    """The nearest CMake file above a path; empty if there is none."""
     directories = upwards(os.path.dirname(path))
     files = (os.path.join(directory, "CMakeLists.txt") for directory in directories)
-    text = read_head(next(filter(disk.is_file, files), ""), MAX_BYTES).decode("utf-8", "replace")
+    return next(filter(disk.is_file, files), "")
+
+
+def is_built(path: str) -> bool:
+    """True if the nearest CMake file above a missing file installs it from the build directory."""
+    directory = os.path.dirname(_cmake_file(path))
+    if not directory:
+        return False
+    relative = os.path.relpath(path, directory).replace(os.sep, "/")
+    # Below share/<package>, whose name only the manifest states.
+    targets = ("/".join(rule.target.split("/")[2:]) for rule in read_built(directory, "package"))
+    return any(relative == target or relative.startswith(f"{target}/") for target in targets)
+
+
+def is_expanded(path: str) -> bool:
+    """True if the nearest CMake file above a xacro expands it, as with ``xacro_add_files``."""
+    text = read_head(_cmake_file(path), MAX_BYTES).decode("utf-8", "replace")
     name = re.escape(os.path.basename(path))
     command = rf"""\bxacro_add\w*\s*\([^()]*(?<=[\s/"(]){name}\b"""
     return re.search(command, re.sub(r"#.*", "", text)) is not None

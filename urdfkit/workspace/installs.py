@@ -9,13 +9,17 @@ from __future__ import annotations
 import os
 import posixpath
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.workspace.file_head import read_head
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
+
+#: Stands for the build directory in the sources of install rules.
+BUILT = "<build>"
+_BUILD_DIRECTORIES = ("CMAKE_BINARY_DIR", "CMAKE_CURRENT_BINARY_DIR", "PROJECT_BINARY_DIR")
 
 _TOKEN = r"""(?sx)\#\[(=*)\[.*?\]\1\]        # a bracket comment
       | \#[^\n]*                   # a comment
@@ -60,15 +64,28 @@ def source_paths(rules: Iterable[Installed], package: str, relative: str) -> lis
     return paths
 
 
-def read_rules(directory: str, package: str) -> list[Installed]:
-    """Install rules of the CMakeLists.txt of a package; conditions are assumed to be true."""
+def read_rules(
+    directory: str, package: str, variables: Mapping[str, str] | None = None
+) -> list[Installed]:
+    """Install rules of the CMakeLists.txt of a package; conditions are assumed to be true.
+
+    Args:
+        variables: additional variables with their values.
+    """
     text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
         "utf-8", "replace"
     )
-    reader = _CMakeReader(known_variables(package))
+    reader = _CMakeReader({**known_variables(package), **(variables or {})})
     for command in _commands(text):
         reader.read(command)
     return reader.rules
+
+
+def read_built(directory: str, package: str) -> list[Installed]:
+    """Install rules of files that the build creates: their sources begin with ``BUILT``."""
+    built = dict.fromkeys(_BUILD_DIRECTORIES, BUILT)
+    rules = read_rules(directory, package, built)
+    return [rule for rule in rules if rule.source.startswith(f"{BUILT}/")]
 
 
 def known_variables(package: str) -> dict[str, str]:

@@ -12,6 +12,8 @@ from urdfkit.xacro.dom import Dom, Node
 
 #: Most names in a message.
 _SHOWN = 3
+#: Missing names from which a ``<robot>`` without a name is a part: fewer may be mistakes.
+_MANY = 4
 
 _MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
@@ -21,7 +23,8 @@ def merge_missing_names(
 ) -> list[Problem]:
     """The problems of a file; all missing names become one hint if another file includes it.
 
-    The same applies if no file includes it, but its parent links are not in the file.
+    The same applies if no file includes it, but its parent links are not in the file, or it has no
+    name and lacks many names: a program may write the including file.
 
     The including file defines these names before the include. They are not an error of the part,
     and the robot is checked by checking the including file.
@@ -29,12 +32,13 @@ def merge_missing_names(
     missing = {number: name for number, item in enumerate(problems) if (name := _missing(item))}
     if not missing:
         return problems
+    distinct = dict.fromkeys(missing.values())
     top = top_includer(source.path, packages)
     if top is None:
-        if document is None or not _is_fragment(document.documentElement):
+        if document is None or not _is_fragment(document.documentElement, len(distinct)):
             return problems
         top = ""
-    names = few([f"'{name}'" for name in dict.fromkeys(missing.values())], _SHOWN)
+    names = few([f"'{name}'" for name in distinct], _SHOWN)
     robot = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
     message = f"a part of {robot or 'another file'}, which must define {names}"
     help = f"check the robot instead: urdfkit check {shown(top)}" if top else ""
@@ -43,11 +47,13 @@ def merge_missing_names(
     return [hint, *(item for number, item in enumerate(problems) if number not in missing)]
 
 
-def _is_fragment(root: Node) -> bool:
-    """True for a ``<robot>`` without a name whose links all have a parent."""
+def _is_fragment(root: Node, missing: int) -> bool:
+    """True for a ``<robot>`` without a name that lacks many names, or whose links have a parent."""
+    if root.hasAttribute("name"):
+        return False
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
-    return bool(links) and links <= children and not root.hasAttribute("name")
+    return missing >= _MANY or (bool(links) and links <= children)
 
 
 def _missing(problem: Problem) -> str:

@@ -13,7 +13,7 @@ from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
-from urdfkit.workspace.install_rules import is_expanded
+from urdfkit.workspace.install_rules import is_built, is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import NOT_BUILT, BrokenYaml
@@ -237,6 +237,8 @@ def _missing_file(path: str) -> MessageText:
     if disk.is_file(f"{path}.xacro") and is_expanded(f"{path}.xacro"):
         message = f"{NOT_BUILT}: {shown(path)}, from {os.path.basename(path)}.xacro"
         return MessageText(message, "build the workspace, or include the xacro itself")
+    if is_built(path):
+        return MessageText(f"{NOT_BUILT}: {shown(path)}", "build the workspace")
     return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
 
 

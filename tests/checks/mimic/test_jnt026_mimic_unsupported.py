@@ -57,3 +57,18 @@ def test_joints_that_something_else_couples(coupling: str) -> None:
 def test_a_fixed_joint_need_not_be_coupled() -> None:
     text = robot(joint("a", "continuous"), joint("b", "fixed", mimic("a")))
     assert told_to("gz-harmonic", text) == []
+
+
+@pytest.mark.parametrize(
+    ("target", "help"),
+    [
+        ("classic-ros1", "add a mimic plugin"),
+        ("classic-ros2", "add a mimic plugin, or list the joints in <ros2_control>"),
+        (
+            "gz-harmonic",
+            "list the joints in <ros2_control>, or use the physics engine bullet-featherstone",
+        ),
+    ],
+)
+def test_the_help_is_for_the_target(target: str, help: str) -> None:
+    assert [one.help for one in told_to(target, HAND)] == [help]

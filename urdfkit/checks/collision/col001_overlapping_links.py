@@ -11,6 +11,7 @@
   `<self_collide>` enables collisions of one of the two with its robot in Gazebo, which has no such
   list: it pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag
   of the model, in a `<gazebo>` block without a reference, and not the tags of links.
+- A pair that the robot's SRDF disables is reported only with `<self_collide>`.
 - Overlap of adjacent links, an info: most of the smaller body is inside the other one, such as a
   wheel deep in the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent
   links, but the outer geometry hits objects that the inner one should hit, such as a kerb. Only
@@ -86,18 +87,19 @@ def check(context: Context) -> Findings:
     for pair in contacts.pairs:
         if pair.is_rigid:
             continue
-        if (
-            found := _adjacent(pair)
-            if pair.is_adjacent
-            else _apart(pair, contacts.beginning, depth)
+        if found := (
+            _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning, depth)
         ):
-            if not pair.is_adjacent:
-                reported.add(pair.names)
             contact, message, help, severity = found
-            is_info = severity is Severity.INFO and not pair.is_adjacent
+            is_disabled = not pair.is_adjacent and _is_disabled(context, pair.names)
+            is_info = is_disabled or (severity is Severity.INFO and not pair.is_adjacent)
             if is_info and _collide_in_gazebo(context, pair.names, colliding):
                 message += ", and <self_collide> makes Gazebo push them apart"
                 help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
+            elif is_disabled:
+                continue
+            if not pair.is_adjacent:
+                reported.add(pair.names)
             small, large = contact.small, contact.large
             yield Finding(
                 context.model.collision(small.link, small.number),
@@ -120,6 +122,11 @@ def check(context: Context) -> Findings:
         for overlap in hull_overlaps(contacts, depth):
             if (overlap.first.link, overlap.second.link) not in reported:
                 yield from _hull_overlap(context, overlap, simulators, depth)
+
+
+def _is_disabled(context: Context, names: tuple[str, str]) -> bool:
+    """True if the SRDF of the robot states that two links may overlap."""
+    return context.srdf is not None and context.srdf.disables(frozenset(names))
 
 
 def _self_colliding(context: Context) -> set[str]:

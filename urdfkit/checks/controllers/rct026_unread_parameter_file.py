@@ -59,11 +59,12 @@ def _missing(context: Context) -> Findings:
             hint = f"; did you mean '{suggested}'?" if suggested else ""
             where = "" if is_here else " on this machine"
             written = file.element.tag_at.inner_span.text
+            has_find = "$(find " in written
             is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
             severity = None if is_here else Severity.WARNING
             yield Finding(
                 file.element,
                 f"parameter file not found{where}: {file.path}{hint}",
-                f"correct the path; write {_FIND}",
+                "correct the path" if has_find else f"correct the path; write {_FIND}",
                 severity=Severity.INFO if is_chosen else severity,
             )

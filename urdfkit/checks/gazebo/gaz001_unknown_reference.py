@@ -15,19 +15,17 @@ Sources:
     gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
-import re
-from collections.abc import Collection
-from functools import lru_cache
+from collections.abc import Collection, Iterable
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.catalog.extensions import copied, extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
-from urdfkit.text.source import Source
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
 FIXED = GOOD = BAD.replace("whel", "wheel")
@@ -35,10 +33,6 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 #: What the robot lacks without the block; the rest is about a link that the robot does not have.
 _THINGS = frozenset(("sensor", "plugin"))
 _NONE: frozenset[str] = frozenset()
-#: The name of a link or joint, behind the expressions that it begins with.
-_DEFINITION = (
-    rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
-)
 
 
 @rule(
@@ -49,8 +43,9 @@ _DEFINITION = (
 )
 def check(context: Context) -> Findings:
     model = context.model
-    known = {**model.links_by_name, **model.joints_by_name}
-    suggester = Suggester(known)
+    links, joints = model.links_by_name, model.joints_by_name
+    known = {**links, **joints}
+    suggesters = {"link": Suggester(links), "joint": Suggester(joints), "": Suggester(known)}
     parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
     added = {one.get("name") for one in parts}
     properties = _properties(model)
@@ -72,7 +67,7 @@ def check(context: Context) -> Findings:
                 severity=Severity.WARNING,
             )
         else:
-            suggested = suggester.suggested(reference.value)
+            suggested = suggesters[_kind(tags)].suggested(reference.value)
             if not properties.get(suggested, _NONE).isdisjoint(tags):
                 suggested = ""  # the block would replace what another one says of that link
             yield _unknown(context, reference, suggested, tags)
@@ -97,17 +92,14 @@ def _properties(model: RobotModel) -> dict[str, set[str]]:
     return found
 
 
-def _is_switched_off(context: Context, name: str) -> bool:
-    """True if a file of the robot defines the link or joint inside a condition that is false."""
-    expanded = context.reading.xacro
-    return expanded is not None and name in _defined(expanded.sources)
-
-
-@lru_cache(maxsize=1)  # a robot may have many unknown references
-def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
-    """The names of the links and joints in some files, without expressions at their beginning."""
-    found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
-    return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
+def _kind(tags: Iterable[str]) -> str:
+    """``link`` or ``joint`` if only one of them has all of some tags, otherwise empty."""
+    kinds = {"link", "joint"}
+    for tag in tags:
+        extension = extensions().get(tag)
+        on = {extension.on} if extension else {kind for kind in kinds if tag in copied(kind)}
+        kinds &= on if on <= {"link", "joint"} and on else kinds
+    return kinds.pop() if len(kinds) == 1 else ""
 
 
 def _unknown(
@@ -116,7 +108,7 @@ def _unknown(
     message = f"unknown link or joint '{reference.value}': Gazebo ignores {_listed(tags)}"
     help = f"did you mean '{suggested}'?" if suggested else ""
     fix = severity = None
-    if _is_switched_off(context, reference.value):
+    if is_switched_off(context, reference.value):
         help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
     elif suggested:
         from urdfkit.lint.misspelt_names import corrected_definition  # for few robots

@@ -48,11 +48,12 @@ def check(context: Context) -> Findings:
         call = description.frame.call.span
         # A launch file for several robots passes arguments that only some of them have.
         is_for_any = os.path.basename(description.path).encode() not in call.source.data
+        unused = known.difference(description.arguments)
         for name in description.arguments:
             if name not in known:
                 yield Finding(
                     Location(call, description.frame.outer),
-                    f"'{description.path}': unknown argument '{name}'{did_you_mean(name, known)}",
+                    f"'{description.path}': unknown argument '{name}'{did_you_mean(name, unused)}",
                     "pass one of: " + ", ".join(sorted(known)) if known else "remove the argument",
                     severity=Severity.INFO if is_for_any else None,
                 )

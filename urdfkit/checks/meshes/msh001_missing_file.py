@@ -15,6 +15,8 @@ never committed. XAC011 reports packages that are not found. Also reported:
   computer only, and urdfkit does not read it (a warning).
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
   cannot check whether it exists (a warning).
+- An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
+  warning).
 - A relative path that is found from a parent directory: only PyBullet searches there (a warning);
   in a xacro, the path is relative to the directory where the expanded URDF is written (an info).
 - A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
@@ -149,12 +151,12 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         message = f"{mesh.who} is found by MuJoCo alone, which looks in {shown(directory)}"
         help = "for other programs, write a path relative to the URDF, or package://PACKAGE/..."
         return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
+    if found := _without_slash(context, mesh):
+        return found
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path in the message is the path that was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
     message = f"{mesh.who} does not exist{where}{tried}"
-    if help := _without_slash(context, located):
-        return Finding(mesh.at, message, help, group_key=help)
     suggested = files.nearest(mesh)
     if suggested is None:
         return Finding(mesh.at, message, group_key=_missing_directory(located))
@@ -178,12 +180,21 @@ def _found_above(context: Context, mesh: MeshReference, directory: str) -> Findi
     return Finding(mesh.at, message, help, fix, group_key=directory, severity=Severity.WARNING)
 
 
-def _without_slash(context: Context, located: ResolvedReference) -> str:
-    """Help for a path that is absolute by mistake; empty if the relative path has no file."""
-    relative = located.reference.lstrip("/")
-    own = os.path.dirname(os.path.abspath(context.files.top))
-    is_mistake = located.scheme == "absolute" and disk.is_file(os.path.join(own, relative))
-    return "remove the first slash: the path is absolute" if is_mistake else ""
+def _without_slash(context: Context, mesh: MeshReference) -> Finding | None:
+    """Finding about a path that is absolute by mistake; None if the relative path has no file."""
+    relative = mesh.located.reference.lstrip("/")
+    path = os.path.join(os.path.dirname(os.path.abspath(context.files.top)), relative)
+    if mesh.located.scheme != "absolute" or not disk.is_file(path):
+        return None
+    message, help = f"{mesh.who} is an absolute path, and does not exist", "remove the first slash"
+    severity = None
+    if not is_xacro(context.source):
+        message, severity = (
+            f"{message}; PyBullet alone finds it, next to the URDF",
+            Severity.WARNING,
+        )
+    fix = _fix(mesh, relative, help)
+    return Finding(mesh.at, message, help, fix, group_key=help, severity=severity)
 
 
 def _directory_above(context: Context, located: ResolvedReference) -> str:

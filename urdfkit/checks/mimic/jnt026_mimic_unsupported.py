@@ -17,7 +17,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
-from urdfkit.ros.targets import GAZEBO
+from urdfkit.ros.targets import CLASSIC, GAZEBO
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
 _INERTIAL = inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7")
@@ -36,7 +36,7 @@ GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
 
 @rule(
     Severity.INFO,
-    help="add a mimic plugin, list the joints in <ros2_control>, or use bullet-featherstone",
+    help="list the joints in <ros2_control>, or use the physics engine bullet-featherstone",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
 def check(context: Context) -> Findings:
@@ -53,8 +53,18 @@ def check(context: Context) -> Findings:
         yield Finding(
             joints[0].mimic.at,
             f"{several(joints)}: Gazebo does not enforce the <mimic>",
+            _help(context),
             related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
         )
+
+
+def _help(context: Context) -> str:
+    """Help for Gazebo Classic, which has mimic plugins; empty for the default help."""
+    classic = context.targets.among(CLASSIC)
+    if not classic:
+        return ""
+    by_control = "" if "classic-ros1" in classic else ", or list the joints in <ros2_control>"
+    return "add a mimic plugin" + by_control
 
 
 def _coupled(model: RobotModel) -> set[str]:

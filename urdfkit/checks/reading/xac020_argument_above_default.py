@@ -2,7 +2,8 @@
 
 xacro reads from top to bottom: at the use, the default is not defined yet, and xacro stops with
 "Undefined substitution argument", unless the value is passed. The usual place is the name of the
-robot in the root element. urdfkit uses the default anyway, to check the rest of the model.
+robot in the root element. urdfkit uses the default anyway, to check the rest of the model. If each
+launch file that starts the robot passes values that are known only at run time, it is not reported.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -23,4 +24,14 @@ BAD = GOOD.replace('name="r"', 'name="$(arg name)"')
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )
 def check(context: Context) -> Findings:
-    return reported(context, "XAC020")
+    for problem, finding in zip(
+        context.problems("XAC020"), reported(context, "XAC020"), strict=True
+    ):
+        if not _may_be_passed(context, problem.argument):
+            yield finding
+
+
+def _may_be_passed(context: Context, argument: str) -> bool:
+    from urdfkit.ros.launch.robot_arguments import known_at_run_time  # for few robots
+
+    return bool(known_at_run_time(context.source.path, (argument,), context.resolver))

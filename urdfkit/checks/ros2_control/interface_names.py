@@ -17,6 +17,7 @@ from urdfkit.ros.ros_control import (
 )
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
+from urdfkit.workspace.program_strings import strings_in_programs
 
 _HELP = "correct the name of the interface"
 #: The state interfaces of a simulated joint.
@@ -25,10 +26,19 @@ _SIMULATED_STATES = ("position", "velocity", "effort")
 
 def invalid_interfaces(context: Context) -> Findings:
     """Misspelt interfaces, and interfaces that the simulator does not offer."""
+    of_hardware: list[tuple[str, Finding]] = []
     for component in components(context.model):
         for part in component.parts:
             for interface in part.interfaces:
-                yield from _interface(component, part, interface)
+                findings = _interface(component, part, interface)
+                if component.hardware in simulated_hardware():
+                    yield from findings
+                else:
+                    of_hardware += ((interface.name, finding) for finding in findings)
+    # Hardware of the workspace may export interfaces with names of its own.
+    names = {name for name, _ in of_hardware}
+    exported = strings_in_programs(names, context.source.path, context.resolver)
+    yield from (finding for name, finding in of_hardware if name not in exported)
     if context.model.transmissions and reads_transmissions(context.targets):
         yield from _hardware_interfaces(context)
 

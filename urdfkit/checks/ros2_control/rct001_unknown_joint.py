@@ -6,7 +6,8 @@
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
-  if other controllers fit, or if the names differ only in a prefix. A warning in ROS 1, where
+  if other controllers fit, or if the names differ only in a prefix. A joint that an argument of the
+  robot disables is not reported: nothing may start the controller. A warning in ROS 1, where
   hardware may use other names, unless the hardware is a Gazebo plugin and the controller has other
   joints of the robot or a misspelt one.
 
@@ -23,6 +24,7 @@ Sources:
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
@@ -113,7 +115,10 @@ def _controller_joints(context: Context) -> Findings:
     for file, controller, values in joints:
         is_of_robot = _has_any(values, known)
         for value in values:
-            if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
+            is_prefixed = _is_prefixed(value.text, known)
+            if value.text in known or (is_prefixed and not is_of_robot):
+                continue
+            if not is_prefixed and is_switched_off(context, value.text):
                 continue
             hint = suggester.hint(value.text)
             is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))

@@ -1,8 +1,9 @@
 """The collision matrix does not match the links that joints connect.
 
 - A pair is disabled as "Adjacent", but no joint connects the two links (warning; an info if only
-  fixed joints are between them). The pair is never checked for collisions. Links are also adjacent
-  if only links without collision geometry are between them.
+  fixed joints are between them, or if one of them has no collision geometry). The pair is never
+  checked for collisions. Links are also adjacent if only links without collision geometry are
+  between them, or if both are next to the same link without collision geometry.
 - A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
   the collision in every pose, and cannot plan. An SRDF without any matrix is not reported.
 
@@ -69,9 +70,13 @@ def _not_adjacent(context: Context, srdf: Srdf) -> Findings:
             continue
         known = {first, second} <= srdf.known("link")
         if known and not adjacency.is_adjacent(first, second):
+            links = (context.model.links_by_name[name] for name in (first, second))
+            is_harmless = adjacency.is_rigid(first, second) or not all(
+                link.collisions for link in links
+            )
             yield Finding(
                 pair,
                 f"links '{first}' and '{second}' are not adjacent: no joint connects them",
                 "compute the collision matrix again, or correct the reason",
-                severity=Severity.INFO if adjacency.is_rigid(first, second) else Severity.WARNING,
+                severity=Severity.INFO if is_harmless else Severity.WARNING,
             )

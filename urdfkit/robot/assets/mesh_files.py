@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from functools import cached_property
 
 from urdfkit.core import disk
@@ -19,6 +20,8 @@ from urdfkit.workspace.resolve import Resolver
 MAX_DIRECTORIES = 2000
 #: With this many equal parent directories, one of several files with the same name is certain.
 MIN_COMMON_DIRECTORIES = 2
+#: The package and the path below it in the path of an installed file.
+_INSTALLED = re.compile(r"/share/([^/]+)/(.+)$")
 
 
 class MeshReference(Record):
@@ -176,12 +179,15 @@ class MeshFiles:
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that was probably intended by a reference to a missing file.
 
-        In this order: a file of another format in the same directory, a file of the same name
-        elsewhere in the package, a file of a similar name in the same directory, a file of another
-        format elsewhere. It is sure if it is the only candidate and no other link uses it. A file
-        whose name resembles the missing files of several links is not offered.
+        In this order: the file of the package that an installed path names, a file of another
+        format in the same directory, a file of the same name elsewhere in the package, a file of a
+        similar name in the same directory, a file of another format elsewhere. It is sure if it is
+        the only candidate and no other link uses it. A file whose name resembles the missing files
+        of several links is not offered.
         """
         located = mesh.located
+        if suggestion := self._installed(located):
+            return suggestion
         similar = self._similar_name(located)
         links = self._links_by_similar_name.get(similar[0], {}).values()
         if not similar[1] and not set.intersection(*links):
@@ -198,6 +204,14 @@ class MeshFiles:
         # An absolute path is not replaced by another absolute path.
         portable = _relative(path, self._directory) if reference == path else reference
         return Suggestion(portable, path, sure)
+
+    def _installed(self, located: ResolvedReference) -> Suggestion | None:
+        """The file of a package at an absolute path of its installation on another computer."""
+        if located.scheme != "absolute" or not (found := _INSTALLED.search(located.reference)):
+            return None
+        reference = f"package://{found[1]}/{found[2]}"
+        path = self.resolver.locate(reference, self.top).path
+        return Suggestion(reference, path, sure=True) if path else None
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same scheme as another reference if possible."""

@@ -5,6 +5,7 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 
 from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
 from urdfkit.text.diagnostic import Problem, Severity
@@ -62,7 +63,7 @@ class ArgumentUses:
         }
         is_certain = bool(missing) and is_sure()
         for name, (span, declared) in missing.items():
-            if not is_certain and not is_typo(name, declared):
+            if not is_certain and not misspelt(name, declared, span.source):
                 continue
             if name in self.declared:
                 message = f"argument '{name}' is used before it is declared"
@@ -75,6 +76,18 @@ class ArgumentUses:
 def is_typo(name: str, known: Iterable[str]) -> bool:
     """True if a name is a typo of a known name."""
     return bool(Suggester(frozenset(known)).suggested(name))
+
+
+def misspelt(name: str, declared: Collection[str], source: Source) -> str:
+    """The declared argument that a file misspells; empty if there is none.
+
+    An argument that the file declares and uses, or that another file declares, is similar by
+    chance, unless the names differ in one letter only.
+    """
+    suggested = Suggester(frozenset(declared)).suggested(name)
+    word = rb"(?<![\w-])%b(?![\w-])" % re.escape(suggested.encode())
+    is_unused = len(re.findall(word, source.data)) == 1
+    return suggested if is_unused or is_one_letter_off(name, suggested) else ""
 
 
 def undeclared(
@@ -91,10 +104,11 @@ def undeclared(
     The command line may set it, unless the file is included without these arguments
     (``is_lost``), or the name is a typo. In ROS 1, this forces callers to set it.
     """
-    hint = Suggester(frozenset(declared)).hint(name)
-    message = f"no argument '{name}' is declared{hint}"
+    suggested = misspelt(name, declared, span.source)
+    message = f"no argument '{name}' is declared"
+    message += f"; did you mean '{suggested}'?" if suggested else ""
     severity = None
-    if not (is_lost or hint):
+    if not (is_lost or suggested):
         severity = Severity.INFO if ros == 1 else Severity.WARNING
         message += "; the caller must pass it"
     return Problem("LAU006", span, message, frame=frame, severity=severity)
@@ -112,15 +126,17 @@ def unknown_to_included(
 
     In ROS 2 the file may use them without a declaration, and pass them on.
     """
+    passed = list(passed)
+    unused = set(taken.names).difference(name for name, _ in passed)
     for name, span in passed:
         if name in taken.names:
             continue
         word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
         is_used = ros == 2 and re.search(word, source.data)
-        is_mistyped = is_typo(name, taken.names)
+        is_mistyped = is_typo(name, unused)
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
-            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, taken.names)}"
+            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, unused)}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
 

@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterator
 from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
-    is_typo,
     missing_in_include,
+    misspelt,
     undeclared,
     unknown_to_included,
 )
@@ -121,8 +121,8 @@ class Configurations:
             return
         is_sure = self._is_whole and not self._may_inherit()
         for name, call in missing.items():
-            if is_sure or is_typo(name, self._known):
-                span = self._values.span(call)
+            span = self._values.span(call)
+            if is_sure or misspelt(name, self._known, span.source):
                 yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
 
     def _may_inherit(self) -> bool:

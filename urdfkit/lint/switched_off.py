@@ -1,0 +1,28 @@
+"""Links and joints that a file of a robot defines, but an argument disables."""
+
+import re
+from functools import lru_cache
+
+from urdfkit.lint.context import Context
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.source import Source
+
+#: The name of a link or joint, behind the expressions that it begins with; the joints of other
+#: elements, such as ``<ros2_control>``, have no type.
+_DEFINITION = (
+    rb"""<(?:link|joint(?=[^<>]*\stype\s*=))\b[^<>]*?"""
+    rb"""\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
+)
+
+
+def is_switched_off(context: Context, name: str) -> bool:
+    """True if a file of the robot defines an unknown link or joint inside a false condition."""
+    expanded = context.reading.xacro
+    return expanded is not None and name in _defined(expanded.sources)
+
+
+@lru_cache(maxsize=1)  # a robot may have many unknown references
+def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
+    """The names of the links and joints in some files, without expressions at their beginning."""
+    found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
+    return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
