@@ -109,4 +109,4 @@ def test_a_comment_that_is_there_gets_the_code() -> None:
 @pytest.mark.parametrize("words", [["-"], [str(MISSION), "--fix"]])
 def test_what_it_does_not_take(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", *words, "--add-ignore"]) == 2
-    assert "error: --add-ignore takes files" in capsys.readouterr().err
+    assert "error: --add-ignore cannot be combined" in capsys.readouterr().err

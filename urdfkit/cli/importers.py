@@ -36,8 +36,7 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
 
     The programs are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints),
     isaac-sim (Isaac Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and
-    yourdfpy; none of them needs to be installed. Errors that make a program reject the robot come
-    first.
+    yourdfpy; none needs to be installed. Errors that make a program reject the robot come first.
 
     Exit codes: 0 done, 2 the file cannot be read, or two programs have different joints.
 

@@ -55,12 +55,12 @@ class FreeNames:
 
 
 def bundled(
-    path: str, properties: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
+    path: str, info: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
 ) -> Iterator[BundledFile]:
     """The files for a mesh in a bundle, the mesh first.
 
     Args:
-        properties: of the mesh file.
+        info: properties of the mesh file.
         consumer: the program that must read it.
         is_visual: True if a visual uses it; materials are kept if the format supports them.
 
@@ -68,25 +68,23 @@ def bundled(
         UrdfkitError: the mesh cannot be converted.
     """
     suffix = os.path.splitext(path)[1].lower()
-    is_readable = properties.format in consumer.reads and properties.format in facts.BY_SUFFIX.get(
-        suffix, ()
-    )
-    if is_readable and properties.format in _SINGLE:
+    is_readable = info.format in consumer.reads and info.format in facts.BY_SUFFIX.get(suffix, ())
+    if is_readable and info.format in _SINGLE:
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
     mesh = _loaded(path)
     if not is_readable:
         suffix = consumer.visual if is_visual else ".stl"
-        change = f"{properties.format} written as {suffix[1:].upper()}"
-    elif consumer.loads_first_object and properties.format == facts.OBJ and _has_objects(path):
+        change = f"{info.format} written as {suffix[1:].upper()}"
+    elif consumer.loads_first_object and info.format == facts.OBJ and _has_objects(path):
         change = "its objects are joined"
     elif all(_is_below(path, file) for file in mesh.files):
         yield from _with_its_files(path, mesh, stem)
         return
     else:
-        suffix = ".glb" if properties.format == facts.GLTF else suffix
+        suffix = ".glb" if info.format == facts.GLTF else suffix
         change = "referenced files from other directories are written next to it"
-    yield from _written(path, properties, mesh, f"{stem}{suffix}", change)
+    yield from _written(path, info, mesh, f"{stem}{suffix}", change)
 
 
 def _has_objects(path: str) -> bool:
@@ -119,13 +117,13 @@ def _with_its_files(path: str, mesh: Mesh, stem: str) -> Iterator[BundledFile]:
 
 
 def _written(
-    path: str, properties: MeshFacts, mesh: Mesh, name: str, change: str
+    path: str, info: MeshFacts, mesh: Mesh, name: str, change: str
 ) -> Iterator[BundledFile]:
     from urdfkit.mesh.writers import encode, losses
 
     changes = [change]
-    if has_other_unit(properties):
-        changes.append(f"in metres, by its unit of {properties.unit:g} m")
+    if has_other_unit(info):
+        changes.append(f"in metres, by its unit of {info.unit:g} m")
     lost = [*losses(mesh, name), *mesh.losses]
     if lost:
         changes.append(f"not kept: {', '.join(lost)}")

@@ -105,11 +105,7 @@ def _outside(model: RobotModel) -> Iterator[tuple[str, str]]:
     """Values other than references that refer to files outside of the bundle."""
     referenced = {id(placed.at) for placed in references(model)}
     for element in model.root.walk():
-        values = [
-            attribute.value
-            for attribute in element.attributes.values()
-            if id(attribute) not in referenced
-        ]
+        values = [at.value for at in element.attributes.values() if id(at) not in referenced]
         for value in (*values, element.text.strip()):
             if _OUTSIDE.match(value):
                 yield element.path, value

@@ -15,8 +15,7 @@ from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.writers import encode
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_pieces import Piece, halved
+from urdfkit.output.conversion.mjcf_pieces import Piece, halved, quaternion
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial

@@ -1,11 +1,14 @@
-"""The geoms of a URDF shape in MJCF."""
+"""Geoms and rotations in the conventions of MuJoCo."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+import mujoco
+import numpy as np
+
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform
+from urdfkit.core.spatial import Rotation, Transform
 
 
 class Piece(Record):
@@ -30,3 +33,11 @@ def halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
         return tuple(edge / 2 for edge in sizes)
     radius, *length = sizes
     return (radius, length[0] / 2 if length else 0.0, 0.0)
+
+
+def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:
+    """Unit quaternion of a rotation, real part first."""
+    result = np.zeros(4)
+    mujoco.mju_mat2Quat(result, np.array(rotation).ravel())
+    w, x, y, z = map(float, result)
+    return w, x, y, z

@@ -11,8 +11,7 @@ from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_geoms import Geoms
-from urdfkit.output.conversion.mjcf_math import quaternion
-from urdfkit.output.conversion.mjcf_pieces import WrittenShape
+from urdfkit.output.conversion.mjcf_pieces import WrittenShape, quaternion
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort

@@ -10,7 +10,7 @@ import numpy as np
 from urdfkit.core.spatial import Rotation, Transform, basis, multiply, transposed
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_pieces import quaternion
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo.poses import UnreadablePose, pose_in

@@ -99,9 +99,7 @@ def joined(call: ast.Call, values: Values) -> Problem | None:
     for part in call.args:
         value = values.suggested(part)
         if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
-            message = (
-                f"os.path.join does not accept {called(value)}: its value is known only at run time"
-            )
+            message = f"os.path.join rejects {called(value)}: its value is known only at run time"
             help = "write PathJoinSubstitution([...]) with the same parts"
             return _rejected(part, message, help, values)
     return None
@@ -146,13 +144,11 @@ def _returns_value(function: ast.FunctionDef) -> bool:
 
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
     for keyword in call.keywords:
-        new_name = _FORMER.get(keyword.arg or "")
-        if (
-            new_name and b"ROS_DISTRO" not in values.source.data
-        ):  # otherwise it depends on the version
+        new = _FORMER.get(keyword.arg or "")
+        if new and b"ROS_DISTRO" not in values.source.data:  # otherwise it depends on the version
             span = values.span(keyword.value)
             message = f"Node has no argument '{keyword.arg}' (supported up to Foxy)"
-            yield Problem("LAU010", span, message, f"write {new_name}=", severity=Severity.INFO)
+            yield Problem("LAU010", span, message, f"write {new}=", severity=Severity.INFO)
 
 
 def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:

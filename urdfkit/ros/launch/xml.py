@@ -220,9 +220,7 @@ class _XmlReader(XmlLaunchFile):
         _XmlReader(self.collector, file, inherited, here).read()
 
     def _of_other_ros(self, attribute: Attribute, path: str) -> None:
-        message = (
-            f"roslaunch reads only XML, but '{os.path.basename(path)}' is a launch file of ROS 2"
-        )
+        message = f"roslaunch reads only XML, but '{os.path.basename(path)}' is for ROS 2"
         help = "include a launch file of ROS 1, or write this file for ROS 2"
         problem = Problem("LAU010", attribute.span, message, help, self.frame)
         self.collector.problems.append(problem)
