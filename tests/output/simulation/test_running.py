@@ -89,6 +89,57 @@ def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
         assert "needs 4.91 N·m, its effort is 4.8 N·m" in verdict.message
 
 
+def test_a_joint_that_is_too_weak_in_another_pose() -> None:
+    """An upright arm of 1 kg at 0.5 m needs 4.905 N·m when it is horizontal."""
+    upright = robot(link("arm", at="0 0 0.5"), joint("arm", "world", "0 0 0", effort=1))
+    (verdict,) = [one for one in simulate(read(upright)).verdicts if not one.passes]
+    assert verdict.test == "hold"
+    assert verdict.message == (
+        "joint 'arm' needs 4.91 N·m to hold its load at arm 1.57, its effort is 1 N·m"
+    )
+    assert (verdict.value, verdict.bound) == (pytest.approx(4.905), 1)
+
+
+@pytest.mark.parametrize(("effort", "holds"), [(9, False), (10, True)])
+def test_a_slide_that_is_too_weak_to_rise_from_its_lower_end(effort: float, holds: bool) -> None:
+    slide = joint("slide", "world", "0 0 0", "prismatic", effort).replace("0 1 0", "0 0 1")
+    source = robot(link("slide"), slide.replace('lower="-3"', 'lower="0"'))
+    assert failures(source) == ({} if holds else {"hold": ("slide",)})
+
+
+def gripper(mimic: str, lower: float = 0, upper: float = 0.1) -> Source:
+    """Two fingers on slides; the first one moves by 0.2 m."""
+    limits = 'lower="-3" upper="3"'
+    first = joint("a", "world", "0 0 0", "prismatic").replace(limits, 'lower="0" upper="0.2"')
+    second = joint("b", "world", "0 1 0", "prismatic", more=f'<mimic joint="a" {mimic}/>')
+    own = f'lower="{lower}" upper="{upper}"'
+    return robot(link("a"), first, link("b"), second.replace(limits, own))
+
+
+@pytest.mark.parametrize(
+    ("source", "reason"),
+    [
+        (gripper(""), "[0, 0.2] m, its own range is [0, 0.1]: 'a' can only move from 0 to 0.1 m"),
+        (gripper('multiplier="-1"'), "[-0.2, 0] m, its own range is [0, 0.1]: 'a' cannot move"),
+        (
+            gripper('offset="1"'),
+            "[1, 1.2] m, its own range is [0, 0.1]: no position of 'a' is within it",
+        ),
+    ],
+)
+def test_a_mimic_joint_that_its_leader_drives_beyond_its_range(source: Source, reason: str) -> None:
+    (verdict,) = [one for one in simulate(read(source)).verdicts if one.test == "mimic"]
+    assert not verdict.passes
+    assert verdict.message == f"joint 'b': its <mimic> of 'a' drives it through {reason}"
+
+
+@pytest.mark.parametrize(
+    "source", [gripper('multiplier="0.5"'), gripper("", upper=0.197), gripper('multiplier="0"')]
+)
+def test_a_mimic_joint_within_its_range(source: Source) -> None:
+    assert failures(source) == {}
+
+
 def test_what_follows_starts_where_its_leader_takes_it() -> None:
     """From zero it would be thrown there: a gain of 14 J."""
     follower = joint("b", "world", "0 2 0", more='<mimic joint="a" offset="0.8"/>')
