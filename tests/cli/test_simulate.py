@@ -30,26 +30,33 @@ def test_one_that_does_not(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     )
     joint = (
         '<joint name="{0}" type="continuous"><parent link="world"/><child link="{0}"/>'
-        '<axis xyz="0 0 1"/></joint>'
+        '<origin xyz="{1} {1} 0"/><axis xyz="0 0 1"/></joint>'
     )
     links = "".join(f'<link name="{name}">{inertial}{box}</link>\n' for name in "ab")
-    joints = "".join(map(joint.format, "ab"))
+    joints = "".join(map(joint.format, "ab", ("0", "0.8")))
     file = tmp_path / "boxes.urdf"
     file.write_text(f'<robot name="r"><link name="world"/>\n{links}{joints}</robot>')
     assert main(["simulate", str(file)]) == 1
-    assert "FAILS overlap: links 'a' and 'b' overlap" in capsys.readouterr().out
+    text = capsys.readouterr().out
+    assert "warns overlap: links 'a' and 'b' overlap" in text
+    assert "FAILS energy: released" in text
     assert main(["simulate", str(file), "--format", "json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["base"], found["passes"]) == ("fixed", False)
-    assert [found["verdicts"][0][key] for key in ("test", "line")] == ["overlap", 2]
+    keys = ("test", "passes", "warns", "line")
+    assert [[one[key] for key in keys] for one in found["verdicts"][:2]] == [
+        ["overlap", True, True, 2],
+        ["energy", False, False, 2],
+    ]
     assert main(["simulate", str(file), "--format", "junit"]) == 1
     (suite,) = ElementTree.fromstring(capsys.readouterr().out)
     assert suite.get("tests") == str(len(found["verdicts"]))
     assert suite.get("failures") == str(sum(not one["passes"] for one in found["verdicts"]))
-    first = suite[0]
-    assert (first.get("name"), first.get("line")) == ("overlap a b", "2")
-    assert "overlap by" in first[0].attrib["message"]
-    assert (first[0].tag, suite[-1][0].tag) == ("failure", "system-out")
+    warning, failure = suite[0], suite[1]
+    assert (warning.get("name"), warning.get("line")) == ("overlap a b", "2")
+    assert (warning[0].tag, failure[0].tag) == ("system-out", "failure")
+    assert "overlap by" in (warning[0].text or "")
+    assert "push each other away" in failure[0].attrib["message"]
 
 
 def test_what_cannot_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -46,6 +46,11 @@ def failures(source: Source | Path, base: str = "auto") -> dict[str, tuple[str, 
     return {one.test: one.names for one in found.verdicts if not one.passes}
 
 
+def warnings(source: Source | Path, base: str = "auto") -> dict[str, tuple[str, ...]]:
+    found = simulate(read(source), base=base)
+    return {one.test: one.names for one in found.verdicts if one.warns}
+
+
 @own_robots
 def test_sound_robots_behave(path: Path) -> None:
     assert failures(path) == {}
@@ -72,11 +77,11 @@ def test_neighbours_of_what_is_welded_collide_in_mujoco() -> None:
         link("a"),
         joint("a", "base", "0 0 0"),
     )
-    assert failures(inside)["overlap"] == ("a", "base")
+    assert warnings(inside)["overlap"] == ("a", "base")
     (overlap,) = [one for one in simulate(read(inside)).verdicts if one.test == "overlap"]
     assert overlap.message.endswith("since the parent is welded to the world")
     floating = Source("r.urdf", inside.data.replace(b'"world"', b'"root"'))
-    assert "overlap" not in failures(floating, base="free"), "there MuJoCo leaves the pair out"
+    assert "overlap" not in warnings(floating, base="free"), "there MuJoCo leaves the pair out"
 
 
 @pytest.mark.parametrize(("effort", "holds"), [(4.8, False), (5.0, True)])
@@ -229,6 +234,12 @@ def test_a_joint_is_moved_by_its_effort_and_not_thrown(source: Source, fails: bo
     assert found == ({"drive": ("a",)} if fails else {})
 
 
+def test_an_effort_that_equals_the_friction_is_a_warning() -> None:
+    source = pendulum(effort=5, more='<dynamics friction="5"/>')
+    assert failures(source) == {}
+    assert warnings(source) == {"drive": ("a",)}
+
+
 def test_a_joint_whose_simulation_diverges_has_no_speed() -> None:
     found = simulate(read(pendulum(effort=1e300)))
     (verdict,) = [one for one in found.verdicts if one.test == "drive"]
@@ -260,7 +271,7 @@ def test_a_joint_that_links_jam(away: float, jammed: bool) -> None:
     assert verdict.passes is not jammed
     if jammed:
         assert set(verdict.names) in ({"back", "cart"}, {"cart", "front"})
-        assert "joint 'cart' is jammed at its start: at -0.02 m" in verdict.message
+        assert "joint 'cart' is jammed: at -0.02 m" in verdict.message
 
 
 def dropped(*parts: str) -> tuple[bool, str]:
@@ -301,7 +312,10 @@ def test_the_moments_of_a_release() -> None:
     assert moments[0]["world"] == Transform()
 
 
-def test_meshes_collide_by_their_hulls_and_that_is_said(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("height", "thrown"), [(0.2, True), (0.42, False)])
+def test_hulls_of_meshes_that_overlap_are_a_warning_unless_they_throw_the_robot(
+    height: float, thrown: bool, tmp_path: Path
+) -> None:
     """A bowl with a ball in it, which its hull meets and the bowl itself does not."""
     trimesh = pytest.importorskip("trimesh")
     bowl = trimesh.creation.revolve([(0.4, -0.4), (0.5, -0.4), (0.5, 0.4), (0.4, 0.4), (0.4, -0.4)])
@@ -311,12 +325,41 @@ def test_meshes_collide_by_their_hulls_and_that_is_said(tmp_path: Path) -> None:
         link("a").replace("</link>", mesh),
         joint("a", "world", "0 0 0", "fixed"),
         link("b"),
-        joint("b", "world", "0 0 0.2"),
+        joint("b", "world", f"0 0 {height}", "prismatic").replace("0 1 0", "0 0 1"),
     ]
     (tmp_path / "r.urdf").write_bytes(robot(*parts).data)
     found = simulate(read(tmp_path / "r.urdf"), base="fixed").verdicts
-    (verdict,) = [one for one in found if one.test == "overlap"]
-    assert verdict.message.startswith("convex hulls of links 'a' and 'b' overlap by ")
+    verdicts = {verdict.test: verdict for verdict in found}
+    overlap, energy = verdicts["overlap"], verdicts["energy"]
+    assert overlap.warns
+    assert overlap.message.startswith("convex hulls of links 'a' and 'b' overlap by ")
+    assert (energy.passes, energy.warns) == (not thrown, not thrown)
+    assert energy.value > energy.bound
+    assert "'a' and 'b' push each other away" in energy.message
+
+
+def test_a_joint_that_another_joint_frees_is_not_jammed() -> None:
+    """An arm that hangs between two walls, on a torso: lifted, it lets the torso turn."""
+    walls = [
+        part
+        for name, x in (("back", -0.13), ("front", 0.13))
+        for part in (link(name), joint(name, "world", f"{x} 0 -1", "fixed"))
+    ]
+    torso = joint("torso", "world", "0 0 0")
+    arm = joint("arm", "torso", "0 0.2 0").replace("0 1 0", "1 0 0")
+    parts = link("torso"), torso, link("arm", at="0 -0.2 -1"), arm
+    (verdict,) = [
+        one for one in simulate(read(robot(*walls, *parts))).verdicts if one.test == "sweep"
+    ]
+    assert verdict.passes
+    fixed = arm.replace('type="revolute"', 'type="fixed"')
+    (verdict,) = [
+        one
+        for one in simulate(read(robot(*walls, *parts[:3], fixed))).verdicts
+        if one.test == "sweep"
+    ]
+    assert not verdict.passes
+    assert "joint 'torso' is jammed: at -0.1 rad 'arm' and 'front'" in verdict.message
 
 
 def test_visuals_are_not_loaded() -> None:

@@ -181,11 +181,14 @@ class SimulatedRobot:
             for index in [self.model.body(name).id]
         }
 
-    def has_mesh(self, link: str) -> bool:
-        """True for a link that collides with the convex hull of a mesh."""
-        element = self.robot.model.links_by_name.get(link)
-        bodies = element.collisions if element else ()
-        return any(body.shape is not None and body.shape.kind == "mesh" for body in bodies)
+    def has_mesh(self, *links: str) -> bool:
+        """True if one of the links collides with the convex hull of a mesh."""
+        return any(
+            body.shape is not None and body.shape.kind == "mesh"
+            for link in links
+            if (element := self.robot.model.links_by_name.get(link))
+            for body in element.collisions
+        )
 
     def collision(self, link: str) -> Span | None:
         """Source location of the first collision of a link."""

@@ -1,7 +1,8 @@
 """Tests of joints over their ranges: self-collisions, and positions of mimic joints."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from math import inf, pi
+from random import Random
 from typing import Any
 
 import mujoco
@@ -11,7 +12,7 @@ from urdfkit.output.simulation.hold import SAG, torques
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
-from urdfkit.robot.joints import overshoot
+from urdfkit.robot.joints import overshoot, span
 from urdfkit.robot.kinematics import SLIDING, MimicLaw, laws, positions
 from urdfkit.robot.model import Joint
 
@@ -20,6 +21,8 @@ SAMPLES = 24
 #: A joint is jammed if links collide when it moves to either side by this part of its range, or
 #: by this much in rad or m, whichever is less.
 PART, TURN, SLIDE = 0.1, 0.1, 0.02
+#: Number of random poses of the other joints in which a jammed joint is tried.
+TRIALS = 20
 #: Time in s for which leaders are held at an end of their ranges.
 _HELD = 0.5
 
@@ -27,8 +30,8 @@ _HELD = 0.5
 def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
     """A verdict for each joint that is jammed by self-collisions.
 
-    Other joints stay at their start. Links with a joint between them are ignored, as are pairs
-    that overlap at the start.
+    Other joints stay at their start, and move only to free a joint that is jammed there. Links
+    with a joint between them are ignored, as are pairs that overlap at the start.
     """
     robot.set_up()
     poses = _Poses(robot)
@@ -41,13 +44,13 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
         near = [at for at in (start - step, start + step) if lower <= at <= upper]
         hits = [(at, poses.collision(joint.name, at)) for at in near]
         jam = next(((at, *hit) for at, hit in hits if hit), None)
-        if jam and all(hit for _, hit in hits):
+        if jam and all(hit for _, hit in hits) and poses.is_jammed(joint.name, near):
             jams = True
             at, names, depth = jam
             unit, _ = unit_of(joint)
             links = " and ".join(f"'{name}'" for name in names)
             text = (
-                f"joint '{joint.name}' is jammed at its start: at {at:.3g} {unit} {links} overlap "
+                f"joint '{joint.name}' is jammed: at {at:.3g} {unit} {links} overlap "
                 f"by {depth * 1e3:.3g} mm"
             )
             yield Verdict("sweep", False, text, depth, OVERLAP, names, robot.collision(names[0]))
@@ -69,18 +72,36 @@ class _Poses:
 
     def collision(self, joint: str, position: float) -> tuple[tuple[str, str], float] | None:
         """The deepest pair of links with one joint moved, and the depth in m."""
+        overlaps = self._overlaps({**self.start, joint: position})
+        return max(overlaps.items(), key=lambda item: item[1], default=None)
+
+    def _overlaps(self, pose: Mapping[str, float]) -> dict[tuple[str, str], float]:
+        """Depth in m of pairs of links that overlap in a pose, and not at the start."""
         model, data = self._robot.model, self._data
-        self._robot.place(data, {**self.start, joint: position})
+        self._robot.place(data, pose)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_collision(model, data)
-        overlaps = [
-            (depth, pair)
+        return {
+            pair: depth
             for pair, depth in self._robot.overlaps(data).items()
             if frozenset(pair) not in self._robot.neighbours and pair not in self._before
-        ]
-        depth, names = max(overlaps, default=(0.0, ("", "")))
-        return (names, depth) if overlaps else None
+        }
+
+    def is_jammed(self, joint: str, near: Sequence[float]) -> bool:
+        """True if the same pairs of links block a joint in random poses of the other joints, too.
+
+        Hands that hang next to the thighs block a torso, which the arms can free.
+        """
+        random, start = Random(0), self.start[joint]
+        model = self._robot.robot.model.joints_by_name
+        blocking = {pair for at in near for pair in self._overlaps({**self.start, joint: at})}
+        for _ in range(TRIALS):
+            pose = {name: random.uniform(*span(model[name])) for name in self.start}
+            free = (blocking.isdisjoint(self._overlaps({**pose, joint: at})) for at in near)
+            if blocking.isdisjoint(self._overlaps({**pose, joint: start})) and any(free):
+                return False
+        return True
 
 
 def _free_part(poses: _Poses, joint: str, lower: float, upper: float) -> float:

@@ -19,10 +19,12 @@ class Verdict(Record):
     bound: float  # of the value
     names: tuple[str, ...] = ()  # the links or joints concerned
     span: Span | None = None  # source location of the cause; None if unknown
+    warns: bool = False  # passes, but with something to look at
 
     def __str__(self) -> str:
         where = f" ({self.span})" if self.span else ""
-        return f"{'passes' if self.passes else 'FAILS'} {self.test}: {self.message}{where}"
+        result = "warns" if self.warns else "passes" if self.passes else "FAILS"
+        return f"{result} {self.test}: {self.message}{where}"
 
 
 class Simulation(Record):
@@ -45,6 +47,7 @@ class Simulation(Record):
                 {
                     "test": verdict.test,
                     "passes": verdict.passes,
+                    "warns": verdict.warns,
                     "message": verdict.message,
                     "value": verdict.value,
                     "bound": verdict.bound,
