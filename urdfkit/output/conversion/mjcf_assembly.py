@@ -77,7 +77,7 @@ def assembled(
         add_frictions(made, robot)
         add_actuators(made, robot)
         add_sensors(made, robot)
-        exclude_disabled(made, robot)
+        exclude_disabled(made, options.srdf or robot.srdf)
     return made
 
 

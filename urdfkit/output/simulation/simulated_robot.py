@@ -19,6 +19,7 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
+from urdfkit.ros.moveit.srdf import Srdf, read_named
 from urdfkit.text.source import Span
 
 #: A finer step than `STEP`, in s: a robot that is calm with it shows an integration error.
@@ -41,15 +42,17 @@ class SimulatedRobot:
     """
 
     robot: Context  # the original
+    srdf: Srdf | None  # pairs of links that it disables do not collide
     model: Any  # MuJoCo's, with a floor under a floating robot
     is_free: bool  # True if the root floats
     leaders: list[Joint]  # joints with one degree of freedom and without <mimic>
     followers: dict[str, str]  # leaders of mimic joints, by joint
     neighbours: set[frozenset[str]]  # pairs of links with a joint between them
 
-    def __init__(self, robot: Context, base: str) -> None:
+    def __init__(self, robot: Context, base: str, srdf: str | None = None) -> None:
         mujoco.set_mju_user_warning(_ignore)
         self.robot = robot
+        self.srdf = read_named(srdf, robot) if srdf else robot.srdf
         self.is_free = floats(robot, base)
         joints = robot.model.joints_by_name
         couplings = laws(joints)
@@ -67,7 +70,7 @@ class SimulatedRobot:
         self.set_up()
 
     def _compiled(self) -> Any:
-        options = ConversionOptions(visuals=False)
+        options = ConversionOptions(visuals=False, srdf=self.srdf)
         with temporary.scratch() as directory:
             files = write_collisions(self.robot, CONSUMERS["mujoco"], directory)
             made = assembled(self.robot, files, directory, options, is_free=self.is_free)

@@ -32,6 +32,7 @@ class Simulation(Record):
 
     is_free: bool
     verdicts: tuple[Verdict, ...]
+    srdf: str | None = None  # path of the SRDF whose disabled pairs do not collide
 
     @property
     def passes(self) -> bool:
@@ -43,6 +44,7 @@ class Simulation(Record):
         return {
             "base": "free" if self.is_free else "fixed",
             "passes": self.passes,
+            "srdf": shown(self.srdf) if self.srdf else None,
             "verdicts": [
                 {
                     "test": verdict.test,
