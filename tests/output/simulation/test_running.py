@@ -1,5 +1,6 @@
 """Robots that behave and robots that do not, in MuJoCo."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -157,7 +158,7 @@ def test_what_follows_starts_where_its_leader_takes_it() -> None:
 def test_progress_counts_the_tests() -> None:
     counts: list[tuple[int, int]] = []
     simulate(read(robot()), progress=lambda *count: counts.append(count))
-    assert counts == [(done, 6) for done in range(6)]
+    assert counts == [(done, 8) for done in range(8)]
 
 
 def test_a_joint_starts_within_its_range() -> None:
@@ -186,6 +187,48 @@ def test_steps_that_are_too_coarse_are_blamed(
     assert failure.message.endswith("but not with steps of 0.5 ms")
     assert failure.names == (("a",) if test == "stability" else ())
     assert list(tmp_path.iterdir()) == [], "MuJoCo writes no log"
+
+
+def light_chain(mass: float) -> Source:
+    """Four small links on hinges about different axes, of which the last one has 10 kg."""
+    parts, axes = [], ("1 0 0", "0 1 0", "0 0 1", "1 0 0")
+    for number, axis in enumerate(axes):
+        part = link(f"k{number}", "0 0 0.05", 10 if number == 3 else mass)
+        hinge = joint(f"k{number}", f"k{number - 1}" if number else "world", "0 0 0.1")
+        hinge = hinge.replace("<origin", '<origin rpy="0.3 0.4 0"').replace("0 1 0", axis)
+        parts += [part.replace("collision", "visual"), hinge]
+    small = re.sub(rb'(ixx|iyy|izz)="[^"]*"', rb'\1="1e-9"', robot(*parts).data)
+    return Source("r.urdf", small)
+
+
+def test_links_that_are_too_light_are_the_cause_of_a_divergence() -> None:
+    verdicts = {verdict.test: verdict for verdict in simulate(read(light_chain(1e-3))).verdicts}
+    cause = ": link 'k0' has less than 0.0001 of the mass that it carries"
+    stability, timestep = verdicts["stability"], verdicts["timestep"]
+    assert not stability.passes
+    assert stability.message.endswith(f", and with steps of 1 ms it diverges, too{cause}")
+    assert stability.names == ("k0",)
+    assert stability.span is not None
+    assert stability.span.line == 2
+    assert timestep.warns
+    assert timestep.message.startswith("it diverges with steps of 2 ms")
+    assert timestep.message.endswith(cause)
+
+
+def test_the_energy_error_is_halved_with_the_step() -> None:
+    arm = robot(link("arm", at="0.5 0 0"), joint("arm", "world", "0 0 0"))
+    (verdict,) = [one for one in simulate(read(arm)).verdicts if one.test == "timestep"]
+    errors = [float(part.split(" %")[0]) for part in verdict.message.split("error is ")[1:]]
+    assert errors[0] == pytest.approx(100 * verdict.value, rel=0.05)
+    assert errors[1] == pytest.approx(errors[0] / 2, rel=0.1)
+
+
+@pytest.mark.parametrize(("collision", "fails"), [("collision", True), ("visual", False)])
+def test_a_robot_that_is_a_thousand_times_too_small(collision: str, fails: bool) -> None:
+    """Lengths in mm that were divided by 1000 twice; without collisions its size is unknown."""
+    arm = link("arm", at="0.0005 0 0").replace("0.1 0.1 0.1", "0.0001 0.0001 0.0001")
+    source = robot(arm.replace("collision", collision), joint("arm", "world", "0 0 0"))
+    assert ("size" in failures(source)) is fails
 
 
 def test_what_coarse_steps_add_to_a_fast_motion_is_no_failure(

@@ -11,10 +11,12 @@ from urdfkit.output.simulation.hold import hold
 from urdfkit.output.simulation.overlap import overlap
 from urdfkit.output.simulation.release import moments, release
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot
+from urdfkit.output.simulation.size import size
 from urdfkit.output.simulation.sweep import follow, sweep
+from urdfkit.output.simulation.timestep import timestep
 from urdfkit.output.simulation.verdicts import Simulation, Verdict
 
-_ALL = (overlap, release, drive, sweep, follow)
+_ALL = (size, overlap, release, timestep, drive, sweep, follow)
 
 
 def run(robot: Context, base: str, srdf: str | None, progress: Progress | None) -> Simulation:

@@ -1,6 +1,6 @@
 """A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,7 @@ from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.robot.joint_loads import STEP
+from urdfkit.robot.joint_loads import GRAVITY, STEP
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.srdf import Srdf, read_named
@@ -85,6 +85,11 @@ class SimulatedRobot:
                 made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
             return compiled(made, self.robot)
 
+    @property
+    def weight(self) -> float:
+        """Weight of the robot in N."""
+        return float(self.model.body_mass.sum()) * GRAVITY
+
     def set_up(self, step: float = STEP, *, gravity: bool = True, contacts: bool = True) -> None:
         """Set step, gravity and contacts of all following steps; drives are never simulated."""
         flags = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
@@ -151,17 +156,23 @@ class SimulatedRobot:
 
     def _lowest(self) -> float | None:
         """Height of the lowest colliding point at the start; None without collisions."""
-        data, model = self.started(), self.model
-        lowest = [
-            float(
-                at[2] + (turn.reshape(3, 3) @ box[:3])[2] - np.abs(turn.reshape(3, 3)[2]) @ box[3:]
-            )
-            for at, turn, box, collides in zip(
-                data.geom_xpos, data.geom_xmat, model.geom_aabb, model.geom_contype, strict=True
-            )
-            if collides
-        ]
-        return min(lowest, default=None)
+        return min((float(low[2]) for low, _ in self._boxes(self.started())), default=None)
+
+    def extent(self) -> float:
+        """Diagonal in m of the bounding box of all collisions and link frames at the start."""
+        data = self.started()
+        corners = [corner for box in self._boxes(data) for corner in box]
+        points = np.array([*data.xpos[1:], *corners])
+        return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
+
+    def _boxes(self, data: Any) -> Iterator[tuple[Floats, Floats]]:
+        """Lowest and highest coordinates of each collision in the world; without the floor."""
+        model = self.model
+        for index in np.flatnonzero(model.geom_contype):
+            if model.geom_type[index] != mujoco.mjtGeom.mjGEOM_PLANE:
+                turn, box = data.geom_xmat[index].reshape(3, 3), model.geom_aabb[index]
+                centre, half = data.geom_xpos[index] + turn @ box[:3], np.abs(turn) @ box[3:]
+                yield centre - half, centre + half
 
     def overlaps(self, data: Any) -> dict[tuple[str, str], float]:
         """Depth in m of overlapping pairs of links; the floor is ignored."""

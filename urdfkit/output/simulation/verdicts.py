@@ -11,7 +11,8 @@ from urdfkit.text.source import Span, shown
 class Verdict(Record):
     """The result of one simulated test."""
 
-    #: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold``, ``drop``
+    #: ``size``, ``overlap``, ``energy``, ``stability``, ``timestep``, ``drive``, ``sweep``,
+    #: ``mimic``, ``hold``, ``drop``
     test: str
     passes: bool
     message: str  # the observation, with value and bound
