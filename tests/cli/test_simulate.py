@@ -30,26 +30,89 @@ def test_a_robot_with_faults(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     )
     joint = (
         '<joint name="{0}" type="continuous"><parent link="world"/><child link="{0}"/>'
-        '<axis xyz="0 0 1"/></joint>'
+        '<origin xyz="{1} {1} 0"/><axis xyz="0 0 1"/></joint>'
     )
     links = "".join(f'<link name="{name}">{inertial}{box}</link>\n' for name in "ab")
-    joints = "".join(map(joint.format, "ab"))
+    joints = "".join(map(joint.format, "ab", ("0", "0.8")))
     file = tmp_path / "boxes.urdf"
     file.write_text(f'<robot name="r"><link name="world"/>\n{links}{joints}</robot>')
     assert main(["simulate", str(file)]) == 1
-    assert "FAILS overlap: links 'a' and 'b' overlap" in capsys.readouterr().out
+    text = capsys.readouterr().out
+    assert "warns overlap: links 'a' and 'b' overlap" in text
+    assert "FAILS energy: released" in text
     assert main(["simulate", str(file), "--format", "json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["base"], found["passes"]) == ("fixed", False)
-    assert [found["verdicts"][0][key] for key in ("test", "line")] == ["overlap", 2]
+    keys = ("test", "passes", "warns", "line")
+    assert [[one[key] for key in keys] for one in found["verdicts"][:2]] == [
+        ["overlap", True, True, 2],
+        ["energy", False, False, 2],
+    ]
     assert main(["simulate", str(file), "--format", "junit"]) == 1
     (suite,) = ElementTree.fromstring(capsys.readouterr().out)
     assert suite.get("tests") == str(len(found["verdicts"]))
     assert suite.get("failures") == str(sum(not one["passes"] for one in found["verdicts"]))
-    first = suite[0]
-    assert (first.get("name"), first.get("line")) == ("overlap a b", "2")
-    assert "overlap by" in first[0].attrib["message"]
-    assert (first[0].tag, suite[-1][0].tag) == ("failure", "system-out")
+    warning, failure = suite[0], suite[1]
+    assert (warning.get("name"), warning.get("line")) == ("overlap a b", "2")
+    assert (warning[0].tag, failure[0].tag) == ("system-out", "failure")
+    assert "overlap by" in (warning[0].text or "")
+    assert "push each other away" in failure[0].attrib["message"]
+
+
+SRDF = '<robot name="r"><disable_collisions link1="a" link2="b" reason="Never"/></robot>'
+INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+INERTIAL = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
+#: Two boxes that overlap by 0.2 m.
+BOXES = '<robot name="r"><link name="world"/>' + "".join(
+    f'<link name="{name}">{INERTIAL}<collision><geometry><box size="1 1 1"/></geometry></collision>'
+    f'</link><joint name="{name}" type="continuous"><parent link="world"/><child link="{name}"/>'
+    f'<origin xyz="{x} 0 0"/><axis xyz="0 0 1"/></joint>'
+    for name, x in (("a", "0"), ("b", "0.8"))
+) + "</robot>"  # fmt: skip
+
+
+def test_pairs_that_an_srdf_disables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot, srdf = tmp_path / "robot" / "urdf" / "r.urdf", tmp_path / "other" / "r.srdf"
+    for file, text in ((robot, BOXES), (srdf, SRDF)):
+        file.parent.mkdir(parents=True)
+        file.write_text(text)
+    assert main(["simulate", str(robot)]) == 1
+    capsys.readouterr()
+    assert main(["simulate", str(robot), "--srdf", str(srdf)]) == 0
+    disabled, overlap = capsys.readouterr().out.splitlines()[1:3]
+    assert disabled.endswith("r.srdf disables do not collide")
+    assert overlap == "  passes overlap: no links overlap at the start"
+    assert main(["simulate", str(robot), "--srdf", str(robot)]) == 2
+    assert capsys.readouterr().err.endswith("r.urdf: not an SRDF file\n")
+    assert main(["simulate", str(robot), "--srdf", str(tmp_path / "none.srdf")]) == 2
+
+
+def test_the_srdf_of_a_sibling_directory(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A repository of robots, each with directories urdf and srdf, is a single package."""
+    (tmp_path / "package.xml").write_text("<package><name>robots</name></package>")
+    robot, srdf = tmp_path / "r" / "urdf" / "r.urdf", tmp_path / "r" / "srdf" / "r.srdf"
+    for file, text in ((robot, BOXES), (srdf, SRDF)):
+        file.parent.mkdir(parents=True)
+        file.write_text(text)
+    assert main(["simulate", str(robot), "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["srdf"].endswith("r.srdf")
+
+
+def test_collision_shapes_are_drawn_if_there_are_no_visuals(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    image = pytest.importorskip("PIL.Image")
+    file, png = tmp_path / "r.urdf", tmp_path / "r.png"
+    file.write_text(BOXES)
+    main(["simulate", str(file), "--png", str(png)])
+    assert "no link has a <visual>: collision shapes are drawn" in capsys.readouterr().err
+    with image.open(png) as picture:
+        assert len(picture.convert("L").getcolors(256)) > 50
+    file.write_text(BOXES.replace("collision>", "other>"))
+    assert main(["simulate", str(file), "--png", str(png)]) == 2
+    assert "nothing to draw" in capsys.readouterr().err
 
 
 def test_robots_that_cannot_be_simulated(

@@ -9,8 +9,10 @@ from urdfkit.cli import output
 from urdfkit.cli.decorators import choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import motion, simulate
+from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
@@ -23,12 +25,18 @@ SIZE, MOVING = (1280, 720), (640, 400)
 @described("simulate")
 @one_robot
 @choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
+@option("--srdf FILE", "SRDF whose disabled pairs do not collide; default: that of the package.")
 @option("--gif FILE", "Animation of the release: .gif, .webp or .apng.")
 @option("--png FILE", "Image at the end of the release: .png, .webp ...")
 @in_formats("text", "json", "junit")
 @limited
 def command(
-    inputs: dict[str, Any], base: str, gif: str | None, png: str | None, format: str
+    inputs: dict[str, Any],
+    base: str,
+    srdf: str | None,
+    gif: str | None,
+    png: str | None,
+    format: str,
 ) -> int:
     """Simulate a robot in MuJoCo; report faulty behaviour.
 
@@ -46,9 +54,9 @@ def command(
     with progress_bar() as bar:
         context = robot(inputs, bar)
     with progress_bar("tests") as bar:
-        simulation = simulate(context, base=base, progress=bar)
+        simulation = simulate(context, base=base, srdf=srdf, progress=bar)
     if gif or png:
-        _draw(context, base, gif, png)
+        _draw(context, base, srdf, gif, png)
     if format == "junit":
         from urdfkit.output.simulation.junit import render
 
@@ -60,18 +68,25 @@ def command(
 
 def _page(simulation: Simulation) -> Iterator[str]:
     yield "its root stands on a floor" if simulation.is_free else "its root is welded to the world"
+    if simulation.srdf:
+        yield f"pairs of links that {shown(simulation.srdf)} disables do not collide"
     for verdict in simulation.verdicts:
         yield from output.indented(str(verdict))
 
 
-def _draw(context: Context, base: str, gif: str | None, png: str | None) -> None:
+def _draw(context: Context, base: str, srdf: str | None, gif: str | None, png: str | None) -> None:
     from urdfkit import render
     from urdfkit.render.animation import FRAMES
 
     if gif:
         render.animation_format(gif)
     scene = render.build(context)
-    moments = motion(context, base=base, images=FRAMES)
+    if not scene.items:
+        scene = render.build(context, roles=("collision",))
+        if not scene.items:
+            raise UrdfkitError(f"{context.source.path}: nothing to draw: no geometry")
+        output.note("no link has a <visual>: collision shapes are drawn")
+    moments = motion(context, base=base, images=FRAMES, srdf=srdf)
     scenes = [scene._replace(frames=frames) for frames in moments]
     if gif:
         shots = render.followed([(frame, {}) for frame in scenes], size=MOVING)

@@ -21,6 +21,9 @@ SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
 #: In m: limits of prismatic joints are clipped to this distance from zero.
 FAR = 1000.0
 
+#: Part of a range by which limits may differ because of rounding.
+_ROUNDING = 0.02
+
 #: Related locations of a finding about many joints.
 _MAX_RELATED = 20
 
@@ -44,6 +47,12 @@ def bounds(joint: Joint) -> tuple[float, float] | None:
         if placed is None and key in limit.at.attributes:
             return None
     return _value(limit.lower), _value(limit.upper)
+
+
+def overshoot(driven: tuple[float, float], own: tuple[float, float]) -> float:
+    """Distance by which a range exceeds the limits of a joint; not positive within rounding."""
+    allowed = _ROUNDING * max(driven[1] - driven[0], own[1] - own[0])
+    return max(own[0] - driven[0], driven[1] - own[1]) - allowed
 
 
 def span(joint: Joint) -> tuple[float, float]:

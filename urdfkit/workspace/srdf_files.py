@@ -21,8 +21,8 @@ _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     """The SRDF files that may be for a robot.
 
-    The robot's directory, ``config`` and ``srdf`` of its package, and sibling MoveIt packages whose
-    ``.setup_assistant`` refers to the robot's file are searched.
+    The robot's directory, a sibling directory ``srdf``, ``config`` and ``srdf`` of its package, and
+    sibling MoveIt packages whose ``.setup_assistant`` refers to the robot's file are searched.
     """
     directory = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
@@ -32,6 +32,9 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     directories = dict.fromkeys(
         (directory, *(os.path.join(top, name) for name in ("config", "srdf")))
     )
+    parent = os.path.dirname(directory)
+    if resolver.packages.searches(parent, robot):
+        directories[os.path.join(parent, "srdf")] = None
     for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         if package and setup.is_for(robot, package) and not setup.has_arguments:

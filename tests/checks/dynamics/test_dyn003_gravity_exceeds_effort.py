@@ -9,7 +9,7 @@ from tests.reported import messages, places
 from tests.robot.test_joint_loads import pendulum, swinging
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.physics import gravity
+from urdfkit.physics import gravity, overloads
 from urdfkit.text.source import Source
 
 
@@ -74,7 +74,7 @@ def test_masses_that_did_not_change_are_not_computed_again(monkeypatch: pytest.M
         return loads(*values, **named)
 
     loads = gravity.gravity_loads
-    monkeypatch.setattr(gravity, "gravity_loads", noted)
+    monkeypatch.setattr(overloads, "gravity_loads", noted)
     texts = [pendulum("4.25"), pendulum("4.25") + "<gazebo/>", pendulum("4.5")]
     assert len({messages("DYN003", text)[0] for text in texts}) == 2
     assert len(searched) == 2

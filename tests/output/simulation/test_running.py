@@ -1,5 +1,6 @@
 """Robots that behave and robots that do not, in MuJoCo."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,11 @@ def failures(source: Source | Path, base: str = "auto") -> dict[str, tuple[str, 
     return {one.test: one.names for one in found.verdicts if not one.passes}
 
 
+def warnings(source: Source | Path, base: str = "auto") -> dict[str, tuple[str, ...]]:
+    found = simulate(read(source), base=base)
+    return {one.test: one.names for one in found.verdicts if one.warns}
+
+
 @own_robots
 def test_sound_robots_behave(path: Path) -> None:
     assert failures(path) == {}
@@ -72,11 +78,11 @@ def test_neighbours_of_what_is_welded_collide_in_mujoco() -> None:
         link("a"),
         joint("a", "base", "0 0 0"),
     )
-    assert failures(inside)["overlap"] == ("a", "base")
+    assert warnings(inside)["overlap"] == ("a", "base")
     (overlap,) = [one for one in simulate(read(inside)).verdicts if one.test == "overlap"]
     assert overlap.message.endswith("since the parent is welded to the world")
     floating = Source("r.urdf", inside.data.replace(b'"world"', b'"root"'))
-    assert "overlap" not in failures(floating, base="free"), "there MuJoCo leaves the pair out"
+    assert "overlap" not in warnings(floating, base="free"), "there MuJoCo leaves the pair out"
 
 
 @pytest.mark.parametrize(("effort", "holds"), [(4.8, False), (5.0, True)])
@@ -87,6 +93,58 @@ def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
     assert verdict.passes is holds
     if not holds:
         assert "needs 4.91 N·m, its effort is 4.8 N·m" in verdict.message
+
+
+def test_a_joint_that_is_too_weak_in_another_pose() -> None:
+    """An upright arm of 1 kg at 0.5 m needs 4.905 N·m when it is horizontal."""
+    upright = robot(link("arm", at="0 0 0.5"), joint("arm", "world", "0 0 0", effort=1))
+    (verdict,) = [one for one in simulate(read(upright)).verdicts if not one.passes]
+    assert verdict.test == "hold"
+    assert verdict.message == (
+        "joint 'arm' needs 4.91 N·m to hold its load at arm 1.57, its effort is 1 N·m"
+    )
+    assert verdict.value == pytest.approx(4.905)
+    assert verdict.bound == 1
+
+
+@pytest.mark.parametrize(("effort", "holds"), [(9, False), (10, True)])
+def test_a_slide_that_is_too_weak_to_rise_from_its_lower_end(effort: float, holds: bool) -> None:
+    slide = joint("slide", "world", "0 0 0", "prismatic", effort).replace("0 1 0", "0 0 1")
+    source = robot(link("slide"), slide.replace('lower="-3"', 'lower="0"'))
+    assert failures(source) == ({} if holds else {"hold": ("slide",)})
+
+
+def gripper(mimic: str, lower: float = 0, upper: float = 0.1) -> Source:
+    """Two fingers on slides; the first one moves by 0.2 m."""
+    limits = 'lower="-3" upper="3"'
+    first = joint("a", "world", "0 0 0", "prismatic").replace(limits, 'lower="0" upper="0.2"')
+    second = joint("b", "world", "0 1 0", "prismatic", more=f'<mimic joint="a" {mimic}/>')
+    own = f'lower="{lower}" upper="{upper}"'
+    return robot(link("a"), first, link("b"), second.replace(limits, own))
+
+
+@pytest.mark.parametrize(
+    ("source", "reason"),
+    [
+        (gripper(""), "[0, 0.2] m, its own range is [0, 0.1]: 'a' can only move from 0 to 0.1 m"),
+        (gripper('multiplier="-1"'), "[-0.2, 0] m, its own range is [0, 0.1]: 'a' cannot move"),
+        (
+            gripper('offset="1"'),
+            "[1, 1.2] m, its own range is [0, 0.1]: no position of 'a' is within it",
+        ),
+    ],
+)
+def test_a_mimic_joint_that_its_leader_drives_beyond_its_range(source: Source, reason: str) -> None:
+    (verdict,) = [one for one in simulate(read(source)).verdicts if one.test == "mimic"]
+    assert not verdict.passes
+    assert verdict.message == f"joint 'b': its <mimic> of 'a' drives it through {reason}"
+
+
+@pytest.mark.parametrize(
+    "source", [gripper('multiplier="0.5"'), gripper("", upper=0.197), gripper('multiplier="0"')]
+)
+def test_a_mimic_joint_within_its_range(source: Source) -> None:
+    assert failures(source) == {}
 
 
 def test_what_follows_starts_where_its_leader_takes_it() -> None:
@@ -101,7 +159,7 @@ def test_what_follows_starts_where_its_leader_takes_it() -> None:
 def test_progress_counts_the_tests() -> None:
     counts: list[tuple[int, int]] = []
     simulate(read(robot()), progress=lambda *count: counts.append(count))
-    assert counts == [(done, 6) for done in range(6)]
+    assert counts == [(done, 8) for done in range(8)]
 
 
 def test_a_joint_starts_within_its_range() -> None:
@@ -130,6 +188,48 @@ def test_steps_that_are_too_coarse_are_blamed(
     assert failure.message.endswith("but not with steps of 0.5 ms")
     assert failure.names == (("a",) if test == "stability" else ())
     assert list(tmp_path.iterdir()) == [], "MuJoCo writes no log"
+
+
+def light_chain(mass: float) -> Source:
+    """Four small links on hinges about different axes, of which the last one has 10 kg."""
+    parts, axes = [], ("1 0 0", "0 1 0", "0 0 1", "1 0 0")
+    for number, axis in enumerate(axes):
+        part = link(f"k{number}", "0 0 0.05", 10 if number == 3 else mass)
+        hinge = joint(f"k{number}", f"k{number - 1}" if number else "world", "0 0 0.1")
+        hinge = hinge.replace("<origin", '<origin rpy="0.3 0.4 0"').replace("0 1 0", axis)
+        parts += [part.replace("collision", "visual"), hinge]
+    small = re.sub(rb'(ixx|iyy|izz)="[^"]*"', rb'\1="1e-9"', robot(*parts).data)
+    return Source("r.urdf", small)
+
+
+def test_links_that_are_too_light_are_the_cause_of_a_divergence() -> None:
+    verdicts = {verdict.test: verdict for verdict in simulate(read(light_chain(1e-3))).verdicts}
+    cause = ": link 'k0' has less than 0.0001 of the mass that it carries"
+    stability, timestep = verdicts["stability"], verdicts["timestep"]
+    assert not stability.passes
+    assert stability.message.endswith(f", and with steps of 1 ms it diverges, too{cause}")
+    assert stability.names == ("k0",)
+    assert stability.span is not None
+    assert stability.span.line == 2
+    assert timestep.warns
+    assert timestep.message.startswith("it diverges with steps of 2 ms")
+    assert timestep.message.endswith(cause)
+
+
+def test_the_energy_error_is_halved_with_the_step() -> None:
+    arm = robot(link("arm", at="0.5 0 0"), joint("arm", "world", "0 0 0"))
+    (verdict,) = [one for one in simulate(read(arm)).verdicts if one.test == "timestep"]
+    errors = [float(part.split(" %")[0]) for part in verdict.message.split("error is ")[1:]]
+    assert errors[0] == pytest.approx(100 * verdict.value, rel=0.05)
+    assert errors[1] == pytest.approx(errors[0] / 2, rel=0.1)
+
+
+@pytest.mark.parametrize(("collision", "fails"), [("collision", True), ("visual", False)])
+def test_a_robot_that_is_a_thousand_times_too_small(collision: str, fails: bool) -> None:
+    """Lengths in mm that were divided by 1000 twice; without collisions its size is unknown."""
+    arm = link("arm", at="0.0005 0 0").replace("0.1 0.1 0.1", "0.0001 0.0001 0.0001")
+    source = robot(arm.replace("collision", collision), joint("arm", "world", "0 0 0"))
+    assert ("size" in failures(source)) is fails
 
 
 def test_what_coarse_steps_add_to_a_fast_motion_is_no_failure(
@@ -178,6 +278,12 @@ def test_a_joint_is_moved_by_its_effort_and_not_thrown(source: Source, fails: bo
     assert found == ({"drive": ("a",)} if fails else {})
 
 
+def test_an_effort_that_equals_the_friction_is_a_warning() -> None:
+    source = pendulum(effort=5, more='<dynamics friction="5"/>')
+    assert failures(source) == {}
+    assert warnings(source) == {"drive": ("a",)}
+
+
 def test_a_joint_whose_simulation_diverges_has_no_speed() -> None:
     found = simulate(read(pendulum(effort=1e300)))
     (verdict,) = [one for one in found.verdicts if one.test == "drive"]
@@ -209,7 +315,7 @@ def test_a_joint_that_links_jam(away: float, jammed: bool) -> None:
     assert verdict.passes is not jammed
     if jammed:
         assert set(verdict.names) in ({"back", "cart"}, {"cart", "front"})
-        assert "joint 'cart' is jammed at its start: at -0.02 m" in verdict.message
+        assert "joint 'cart' is jammed: at -0.02 m" in verdict.message
 
 
 def dropped(*parts: str) -> tuple[bool, str]:
@@ -250,7 +356,10 @@ def test_the_moments_of_a_release() -> None:
     assert moments[0]["world"] == Transform()
 
 
-def test_meshes_collide_by_their_hulls_and_that_is_said(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("height", "thrown"), [(0.2, True), (0.42, False)])
+def test_hulls_of_meshes_that_overlap_are_a_warning_unless_they_throw_the_robot(
+    height: float, thrown: bool, tmp_path: Path
+) -> None:
     """A bowl with a ball in it, which its hull meets and the bowl itself does not."""
     trimesh = pytest.importorskip("trimesh")
     bowl = trimesh.creation.revolve([(0.4, -0.4), (0.5, -0.4), (0.5, 0.4), (0.4, 0.4), (0.4, -0.4)])
@@ -260,12 +369,41 @@ def test_meshes_collide_by_their_hulls_and_that_is_said(tmp_path: Path) -> None:
         link("a").replace("</link>", mesh),
         joint("a", "world", "0 0 0", "fixed"),
         link("b"),
-        joint("b", "world", "0 0 0.2"),
+        joint("b", "world", f"0 0 {height}", "prismatic").replace("0 1 0", "0 0 1"),
     ]
     (tmp_path / "r.urdf").write_bytes(robot(*parts).data)
     found = simulate(read(tmp_path / "r.urdf"), base="fixed").verdicts
-    (verdict,) = [one for one in found if one.test == "overlap"]
-    assert verdict.message.startswith("convex hulls of links 'a' and 'b' overlap by ")
+    verdicts = {verdict.test: verdict for verdict in found}
+    overlap, energy = verdicts["overlap"], verdicts["energy"]
+    assert overlap.warns
+    assert overlap.message.startswith("convex hulls of links 'a' and 'b' overlap by ")
+    assert (energy.passes, energy.warns) == (not thrown, not thrown)
+    assert energy.value > energy.bound
+    assert "'a' and 'b' push each other away" in energy.message
+
+
+def test_a_joint_that_another_joint_frees_is_not_jammed() -> None:
+    """An arm that hangs between two walls, on a torso: lifted, it lets the torso turn."""
+    walls = [
+        part
+        for name, x in (("back", -0.13), ("front", 0.13))
+        for part in (link(name), joint(name, "world", f"{x} 0 -1", "fixed"))
+    ]
+    torso = joint("torso", "world", "0 0 0")
+    arm = joint("arm", "torso", "0 0.2 0").replace("0 1 0", "1 0 0")
+    parts = link("torso"), torso, link("arm", at="0 -0.2 -1"), arm
+    (verdict,) = [
+        one for one in simulate(read(robot(*walls, *parts))).verdicts if one.test == "sweep"
+    ]
+    assert verdict.passes
+    fixed = arm.replace('type="revolute"', 'type="fixed"')
+    (verdict,) = [
+        one
+        for one in simulate(read(robot(*walls, *parts[:3], fixed))).verdicts
+        if one.test == "sweep"
+    ]
+    assert not verdict.passes
+    assert "joint 'torso' is jammed: at -0.1 rad 'arm' and 'front'" in verdict.message
 
 
 def test_visuals_are_not_loaded() -> None:

@@ -11,16 +11,13 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.joints import bounds, overshoot, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import hand_xml
 
 _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
 BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
 GOOD = BAD.replace(' multiplier="-1"', "")
-
-#: Tolerance for rounding, as a part of the range.
-_TOLERANCE = 0.02
 
 
 @rule(Severity.WARNING)
@@ -35,7 +32,7 @@ def check(context: Context) -> Findings:
         if own[0] >= own[1] or leading[0] > leading[1]:
             continue  # JNT003
         taken = _taken(leading, mimic.multiplier, mimic.offset)
-        if _overshoot(taken, own) <= 0:
+        if overshoot(taken, own) <= 0:
             continue
         assert leader.limit is not None
         yield Finding(
@@ -53,12 +50,6 @@ def _taken(leading: tuple[float, float], multiplier: float, offset: float) -> tu
     return ends[0] + 0.0, ends[1] + 0.0  # no -0
 
 
-def _overshoot(taken: tuple[float, float], own: tuple[float, float]) -> float:
-    """Distance by which one range exceeds another; not positive within rounding."""
-    allowed = _TOLERANCE * max(taken[1] - taken[0], own[1] - own[0])
-    return max(own[0] - taken[0], taken[1] - own[1]) - allowed
-
-
 def _advice(
     joint: Joint,
     leading: tuple[float, float],
@@ -68,7 +59,7 @@ def _advice(
     """Where a sign is wrong, the limits may have it as well as the multiplier."""
     assert joint.mimic is not None
     turned = _taken(leading, -joint.mimic.multiplier, joint.mimic.offset)
-    if _overshoot(turned, own) <= 0:
+    if overshoot(turned, own) <= 0:
         return (
             f'if it turns the right way, write lower="{taken[0]:g}" upper="{taken[1]:g}"; '
             f"else multiplier {-joint.mimic.multiplier:g}"

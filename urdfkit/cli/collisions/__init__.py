@@ -15,13 +15,10 @@ from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.matrix import Matrix
-    from urdfkit.ros.moveit.srdf import Srdf
 
 
 @described("collisions")
@@ -64,7 +61,9 @@ def command(
     """
     context = robot(inputs)
     start = positions(context, inputs)
-    srdf_to_compare = _srdf(compare, context) if compare else None
+    from urdfkit.ros.moveit.srdf import read_named
+
+    srdf_to_compare = read_named(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # MoveIt ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
     with progress_bar() as bar:
@@ -85,21 +84,6 @@ def command(
     if srdf and srdf != "-":
         _write(matrix, srdf)
     return 1 if comparison and comparison.hidden else 0
-
-
-def _srdf(path: str, context: Context) -> Srdf:
-    """The SRDF to compare with.
-
-    Raises:
-        UrdfkitError: it cannot be read.
-    """
-    from urdfkit.ros.moveit.srdf import is_srdf, read
-
-    Source.read(path)  # raises an error if the file is missing
-    srdf = read(path, context)
-    if srdf is None or not is_srdf(srdf.root):
-        raise UrdfkitError(f"{path}: not an SRDF file")
-    return srdf
 
 
 def _write(matrix: Matrix, path: str) -> None:

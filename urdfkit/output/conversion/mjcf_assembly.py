@@ -77,7 +77,7 @@ def assembled(
         add_frictions(mjcf, robot)
         add_actuators(mjcf, robot)
         add_sensors(mjcf, robot)
-        exclude_disabled(mjcf, robot)
+        exclude_disabled(mjcf, options.srdf or robot.srdf)
     return mjcf
 
 

@@ -9,6 +9,7 @@ from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.kinematics import positions
 from urdfkit.robot.values import number
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.document import Element
 
 
@@ -21,9 +22,9 @@ def exclude_neighbours(mjcf: MjcfRobot, robot: Context) -> None:
     _exclude(mjcf, {frozenset(robot.tree.ends(joint) or ()) for joint in moving})
 
 
-def exclude_disabled(mjcf: MjcfRobot, robot: Context) -> None:
-    """Exclude pairs of links that the SRDF disables."""
-    _exclude(mjcf, robot.srdf.disabled if robot.srdf else ())
+def exclude_disabled(mjcf: MjcfRobot, srdf: Srdf | None) -> None:
+    """Exclude pairs of links that an SRDF disables."""
+    _exclude(mjcf, srdf.disabled if srdf else ())
 
 
 def exclude_computed(mjcf: MjcfRobot, robot: Context) -> None:

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfkit.core.record import Record
+
+if TYPE_CHECKING:
+    from urdfkit.ros.moveit.srdf import Srdf
 
 #: Base of the robot: welded to the world, or floating.
 BASES = ("auto", "fixed", "free")
@@ -24,3 +29,4 @@ class ConversionOptions(Record):
     collision: str = "hull"
     exclude: str = "srdf"
     visuals: bool = True  # False for a simulation, which needs no visuals
+    srdf: Srdf | None = None  # replaces the SRDF of the robot's package

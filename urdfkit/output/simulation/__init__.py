@@ -17,7 +17,11 @@ if TYPE_CHECKING:
 
 
 def simulate(
-    robot: Context | str | os.PathLike[str], *, base: str = "auto", progress: Progress | None = None
+    robot: Context | str | os.PathLike[str],
+    *,
+    base: str = "auto",
+    srdf: str | os.PathLike[str] | None = None,
+    progress: Progress | None = None,
 ) -> Simulation:
     """Test in simulation whether a robot is stable, moves, holds its pose and lands.
 
@@ -26,6 +30,8 @@ def simulate(
     Args:
         robot: a URDF or xacro file, or the result of `urdfkit.read`.
         base: as for `urdfkit.convert`.
+        srdf: an SRDF file, whose disabled pairs of links do not collide; by default the SRDF of the
+            robot's package.
         progress: called with the number of finished tests and of all tests.
 
     Raises:
@@ -34,17 +40,22 @@ def simulate(
     """
     running = _running()
     simulation: Simulation = running.run(
-        robot if isinstance(robot, Context) else read(robot), base, progress
+        robot if isinstance(robot, Context) else read(robot),
+        base,
+        os.fspath(srdf) if srdf else None,
+        progress,
     )
     return simulation
 
 
-def motion(robot: Context, *, base: str, images: int) -> list[dict[str, Transform]]:
+def motion(
+    robot: Context, *, base: str, images: int, srdf: str | None = None
+) -> list[dict[str, Transform]]:
     """Link poses in the world while a robot is released, at the times of ``images`` images.
 
     There are fewer if the simulation diverges. The errors are those of `simulate`.
     """
-    return list(_running().motion(robot, base, images))
+    return list(_running().motion(robot, base, srdf, images))
 
 
 def _running() -> ModuleType:

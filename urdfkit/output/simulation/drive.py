@@ -19,16 +19,16 @@ _LEAST = 1e-3
 def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
     """A verdict for each joint that is too slow or too fast with its effort; without gravity."""
     robot.set_up(gravity=False, contacts=False)
-    driven, fails = False, False
+    driven, reported = False, False
     for joint in robot.leaders:
         limit = joint.limit
         if limit and limit.effort and limit.velocity and limit.velocity.value > 0:
             driven = True
             verdict = _driven(robot, joint, max(limit.effort.value, 0.0), limit.velocity.value)
             if verdict is not None:
-                fails = True
+                reported = True
                 yield verdict
-    if driven and not fails:
+    if driven and not reported:
         text = "its efforts move its joints, and throw none"
         yield Verdict("drive", True, text, 0.0, SPEED)
 
@@ -46,20 +46,21 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     friction = float(model.dof_frictionloss[dof])
     if effort <= friction:  # in MuJoCo it creeps
         text = f"{pushed} does not overcome its friction of {friction:g} {force}"
-        return _failure(joint, text, effort, friction)
+        warns = effort == friction > 0  # as of Talos' grippers, where both are placeholders
+        return _verdict(joint, text, effort, friction, warns=warns)
     for number in range(round(DRIVEN / STEP)):
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
         speed = abs(float(data.qvel[dof]))
         if diverged(data) is not None:
             text = f"driven by {pushed}, its simulation diverges"
-            return _failure(joint, text, float("inf"), FASTEST)
+            return _verdict(joint, text, float("inf"), FASTEST)
         if number == 0 and speed > FASTEST * max(velocity, ROTOR):
             text = (
                 f"{pushed} takes it to {speed / velocity:.2g} times its velocity of {velocity:g} "
                 f"{unit}/s in {STEP * 1e3:g} ms: what it moves has no mass to speak of"
             )
-            return _failure(joint, text, speed / velocity, FASTEST)
+            return _verdict(joint, text, speed / velocity, FASTEST)
         if speed >= enough or abs(robot.position(data, joint.name) - start) >= room:
             return None
         fastest = max(fastest, speed)
@@ -67,9 +68,11 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
         f"{pushed} takes it to {fastest:.2g} {unit}/s in {DRIVEN:g} s without gravity, its "
         f"velocity is {velocity:g} {unit}/s"
     )
-    return _failure(joint, text, fastest, enough)
+    return _verdict(joint, text, fastest, enough)
 
 
-def _failure(joint: Joint, reason: str, value: float, bound: float) -> Verdict:
+def _verdict(
+    joint: Joint, reason: str, value: float, bound: float, *, warns: bool = False
+) -> Verdict:
     text, place = f"joint '{joint.name}': {reason}", joint.limit.at.span if joint.limit else None
-    return Verdict("drive", False, text, value, bound, (joint.name,), place)
+    return Verdict("drive", warns, text, value, bound, (joint.name,), place, warns)

@@ -9,6 +9,7 @@ import numpy as np
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.overloads import overloads, worst_pose
 from urdfkit.robot.model import Joint
 
 #: Most deviation of a joint that holds, in rad or m.
@@ -20,7 +21,37 @@ _STIFFNESS = 30.0
 
 
 def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint that gives way, for a welded robot without contacts."""
+    """A verdict for each joint that cannot be held, for a welded robot without contacts.
+
+    Joints are held where they start, in simulation, and against gravity in their worst pose: at the
+    start, an arm may be upright, or a slide at its lower end.
+    """
+    sagging, overloaded = list(_sags(robot)), list(_overloads(robot))
+    failing = {name for verdict in sagging for name in verdict.names}
+    yield from sagging
+    yield from (verdict for verdict in overloaded if failing.isdisjoint(verdict.names))
+    if not sagging and not overloaded and np.isfinite(_efforts(robot)).any():
+        text = "the efforts of its joints hold it at its start and in their worst poses"
+        yield Verdict("hold", True, text, 0.0, SAG)
+
+
+def _overloads(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """A verdict for each joint whose effort is below its largest gravity load (DYN003)."""
+    for load in overloads(robot.robot.tree):
+        joint = robot.robot.model.joints_by_name[load.joint]
+        assert joint.limit is not None
+        assert joint.limit.effort is not None
+        effort = joint.limit.effort
+        _, force = unit_of(joint)
+        text = (
+            f"joint '{joint.name}' needs {load.worst:.3g} {force} to hold its load at "
+            f"{worst_pose(load)}, its effort is {effort.value:g} {force}"
+        )
+        yield Verdict("hold", False, text, load.worst, effort.value, (joint.name,), effort.span)
+
+
+def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """A verdict for each joint that gives way at the start."""
     robot.set_up(FINE_STEP, contacts=False)
     model, data = robot.model, robot.started()
     needed, start = data.qfrc_bias.copy(), data.qpos.copy()
@@ -48,8 +79,6 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
         )
         place = robot.joint(joint.name)
         yield Verdict("hold", False, text, sags[joint], SAG, (joint.name,), place)
-    if not sags and np.isfinite(most).any():
-        yield Verdict("hold", True, "its joints hold it with their efforts", 0.0, SAG)
 
 
 def _is_limited(joint: Joint) -> bool:

@@ -29,7 +29,8 @@ def _case(suite: Element, file: str, verdict: Verdict) -> None:
         case.set("file", xml_text(posix(verdict.span.source.path)))
         case.set("line", str(verdict.span.line))
     if verdict.passes:
-        SubElement(case, "system-out").text = xml_text(verdict.message)
+        text = f"warning: {verdict.message}" if verdict.warns else verdict.message
+        SubElement(case, "system-out").text = xml_text(text)
     else:
         failure = SubElement(case, "failure", message=xml_text(verdict.message))
         failure.text = xml_text(str(verdict))

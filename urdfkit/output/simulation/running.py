@@ -11,24 +11,29 @@ from urdfkit.output.simulation.hold import hold
 from urdfkit.output.simulation.overlap import overlap
 from urdfkit.output.simulation.release import moments, release
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot
+from urdfkit.output.simulation.size import size
 from urdfkit.output.simulation.sweep import follow, sweep
+from urdfkit.output.simulation.timestep import timestep
 from urdfkit.output.simulation.verdicts import Simulation, Verdict
 
-_ALL = (overlap, release, drive, sweep, follow)
+_ALL = (size, overlap, release, timestep, drive, sweep, follow)
 
 
-def run(robot: Context, base: str, progress: Progress | None) -> Simulation:
+def run(robot: Context, base: str, srdf: str | None, progress: Progress | None) -> Simulation:
     """Run all simulations; the arguments are those of `urdfkit.output.simulation`."""
-    simulated = SimulatedRobot(robot, base)
+    simulated = SimulatedRobot(robot, base, srdf)
     tests = (*_ALL, drop if simulated.is_free else hold)
     verdicts: list[Verdict] = []
     for number, test in enumerate(tests):
         if progress:
             progress(number, len(tests))
         verdicts += test(simulated)
-    return Simulation(simulated.is_free, tuple(verdicts))
+    path = simulated.srdf.path if simulated.srdf else None
+    return Simulation(simulated.is_free, tuple(verdicts), path)
 
 
-def motion(robot: Context, base: str, images: int) -> Iterator[dict[str, Transform]]:
+def motion(
+    robot: Context, base: str, srdf: str | None, images: int
+) -> Iterator[dict[str, Transform]]:
     """Link poses for `urdfkit.output.simulation.motion`."""
-    yield from moments(SimulatedRobot(robot, base), images)
+    yield from moments(SimulatedRobot(robot, base, srdf), images)

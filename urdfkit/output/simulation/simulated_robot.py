@@ -1,6 +1,6 @@
 """A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -16,9 +16,10 @@ from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.robot.joint_loads import STEP
+from urdfkit.robot.joint_loads import GRAVITY, STEP
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 from urdfkit.robot.model import Joint
+from urdfkit.ros.moveit.srdf import Srdf, read_named
 from urdfkit.text.source import Span
 
 #: A finer step than `STEP`, in s: a robot that is calm with it shows an integration error.
@@ -41,15 +42,17 @@ class SimulatedRobot:
     """
 
     robot: Context  # the original
+    srdf: Srdf | None  # pairs of links that it disables do not collide
     model: Any  # MuJoCo's, with a floor under a floating robot
     is_free: bool  # True if the root floats
     leaders: list[Joint]  # joints with one degree of freedom and without <mimic>
     followers: dict[str, str]  # leaders of mimic joints, by joint
     neighbours: set[frozenset[str]]  # pairs of links with a joint between them
 
-    def __init__(self, robot: Context, base: str) -> None:
+    def __init__(self, robot: Context, base: str, srdf: str | None = None) -> None:
         mujoco.set_mju_user_warning(_ignore)
         self.robot = robot
+        self.srdf = read_named(srdf, robot) if srdf else robot.srdf
         self.is_free = floats(robot, base)
         joints = robot.model.joints_by_name
         couplings = laws(joints)
@@ -67,7 +70,7 @@ class SimulatedRobot:
         self.set_up()
 
     def _compiled(self) -> Any:
-        options = ConversionOptions(visuals=False)
+        options = ConversionOptions(visuals=False, srdf=self.srdf)
         with temporary.scratch() as directory:
             files = write_collisions(self.robot, CONSUMERS["mujoco"], directory)
             made = assembled(self.robot, files, directory, options, is_free=self.is_free)
@@ -81,6 +84,11 @@ class SimulatedRobot:
                 plane = mujoco.mjtGeom.mjGEOM_PLANE
                 made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
             return compiled(made, self.robot)
+
+    @property
+    def weight(self) -> float:
+        """Weight of the robot in N."""
+        return float(self.model.body_mass.sum()) * GRAVITY
 
     def set_up(self, step: float = STEP, *, gravity: bool = True, contacts: bool = True) -> None:
         """Set step, gravity and contacts of all following steps; drives are never simulated."""
@@ -148,17 +156,23 @@ class SimulatedRobot:
 
     def _lowest(self) -> float | None:
         """Height of the lowest colliding point at the start; None without collisions."""
-        data, model = self.started(), self.model
-        lowest = [
-            float(
-                at[2] + (turn.reshape(3, 3) @ box[:3])[2] - np.abs(turn.reshape(3, 3)[2]) @ box[3:]
-            )
-            for at, turn, box, collides in zip(
-                data.geom_xpos, data.geom_xmat, model.geom_aabb, model.geom_contype, strict=True
-            )
-            if collides
-        ]
-        return min(lowest, default=None)
+        return min((float(low[2]) for low, _ in self._boxes(self.started())), default=None)
+
+    def extent(self) -> float:
+        """Diagonal in m of the bounding box of all collisions and link frames at the start."""
+        data = self.started()
+        corners = [corner for box in self._boxes(data) for corner in box]
+        points = np.array([*data.xpos[1:], *corners])
+        return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
+
+    def _boxes(self, data: Any) -> Iterator[tuple[Floats, Floats]]:
+        """Lowest and highest coordinates of each collision in the world; without the floor."""
+        model = self.model
+        for index in np.flatnonzero(model.geom_contype):
+            if model.geom_type[index] != mujoco.mjtGeom.mjGEOM_PLANE:
+                turn, box = data.geom_xmat[index].reshape(3, 3), model.geom_aabb[index]
+                centre, half = data.geom_xpos[index] + turn @ box[:3], np.abs(turn) @ box[3:]
+                yield centre - half, centre + half
 
     def overlaps(self, data: Any) -> dict[tuple[str, str], float]:
         """Depth in m of overlapping pairs of links; the floor is ignored."""
@@ -181,11 +195,14 @@ class SimulatedRobot:
             for index in [self.model.body(name).id]
         }
 
-    def has_mesh(self, link: str) -> bool:
-        """True for a link that collides with the convex hull of a mesh."""
-        element = self.robot.model.links_by_name.get(link)
-        bodies = element.collisions if element else ()
-        return any(body.shape is not None and body.shape.kind == "mesh" for body in bodies)
+    def has_mesh(self, *links: str) -> bool:
+        """True if one of the links collides with the convex hull of a mesh."""
+        return any(
+            body.shape is not None and body.shape.kind == "mesh"
+            for link in links
+            if (element := self.robot.model.links_by_name.get(link))
+            for body in element.collisions
+        )
 
     def collision(self, link: str) -> Span | None:
         """Source location of the first collision of a link."""

@@ -1,7 +1,8 @@
 """Tests of joints over their ranges: self-collisions, and positions of mimic joints."""
 
-from collections.abc import Iterator
-from math import pi
+from collections.abc import Iterator, Mapping, Sequence
+from math import inf, pi
+from random import Random
 from typing import Any
 
 import mujoco
@@ -11,13 +12,17 @@ from urdfkit.output.simulation.hold import SAG, torques
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
-from urdfkit.robot.kinematics import SLIDING, positions
+from urdfkit.robot.joints import overshoot, span
+from urdfkit.robot.kinematics import SLIDING, MimicLaw, laws, positions
+from urdfkit.robot.model import Joint
 
 #: Number of positions of a joint that are tested in its range.
 SAMPLES = 24
 #: A joint is jammed if links collide when it moves to either side by this part of its range, or
 #: by this much in rad or m, whichever is less.
 PART, TURN, SLIDE = 0.1, 0.1, 0.02
+#: Number of random poses of the other joints in which a jammed joint is tried.
+TRIALS = 20
 #: Time in s for which leaders are held at an end of their ranges.
 _HELD = 0.5
 
@@ -25,8 +30,8 @@ _HELD = 0.5
 def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
     """A verdict for each joint that is jammed by self-collisions.
 
-    Other joints stay at their start. Links with a joint between them are ignored, as are pairs
-    that overlap at the start.
+    Other joints stay at their start, and move only to free a joint that is jammed there. Links
+    with a joint between them are ignored, as are pairs that overlap at the start.
     """
     robot.set_up()
     poses = _Poses(robot)
@@ -39,13 +44,13 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
         near = [at for at in (start - step, start + step) if lower <= at <= upper]
         hits = [(at, poses.collision(joint.name, at)) for at in near]
         jam = next(((at, *hit) for at, hit in hits if hit), None)
-        if jam and all(hit for _, hit in hits):
+        if jam and all(hit for _, hit in hits) and poses.is_jammed(joint.name, near):
             jams = True
             at, names, depth = jam
             unit, _ = unit_of(joint)
             links = " and ".join(f"'{name}'" for name in names)
             text = (
-                f"joint '{joint.name}' is jammed at its start: at {at:.3g} {unit} {links} overlap "
+                f"joint '{joint.name}' is jammed: at {at:.3g} {unit} {links} overlap "
                 f"by {depth * 1e3:.3g} mm"
             )
             yield Verdict("sweep", False, text, depth, OVERLAP, names, robot.collision(names[0]))
@@ -67,18 +72,36 @@ class _Poses:
 
     def collision(self, joint: str, position: float) -> tuple[tuple[str, str], float] | None:
         """The deepest pair of links with one joint moved, and the depth in m."""
+        overlaps = self._overlaps({**self.start, joint: position})
+        return max(overlaps.items(), key=lambda item: item[1], default=None)
+
+    def _overlaps(self, pose: Mapping[str, float]) -> dict[tuple[str, str], float]:
+        """Depth in m of pairs of links that overlap in a pose, and not at the start."""
         model, data = self._robot.model, self._data
-        self._robot.place(data, {**self.start, joint: position})
+        self._robot.place(data, pose)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_collision(model, data)
-        overlaps = [
-            (depth, pair)
+        return {
+            pair: depth
             for pair, depth in self._robot.overlaps(data).items()
             if frozenset(pair) not in self._robot.neighbours and pair not in self._before
-        ]
-        depth, names = max(overlaps, default=(0.0, ("", "")))
-        return (names, depth) if overlaps else None
+        }
+
+    def is_jammed(self, joint: str, near: Sequence[float]) -> bool:
+        """True if the same pairs of links block a joint in random poses of the other joints, too.
+
+        Hands that hang next to the thighs block a torso, which the arms can free.
+        """
+        random, start = Random(0), self.start[joint]
+        model = self._robot.robot.model.joints_by_name
+        blocking = {pair for at in near for pair in self._overlaps({**self.start, joint: at})}
+        for _ in range(TRIALS):
+            pose = {name: random.uniform(*span(model[name])) for name in self.start}
+            free = (blocking.isdisjoint(self._overlaps({**pose, joint: at})) for at in near)
+            if blocking.isdisjoint(self._overlaps({**pose, joint: start})) and any(free):
+                return False
+        return True
 
 
 def _free_part(poses: _Poses, joint: str, lower: float, upper: float) -> float:
@@ -99,37 +122,74 @@ def _given(robot: SimulatedRobot, data: Any) -> dict[str, float]:
 
 
 def follow(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each mimic joint that does not follow its leader to an end of the range."""
+    """A verdict for each mimic joint that its leader drives beyond its range, or that lags."""
     if not robot.followers:
         return
+    stopped = list(_stopped(robot))
+    failing = {name for verdict in stopped for name in verdict.names}
     worst = dict.fromkeys(robot.followers, (0.0, 0.0, 0.0))
     for end in (0, 1):
         for name, (is_at, should) in _held_at(robot, end).items():
             worst[name] = max(worst[name], (abs(is_at - should), is_at, should))
-    fails = False
-    for name, (apart, is_at, should) in worst.items():
-        if apart > SAG:
-            fails = True
-            joint = robot.robot.model.joints_by_name[name]
-            unit, _ = unit_of(joint)
-            text = (
-                f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} "
-                f"{unit} where <mimic> takes it to {should:.3g} {unit}{_stop(robot, name, should)}"
-            )
-            place = joint.mimic.at.span if joint.mimic else None
-            yield Verdict("mimic", False, text, apart, SAG, (name,), place)
-    if not fails:
-        most = max(apart for apart, _, _ in worst.values())
-        text = f"what follows a joint is never off by more than {most:.2g} rad or m"
+    lagging = [
+        _lag(robot, name, *deviation)
+        for name, deviation in worst.items()
+        if deviation[0] > SAG and name not in failing
+    ]
+    yield from (*stopped, *lagging)
+    if not stopped and not lagging:
+        most = max(deviation for deviation, _, _ in worst.values())
+        text = f"mimic joints deviate from their leaders by at most {most:.2g} rad or m"
         yield Verdict("mimic", True, text, most, SAG)
 
 
-def _stop(robot: SimulatedRobot, joint: str, should: float) -> str:
-    """Text on the range of a joint, if it prevents the position that ``<mimic>`` commands."""
-    lower, upper = robot.range(joint) or (should, should)
-    if lower <= should <= upper:
-        return ""
-    return f", and its own range ends at {lower if should < lower else upper:.3g}"
+def _stopped(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """Verdicts on mimic joints whose own range ends before that of their leader (JNT016)."""
+    joints = robot.robot.model.joints_by_name
+    couplings, leaders = laws(joints), {joint.name for joint in robot.leaders}
+    for name, leader in robot.followers.items():
+        leading = robot.range(leader) if leader in leaders else None  # JNT015
+        own = robot.range(name)
+        if leading is None or own is None:
+            continue
+        law = couplings[name]
+        low, high = sorted(law.factor * end + law.shift for end in leading)
+        beyond = overshoot((low, high), own)
+        if beyond > 0:
+            joint, (unit, _) = joints[name], unit_of(joints[name])
+            text = (
+                f"joint '{name}': its <mimic> of '{leader}' drives it through [{low:.3g}, "
+                f"{high:.3g}] {unit}, its own range is [{own[0]:.3g}, {own[1]:.3g}]: "
+                f"{_blocked(joints[leader], law, leading, own)}"
+            )
+            place = joint.mimic.at.span if joint.mimic else None
+            yield Verdict("mimic", False, text, beyond, 0.0, (name,), place)
+
+
+def _blocked(
+    leader: Joint, law: MimicLaw, leading: tuple[float, float], own: tuple[float, float]
+) -> str:
+    """The part of its range in which a leader can move."""
+    ends = [(end - law.shift) / law.factor for end in own] if law.factor else [inf, inf]
+    low, high = max(leading[0], min(ends)), min(leading[1], max(ends))
+    if low > high:
+        return f"no position of '{leader.name}' is within it"
+    if low == high:
+        return f"'{leader.name}' cannot move"
+    return f"'{leader.name}' can only move from {low:.3g} to {high:.3g} {unit_of(leader)[0]}"
+
+
+def _lag(
+    robot: SimulatedRobot, name: str, deviation: float, is_at: float, should: float
+) -> Verdict:
+    joint = robot.robot.model.joints_by_name[name]
+    unit, _ = unit_of(joint)
+    text = (
+        f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} {unit} "
+        f"where <mimic> takes it to {should:.3g} {unit}"
+    )
+    place = joint.mimic.at.span if joint.mimic else None
+    return Verdict("mimic", False, text, deviation, SAG, (name,), place)
 
 
 def _held_at(robot: SimulatedRobot, end: int) -> dict[str, tuple[float, float]]:

@@ -11,7 +11,8 @@ from urdfkit.text.source import Span, shown
 class Verdict(Record):
     """The result of one simulated test."""
 
-    #: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold``, ``drop``
+    #: ``size``, ``overlap``, ``energy``, ``stability``, ``timestep``, ``drive``, ``sweep``,
+    #: ``mimic``, ``hold``, ``drop``
     test: str
     passes: bool
     message: str  # the observation, with value and bound
@@ -19,10 +20,12 @@ class Verdict(Record):
     bound: float  # of the value
     names: tuple[str, ...] = ()  # the links or joints concerned
     span: Span | None = None  # source location of the cause; None if unknown
+    warns: bool = False  # passes, but with something to look at
 
     def __str__(self) -> str:
         where = f" ({self.span})" if self.span else ""
-        return f"{'passes' if self.passes else 'FAILS'} {self.test}: {self.message}{where}"
+        result = "warns" if self.warns else "passes" if self.passes else "FAILS"
+        return f"{result} {self.test}: {self.message}{where}"
 
 
 class Simulation(Record):
@@ -30,6 +33,7 @@ class Simulation(Record):
 
     is_free: bool
     verdicts: tuple[Verdict, ...]
+    srdf: str | None = None  # path of the SRDF whose disabled pairs do not collide
 
     @property
     def passes(self) -> bool:
@@ -41,10 +45,12 @@ class Simulation(Record):
         return {
             "base": "free" if self.is_free else "fixed",
             "passes": self.passes,
+            "srdf": shown(self.srdf) if self.srdf else None,
             "verdicts": [
                 {
                     "test": verdict.test,
                     "passes": verdict.passes,
+                    "warns": verdict.warns,
                     "message": verdict.message,
                     "value": verdict.value,
                     "bound": verdict.bound,

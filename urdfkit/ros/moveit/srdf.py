@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from urdfkit.core.suggest import nearest
+from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros import RosDescription
@@ -202,6 +203,19 @@ def read(path: str, robot: RosDescription) -> Srdf | None:
         launched, _ = _expanded(path, robot, arguments)
         if launched and (srdf is None or len(launched.unknown) <= len(srdf.unknown)):
             return launched
+    return srdf
+
+
+def read_named(path: str, robot: RosDescription) -> Srdf:
+    """An SRDF file that the user names.
+
+    Raises:
+        UrdfkitError: it cannot be read, or is not an SRDF.
+    """
+    robot.resolver.admit_and_read(path)
+    srdf = read(path, robot)
+    if srdf is None or not is_srdf(srdf.root):
+        raise UrdfkitError(f"{path}: not an SRDF file")
     return srdf
 
 
