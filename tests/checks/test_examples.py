@@ -37,6 +37,8 @@ OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "meas
 OPTIONAL |= {"XAC024": {"other_robot"}}
 #: Of a name that is misspelt, everything else that may have it.
 OPTIONAL |= {code: {"plugins", "srdf"} for code in ("REF001", "GAZ001", "SRD001", "RCT001")}
+#: The pairs that the SRDF, if there is one, disables.
+OPTIONAL |= {"COL001": {"srdf"}}
 #: Of the robots that a launch file starts.
 OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 

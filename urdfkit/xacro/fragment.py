@@ -53,7 +53,7 @@ def _is_fragment(root: Node, missing: int) -> bool:
         return False
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
-    return missing >= _MANY or (bool(links) and links <= children)
+    return bool(links) and (missing >= _MANY or links <= children)
 
 
 def _missing(problem: Problem) -> str:
