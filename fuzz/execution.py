@@ -127,8 +127,8 @@ class _Batch:
                 self._run_here(at, found)
             _, status = os.waitpid(process, 0)
             for file in sorted(Path(found).iterdir()):
-                title, details, number = file.read_text(encoding="utf-8").split("\0")
-                yield Defect(title, details, self._input(int(number)))
+                title, details, input_number = file.read_text(encoding="utf-8").split("\0")
+                yield Defect(title, details, self._input(int(input_number)))
         self.done = self._numbers.stop
         if status:
             number = int.from_bytes(at[:], "little")

@@ -18,7 +18,8 @@ FLAGS = [option.flag for option in CHECK]
 def by_click(words: list[str]) -> dict[str, Any] | None:
     """What click makes of a command line; None if it refuses it, or gives help."""
     try:
-        return command.make_context("check", list(words)).params
+        # As in the group: click keeps the option for help that is made first.
+        return command.make_context("check", list(words), help_option_names=["-h", "--help"]).params
     except (click.UsageError, click.exceptions.Exit):
         return None
 
