@@ -145,6 +145,25 @@ def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
     assert "more than 2.0 GB when extracted" in problem(tmp_path / "sparse.tar")
 
 
+@pytest.mark.parametrize("name", ["{}.txt", "{}/a/a/a/a/a/a/a/a/a/a/a.txt"])
+@pytest.mark.parametrize("suffix", [".zip", ".tar.gz"])
+def test_an_archive_of_empty_files_is_not_extracted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, suffix: str
+) -> None:
+    monkeypatch.setattr("urdfkit.scan.models._MANY", 100)
+    number = 400 if name == "{}.txt" else 40
+    archive = tmp_path / f"many{suffix}"
+    if suffix == ".zip":
+        with zipfile.ZipFile(archive, "w") as packed:
+            for index in range(number):
+                packed.writestr(name.format(index), "")
+    else:
+        with tarfile.open(archive, "w:gz") as tar:
+            for index in range(number):
+                tar.addfile(tarfile.TarInfo(name.format(index)))
+    assert "files and directories" in problem(archive)
+
+
 def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
     """Neither by its names nor through its links."""
     outside = tmp_path / "outside"

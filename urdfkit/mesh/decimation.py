@@ -7,6 +7,7 @@ import numpy as np
 
 from urdfkit.mesh.edges import have_distinct_corners
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
+from urdfkit.mesh.grouping import distinct
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.manifolds import solid
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
@@ -130,14 +131,14 @@ def _coarser_cells(soup: TriangleSoup) -> _Coarser:
     number, points, corners = _compact(soup)
 
     def coarser(tolerance: float) -> list[_Piece]:
-        _, places = np.unique(np.floor(points / tolerance), axis=0, return_inverse=True)
-        places = places.reshape(-1)
-        sums = np.zeros((int(places.max()) + 1, 3))
-        np.add.at(sums, places, points)
-        means = sums / np.bincount(places)[:, None]
+        cells = np.floor(points / tolerance).T
+        ranks = [np.unique(column, return_inverse=True)[1] for column in cells]  # small integers
+        _, places, count = distinct(np.stack(ranks, axis=1))
+        sums = [np.bincount(places, column) for column in points.T]
+        means: Floats = np.stack(sums, axis=1) / count[:, None]
         faces = places[corners]
         faces = faces[have_distinct_corners(faces)]
-        _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
+        first, _, _ = distinct(np.sort(faces, axis=1))
         return [(number, means, faces[np.sort(first)].astype(np.int64))]
 
     return coarser

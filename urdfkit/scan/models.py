@@ -47,6 +47,8 @@ _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
 #: Limit of the extracted bytes of a small archive, and of the compression ratio of others.
 _LARGE, _MOST_TIMES = 2 * 10**9, 100
+#: Files and directories that any archive may have, and least bytes of larger archives for each.
+_MANY, _LEAST_BYTES = 20_000, 128
 #: Headers of the next member of a tar, such as a long name, and their largest size in bytes.
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE,
@@ -235,9 +237,11 @@ def _members(archive: str) -> Iterator[str]:
 def _tar_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """The files in an archive, each with a function that opens it before the next is requested."""
     size = 0
+    count = _MemberCount(archive)
     with tarfile.open(archive, tarinfo=_TarMember) as tar:
         for member in tar:
             size += member.size
+            count.add(member.name)
             _check_ratio(
                 archive, max(size, member.offset_data)
             )  # before it is unpacked to find the next one
@@ -249,6 +253,9 @@ def _zip_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | N
     """Like ``_in_tar``, for a ZIP archive."""
     with zipfile.ZipFile(archive) as packed:
         _check_ratio(archive, sum(member.file_size for member in packed.infolist()))
+        count = _MemberCount(archive)
+        for member in packed.infolist():
+            count.add(member.filename)
         for member in packed.infolist():
             if not member.is_dir():
                 yield member.filename, partial(packed.open, member)
@@ -293,6 +300,31 @@ def _check_ratio(archive: str, size: int) -> None:
             f"{archive}: more than {_LARGE / 1e9:.1f} GB when extracted, over {_MOST_TIMES} times "
             "its size; extract it yourself if you trust it, and pass the directory"
         )
+
+
+class _MemberCount:
+    """Counts files and directories, and rejects archives with millions of empty ones."""
+
+    def __init__(self, archive: str) -> None:
+        self._archive = archive
+        self._most = self._left = max(_MANY, os.path.getsize(archive) // _LEAST_BYTES)
+        self._directories = {""}
+
+    def add(self, name: str) -> None:
+        """Count a member and its directories.
+
+        Raises:
+            UnreadableFile: there are too many.
+        """
+        self._left -= 1
+        while self._left >= 0 and (name := name.rpartition("/")[0]) not in self._directories:
+            self._directories.add(name)
+            self._left -= 1
+        if self._left < 0:
+            raise UnreadableFile(
+                f"{self._archive}: more than {self._most:,} files and directories; extract it "
+                "yourself if you trust it, and pass the directory"
+            )
 
 
 def _check_room(archive: str, needed: int, free: int) -> None:

@@ -115,6 +115,21 @@ def test_the_proof_fails_for_a_wrong_model(tmp_path: Path) -> None:
     assert str(raised.value).startswith("arm.urdf:3:1: MuJoCo and Pinocchio do not agree")
 
 
+def test_contacts_are_not_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Thousands of overlapping shapes exceed the memory of MuJoCo."""
+    flags: list[int] = []
+    forward = mujoco.mj_forward
+
+    def noted(model: Any, data: Any) -> None:
+        flags.append(model.opt.disableflags)
+        forward(model, data)
+
+    monkeypatch.setattr(mujoco, "mj_forward", noted)
+    convert(arm(), tmp_path / "arm", to="mjcf")
+    assert flags
+    assert all(flag & mujoco.mjtDisableBit.mjDSBL_CONTACT for flag in flags)
+
+
 def test_the_proof_fails_for_different_dynamics(tmp_path: Path) -> None:
     """A joint with a vertical axis bears nothing, unless gravity points another way."""
     outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')

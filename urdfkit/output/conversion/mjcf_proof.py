@@ -121,11 +121,13 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
 
 
 def _without_options(model: Any, robot: Context) -> Any:
-    """A copy of a model without the options that the URDF sets, such as another gravity."""
+    """A copy of a model without contacts and options of the URDF, such as another gravity."""
     result, expected, plain = copy(model), expected_options(robot), mujoco.MjOption()
     for name in _OPTIONS:
         if np.array_equal(getattr(model.opt, name), getattr(expected, name)):
             setattr(result.opt, name, getattr(plain, name))
+    # Contacts do not matter here, and thousands of overlapping shapes exceed MuJoCo's memory.
+    result.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     return result
 
 
