@@ -14,28 +14,36 @@ for library in ("mujoco", "trimesh"):
 ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
+SRDF = '<robot name="r"><disable_collisions link1="a" link2="b" reason="Never"/></robot>'
+INERTIA = '<inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/>'
+BODY = (
+    f'<inertial><mass value="1"/>{INERTIA}</inertial>'
+    '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
+)
+#: Two boxes that overlap by 50 mm.
+BOXES = (
+    '<robot name="r"><link name="world"/>\n'
+    + "".join(
+        f'<link name="{name}">{BODY}</link><joint name="{name}" type="continuous">'
+        f'<parent link="world"/><child link="{name}"/><origin xyz="{x} 0 0"/><axis xyz="0 1 0"/>'
+        "</joint>"
+        for name, x in (("a", "0"), ("b", "0.05"))
+    )
+    + "</robot>"
+)
+
+
 def test_a_robot_without_faults(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["simulate", str(ARM)]) == 0
     assert capsys.readouterr().out.splitlines()[:2] == [
         "its root is welded to the world",
-        "  passes overlap: no links overlap at the start",
+        "  passes size: it weighs 5.2 kg and measures 0.774 m",
     ]
 
 
 def test_a_robot_with_faults(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    box = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
-    inertial = (
-        '<inertial><mass value="1"/>'
-        '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
-    )
-    joint = (
-        '<joint name="{0}" type="continuous"><parent link="world"/><child link="{0}"/>'
-        '<origin xyz="{1} {1} 0"/><axis xyz="0 0 1"/></joint>'
-    )
-    links = "".join(f'<link name="{name}">{inertial}{box}</link>\n' for name in "ab")
-    joints = "".join(map(joint.format, "ab", ("0", "0.8")))
     file = tmp_path / "boxes.urdf"
-    file.write_text(f'<robot name="r"><link name="world"/>\n{links}{joints}</robot>')
+    file.write_text(BOXES)
     assert main(["simulate", str(file)]) == 1
     text = capsys.readouterr().out
     assert "warns overlap: links 'a' and 'b' overlap" in text
@@ -44,7 +52,7 @@ def test_a_robot_with_faults(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     found = json.loads(capsys.readouterr().out)
     assert (found["base"], found["passes"]) == ("fixed", False)
     keys = ("test", "passes", "warns", "line")
-    assert [[one[key] for key in keys] for one in found["verdicts"][:2]] == [
+    assert [[one[key] for key in keys] for one in found["verdicts"][1:3]] == [
         ["overlap", True, True, 2],
         ["energy", False, False, 2],
     ]
@@ -52,23 +60,11 @@ def test_a_robot_with_faults(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     (suite,) = ElementTree.fromstring(capsys.readouterr().out)
     assert suite.get("tests") == str(len(found["verdicts"]))
     assert suite.get("failures") == str(sum(not one["passes"] for one in found["verdicts"]))
-    warning, failure = suite[0], suite[1]
+    warning, failure = suite[1], suite[2]
     assert (warning.get("name"), warning.get("line")) == ("overlap a b", "2")
     assert (warning[0].tag, failure[0].tag) == ("system-out", "failure")
     assert "overlap by" in (warning[0].text or "")
     assert "push each other away" in failure[0].attrib["message"]
-
-
-SRDF = '<robot name="r"><disable_collisions link1="a" link2="b" reason="Never"/></robot>'
-INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
-INERTIAL = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
-#: Two boxes that overlap by 0.2 m.
-BOXES = '<robot name="r"><link name="world"/>' + "".join(
-    f'<link name="{name}">{INERTIAL}<collision><geometry><box size="1 1 1"/></geometry></collision>'
-    f'</link><joint name="{name}" type="continuous"><parent link="world"/><child link="{name}"/>'
-    f'<origin xyz="{x} 0 0"/><axis xyz="0 0 1"/></joint>'
-    for name, x in (("a", "0"), ("b", "0.8"))
-) + "</robot>"  # fmt: skip
 
 
 def test_pairs_that_an_srdf_disables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -79,7 +75,7 @@ def test_pairs_that_an_srdf_disables(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main(["simulate", str(robot)]) == 1
     capsys.readouterr()
     assert main(["simulate", str(robot), "--srdf", str(srdf)]) == 0
-    disabled, overlap = capsys.readouterr().out.splitlines()[1:3]
+    disabled, _, overlap = capsys.readouterr().out.splitlines()[1:4]
     assert disabled.endswith("r.srdf disables do not collide")
     assert overlap == "  passes overlap: no links overlap at the start"
     assert main(["simulate", str(robot), "--srdf", str(robot)]) == 2

@@ -36,7 +36,12 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
 
 
 def _overloads(robot: SimulatedRobot) -> Iterator[Verdict]:
-    """A verdict for each joint whose effort is below its largest gravity load (DYN003)."""
+    """A verdict for each joint whose effort is below its largest gravity load (DYN003).
+
+    A warning if the effort suffices at the start.
+    """
+    robot.set_up(contacts=False)
+    needed = np.abs(robot.started().qfrc_bias)
     for load in overloads(robot.robot.tree):
         joint = robot.robot.model.joints_by_name[load.joint]
         assert joint.limit is not None
@@ -47,7 +52,9 @@ def _overloads(robot: SimulatedRobot) -> Iterator[Verdict]:
             f"joint '{joint.name}' needs {load.worst:.3g} {force} to hold its load at "
             f"{worst_pose(load)}, its effort is {effort.value:g} {force}"
         )
-        yield Verdict("hold", False, text, load.worst, effort.value, (joint.name,), effort.span)
+        warns = bool(needed[robot.dof(joint.name)] <= effort.value)
+        names = (joint.name,)
+        yield Verdict("hold", warns, text, load.worst, effort.value, names, effort.span, warns)
 
 
 def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:

@@ -25,7 +25,7 @@ from urdfkit.text.source import Span
 LIFT, PART = 1e-3, 0.01
 #: Part of the kinetic energy that a valid robot, such as a UR10e, may gain from the default step.
 PART_OF_STEPS = 0.1
-#: Overlapping convex hulls throw a robot if the energy that they add lifts it by more than this
+#: Overlapping links throw a robot if the energy that they add lifts it by more than this
 #: part of its size: HyQ is lifted by 0.03 of it, an SO-100 by 0.7, an SO-101 by 70.
 THROWN = 0.3
 #: Duration in s.
@@ -69,9 +69,8 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
     why, names, span = _cause(robot)
     if result.bad is None:
         thrown = THROWN * robot.extent() * result.weight
-        warns = robot.has_mesh(*names) and result.gain <= thrown
-        if warns:
-            why += "; in MuJoCo meshes collide by their convex hulls"
+        is_of_overlap = len(names) == 2
+        warns = is_of_overlap and result.gain <= thrown
         yield Verdict("energy", warns, text + why, result.gain, result.bound, names, span, warns)
         return
     model = robot.model
