@@ -125,7 +125,7 @@ def test_contacts_are_not_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         forward(model, data)
 
     monkeypatch.setattr(mujoco, "mj_forward", noted)
-    convert(arm(), tmp_path / "arm", to="mjcf")
+    convert(read(arm()), tmp_path / "arm", to="mjcf")
     assert flags
     assert all(flag & mujoco.mjtDisableBit.mjDSBL_CONTACT for flag in flags)
 
