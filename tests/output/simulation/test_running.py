@@ -8,10 +8,12 @@ import pytest
 from tests.own_robots import ROVER, own_robots
 from urdfkit import read
 from urdfkit.core.spatial import Transform
+from urdfkit.errors import UrdfkitError
 from urdfkit.output.simulation import motion, simulate
 from urdfkit.text.source import Source
 
-for library in ("mujoco", "numpy", "trimesh"):
+mujoco = pytest.importorskip("mujoco")
+for library in ("numpy", "trimesh"):
     pytest.importorskip(library)
 
 
@@ -154,6 +156,17 @@ def test_what_follows_starts_where_its_leader_takes_it() -> None:
     lenient = *arms[:3], follower.replace('upper="3"', 'upper="4"')
     assert failures(robot(*lenient)) == {}
     assert failures(robot(*arms)) == {"mimic": ("b",)}, "it is to go to 3.8 rad"
+
+
+def test_contacts_beyond_the_memory_of_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Thousands of overlapping shapes have millions."""
+
+    def fail(*_: object) -> None:
+        raise mujoco.FatalError("mj_stackAlloc: insufficient memory")
+
+    monkeypatch.setattr(mujoco, "mj_step", fail)
+    with pytest.raises(UrdfkitError, match=r"MuJoCo cannot simulate it: mj_stackAlloc"):
+        simulate(read(ROVER))
 
 
 def test_progress_counts_the_tests() -> None:

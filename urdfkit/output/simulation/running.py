@@ -2,8 +2,11 @@
 
 from collections.abc import Iterator
 
+import mujoco
+
 from urdfkit.core.progress import Progress
 from urdfkit.core.spatial import Transform
+from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.simulation.drive import drive
 from urdfkit.output.simulation.drop import drop
@@ -27,9 +30,13 @@ def run(robot: Context, base: str, srdf: str | None, progress: Progress | None) 
     for number, test in enumerate(tests):
         if progress:
             progress(number, len(tests))
-        verdicts += test(simulated)
-    path = simulated.srdf.path if simulated.srdf else None
-    return Simulation(simulated.is_free, tuple(verdicts), path)
+        try:
+            verdicts += test(simulated)
+        except mujoco.FatalError as error:  # thousands of contacts exceed its memory
+            path = robot.source.path
+            raise UrdfkitError(f"{path}: MuJoCo cannot simulate it: {error}") from error
+    srdf_path = simulated.srdf.path if simulated.srdf else None
+    return Simulation(simulated.is_free, tuple(verdicts), srdf_path)
 
 
 def motion(
