@@ -16,9 +16,14 @@ _DEFINITION = (
 
 
 def is_switched_off(context: Context, name: str) -> bool:
-    """True if a file of the robot defines an unknown link or joint inside a false condition."""
-    expanded = context.reading.xacro
-    return expanded is not None and name in _defined(expanded.sources)
+    """True if a file of the robot defines a link or joint inside a false condition.
+
+    The joint of a controller may have the name of a link by mistake.
+    """
+    expanded, model = context.reading.xacro, context.model
+    if expanded is None or name in model.links_by_name or name in model.joints_by_name:
+        return False
+    return name in _defined(expanded.sources)
 
 
 @lru_cache(maxsize=1)  # a robot may have many unknown references

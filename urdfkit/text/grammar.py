@@ -82,7 +82,12 @@ def places_of(element: Element) -> list[str]:
 
 
 def owner(element: Element) -> str:
-    """The link, joint or material that contains an element, such as ``link 'arm'``."""
+    """The link, joint or material that contains an element, such as ``link 'arm'``.
+
+    The root has no name here: robots that share a file have one finding in it.
+    """
+    if element.parent is None:
+        return "the robot"
     while element.parent is not None and element.parent.parent is not None:
         element = element.parent
     name = element.get("name")

@@ -125,7 +125,7 @@ def test_a_macro_without_its_prefix_is_another_finding() -> None:
         ),
         (
             '<link name="a"/><inertial/>',
-            "robot 'example': URDF parsers ignore <inertial> inside <robot>; it belongs in <link>",
+            "the robot: URDF parsers ignore <inertial> inside <robot>; it belongs in <link>",
         ),
         (
             '<link name="a"><gazebo><plugin/></gazebo></link>',
