@@ -18,6 +18,8 @@ MAX_NUMBERS = 1000
 MAX_DIGITS = 300
 #: Levels of a YAML file. libyaml uses recursion in C, which crashes if it is too deep.
 MAX_LEVELS = 100
+#: The error of libyaml 0.2.6, which reads ahead, for more than 1,000 levels.
+_TOO_DEEP = "exceeded maximum nesting depth"
 
 _NUMBERS = frozenset(f"tag:yaml.org,2002:{kind}" for kind in ("int", "float"))
 
@@ -130,6 +132,8 @@ def load(source: Source, evaluate: Callable[[str], Any], *, located: bool = Fals
         finally:
             loader.dispose()
     except yaml.MarkedYAMLError as error:
+        if error.problem == _TOO_DEEP:
+            raise YamlTooLarge(f"more than {MAX_LEVELS} levels") from error
         mark = error.problem_mark or error.context_mark
         reason = error.problem or "it cannot be read"
         raise BrokenYaml(str(error), _span(source, mark, mark), reason) from error
