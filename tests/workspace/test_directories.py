@@ -89,7 +89,14 @@ def test_a_directory_that_may_be_entered_but_not_listed(tmp_path: Path) -> None:
 
 
 def test_files_below_come_nearest_first_and_are_bounded(tmp_path: Path) -> None:
-    for name in ("b.stl", "a/d/e.stl", "a/c.stl", ".git/config"):
+    for name in (
+        "b.stl",
+        "a/d/e.stl",
+        "a/c.stl",
+        ".git/config",
+        "build/b.stl",
+        "venv/site-packages/m.stl",
+    ):
         add_file(tmp_path / name)
     os.symlink("..", tmp_path / "a" / "up")
     found = Directories().files_below(str(tmp_path), 100)

@@ -146,7 +146,7 @@ class Directories:
         return paths
 
     def files_below(self, directory: str, limit: int) -> list[str]:
-        """The files below a directory, nearest first, without hidden directories.
+        """The files below a directory, nearest first, without hidden directories and build results.
 
         Args:
             limit: most directories to list.
@@ -159,7 +159,7 @@ class Directories:
                 path = prefix + name
                 if not is_directory:
                     paths.append(path)
-                elif len(queue) < limit and name[0] != "." and path not in self._links:
+                elif len(queue) < limit and is_walked(name) and path not in self._links:
                     queue.append(path)
         return paths
 
