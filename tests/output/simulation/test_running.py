@@ -225,14 +225,14 @@ def test_links_that_are_too_light_are_the_cause_of_a_divergence() -> None:
     assert stability.span is not None
     assert stability.span.line == 2
     assert timestep.warns
-    assert timestep.message.startswith("it diverges with steps of 2 ms")
+    assert timestep.message.startswith("energy error without bound with steps of 2 ms, ")
     assert timestep.message.endswith(cause)
 
 
 def test_the_energy_error_is_halved_with_the_step() -> None:
     arm = robot(link("arm", at="0.5 0 0"), joint("arm", "world", "0 0 0"))
     (verdict,) = [one for one in simulate(read(arm)).verdicts if one.test == "timestep"]
-    errors = [float(part.split(" %")[0]) for part in verdict.message.split("error is ")[1:]]
+    errors = [float(number) for number in re.findall(r"([\d.]+) %", verdict.message)]
     assert errors[0] == pytest.approx(100 * verdict.value, rel=0.05)
     assert errors[1] == pytest.approx(errors[0] / 2, rel=0.1)
 

@@ -25,7 +25,10 @@ def timestep(robot: SimulatedRobot) -> Iterator[Verdict]:
     error of integration.
     """
     error, half = _error(robot, STEP), _error(robot, STEP / 2)
-    text = f"{_text(error)} with steps of {STEP * 1e3:g} ms, {_text(half)} with {STEP * 5e2:g} ms"
+    text = (
+        f"energy error {_percent(error)} with steps of {STEP * 1e3:g} ms, {_percent(half)} with "
+        f"{STEP * 5e2:g} ms"
+    )
     if error <= ERROR:
         yield Verdict("timestep", True, text, error, ERROR)
         return
@@ -34,8 +37,8 @@ def timestep(robot: SimulatedRobot) -> Iterator[Verdict]:
     yield Verdict("timestep", True, text, error, ERROR, names, span, warns=True)
 
 
-def _text(error: float) -> str:
-    return "it diverges" if error == inf else f"its energy error is {error * 100:.2g} %"
+def _percent(error: float) -> str:
+    return "without bound" if error == inf else f"{error * 100:.2g} %"
 
 
 def light_link(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
