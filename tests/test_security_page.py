@@ -12,8 +12,9 @@ from tests.conftest import ROOT
 from urdfkit.cli import main
 from urdfkit.cli.group import COMMANDS, group
 from urdfkit.core.expansion_limits import Limits
+from urdfkit.mesh.io import assemble
 from urdfkit.scan import models
-from urdfkit.text import located_yaml, source, xml_reader
+from urdfkit.text import located_yaml, python_source, source, xml_reader
 from urdfkit.xacro import bounds, dom_builder, yaml_files
 from urdfkit.xacro.substitution import ENVIRONMENT
 
@@ -59,6 +60,9 @@ def _has_limits(command: click.Command | None) -> bool:
         f"YAML: {yaml_files.MAX_LEVELS} levels",
         f"numbers of {yaml_files.MAX_DIGITS} characters",
         f"Files: {source.MAX_BYTES // 2**20} MiB, YAML {located_yaml.MAX_BYTES // 2**20} MiB",
+        f"Python launch files {python_source.MAX_BYTES // 1024} KiB",
+        f"Meshes: {assemble.MAX_PARTS:,} surfaces",
+        f"or one for {models._LEAST_BYTES} bytes",
         f"Archives of `scan`: {models._LARGE / 1e9:.0f} GB when extracted",
         f"or {models._MOST_TIMES} times their size",
         f"headers of a tar {models._LARGEST_HEADER // 2**20} MiB",
