@@ -2,6 +2,7 @@
 
 import os
 import re
+from functools import lru_cache
 
 from urdfkit.text.comments import without_comments
 from urdfkit.text.document import Element
@@ -11,6 +12,7 @@ from urdfkit.text.source import Source
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
 
 
+@lru_cache(maxsize=1)  # rules ask again for each of their findings in a file
 def is_xacro(source: Source) -> bool:
     """True if a file is xacro, by its name or its content.
 

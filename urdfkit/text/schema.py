@@ -10,6 +10,7 @@ programs (Bullet, MuJoCo, Drake) add to URDF without a prefix are in ``urdf_exte
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from urdfkit.core.record import Record
 
@@ -217,9 +218,18 @@ def elements() -> Iterator[tuple[str, Grammar]]:
         stack.extend(grammar.children.items())
 
 
+@cache
+def _places() -> dict[str, dict[str, None]]:
+    places: dict[str, dict[str, None]] = {}
+    for parent, grammar in elements():
+        for tag in grammar.children:
+            places.setdefault(tag, {})[parent] = None
+    return places
+
+
 def places_of(tag: str) -> list[str]:
     """Tags of the elements that may contain a tag, such as ``visual`` for ``material``."""
-    return list(dict.fromkeys(place for place, grammar in elements() if tag in grammar.children))
+    return list(_places().get(tag, ()))
 
 
 def numeric_attributes() -> frozenset[str]:
