@@ -11,8 +11,11 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers
 MAX_VERTICES, SAMPLES, FARTHEST = 1500, 1500, 3000
 #: Points from which these are selected: a dent may cover a thousandth of a surface.
 _MANY_VERTICES, _MANY_SAMPLES = 100_000, 20_000
-#: Points of the other surface that lead to near triangles, and how many triangles are measured.
-_GUIDES, _NEAREST = 20_000, 8
+#: Points of the other surface that lead to near triangles, and how many triangles are measured;
+#: more of them for points of slivers, after the first points were measured to all triangles.
+_GUIDES, _NEAREST, _MORE_NEAREST = 20_000, 8, 128
+#: Points that are measured to all triangles that may be nearer, before and after.
+_FIRST, _MOST = 20, 1000
 _SEED = 7
 #: Rounding error on surfaces of size 1.
 _ROUNDING = 1e-12
@@ -99,6 +102,7 @@ class _Surface:
         from scipy.spatial import cKDTree
 
         self._triangles = triangles
+        self._low, self._high = triangles.min(axis=1), triangles.max(axis=1)
         spread, of_spread = sample_surface(triangles, _GUIDES)
         corners = np.repeat(np.arange(len(triangles)), 3)
         self._owner = np.concatenate([corners, of_spread])
@@ -114,25 +118,33 @@ class _Surface:
 
         The distance to some near triangles is fast to compute and an upper bound of the true
         distance. In decreasing order of this bound, points are measured to all triangles that may
-        be nearer, until no other point can be farther away.
+        be nearer, until no other point can be farther away: a few points, or hundreds if the
+        triangles are slivers, of which near ones are hard to find.
         """
-        bounds = self.to_near_triangles(points)
-        low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
         farthest = 0.0
-        for i in np.argsort(-bounds):
-            if bounds[i] <= farthest + _ROUNDING:
-                break
-            outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
-            may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
-            near = self._triangles[may_be_nearer]
-            distances = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
-            farthest = max(farthest, float(distances.min(initial=bounds[i])))
+        for near, most in ((_NEAREST, _FIRST), (_MORE_NEAREST, _MOST)):
+            bounds = self.to_near_triangles(points, near)
+            order = np.argsort(-bounds)
+            points, bounds = points[order], bounds[order]
+            for point, bound in zip(points[:most], bounds, strict=False):
+                if bound <= farthest + _ROUNDING:
+                    break
+                farthest = max(farthest, self._distance(point, bound))
+            points = points[bounds > farthest + _ROUNDING]
         return farthest
 
-    def to_near_triangles(self, points: Floats) -> Floats:
+    def _distance(self, point: Floats, bound: float) -> float:
+        """The distance of a point (3,), which is at most ``bound``."""
+        outside = np.maximum(self._low - point, 0) + np.maximum(point - self._high, 0)
+        near = self._triangles[np.einsum("mj,mj->m", outside, outside) <= bound**2]
+        distances = _to_triangles(np.broadcast_to(point, (len(near), 3)), near)
+        return float(distances.min(initial=bound))
+
+    def to_near_triangles(self, points: Floats, number: int = _NEAREST) -> Floats:
         """(n,), distance from each point to the nearest of a few near triangles."""
-        _, nearest = self._guides.query(points, k=min(_NEAREST, len(self._owner)))
-        near = self._owner[nearest.reshape(len(points), -1)]
+        number = min(number, len(self._owner))
+        _, nearest = self._guides.query(points, k=number)
+        near = self._owner[nearest.reshape(len(points), number)]
         repeated = np.repeat(points, near.shape[1], axis=0)
         distances = _to_triangles(repeated, self._triangles[near.reshape(-1)])
         bounds: Floats = distances.reshape(near.shape).min(axis=1)
