@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.checks.collision.test_col001_overlapping_links import bent
-from tests.checks.joints.test_jnt006_axis_not_unit import moved
+from tests.checks.joints.test_jnt006_missing_or_non_unit_axis import moved
 from tests.checks.joints.test_jnt012_looks_like_millimetres import at
 from tests.checks.ros2_control.test_rct009_command_range_outside_limits import starting
 from tests.controls import ROBOT, control

@@ -52,8 +52,8 @@ def test_an_info_is_fixed_only_if_its_code_is_selected(
     for words in ([], ["--select", "JNT"], ["--select", "JNT,INE", "--unsafe-fixes"]):
         assert main(["fix", str(robot), "--check", *words]) == 0
         out = " ".join(capsys.readouterr().out.split())
-        assert "JNT020 axis-or-limit-on-fixed (fixed with --select JNT020): lines 190" in out
-    for name in ("JNT020", "jnt020", "axis-or-limit-on-fixed"):
+        assert "JNT020 ignored-axis-or-limit (fixed with --select JNT020): lines 190" in out
+    for name in ("JNT020", "jnt020", "ignored-axis-or-limit"):
         assert main(["fix", str(robot), "--check", "--select", name]) == 1
         assert "3 would be fixed in 1 file, 0 left" in capsys.readouterr().out
     assert main(["check", str(robot), "--select", "JNT020"]) == 0

@@ -49,9 +49,9 @@ def test_limits_of_a_continuous_joint_that_nobody_counts_on(
 ) -> None:
     """rm_description's wheels, exports of SolidWorks, and jsk_aerial_robot's rotors."""
     text = robot(joint("wheel", "continuous", limit(lower, upper)))
-    (found,) = reported("JNT013", text)
+    (found,) = reported("JNT020", text)
     assert found.severity.value == severity
-    (found,) = reported("JNT013", text, targets=("drake",))
+    (found,) = reported("JNT020", text, targets=("drake",))
     assert found.severity.value == "warning"
 
 

@@ -119,7 +119,7 @@ def test_everything_that_can_be_set(tmp_path):
             tmp_path,
             """
             select = ["JNT", "TRE001"]
-            ignore = ["axis-or-limit-on-fixed"]
+            ignore = ["ignored-axis-or-limit"]
             fail-on = "error"
             targets = ["gz-harmonic", "ros2"]
             exclude = ["old"]

@@ -87,7 +87,7 @@ def test_a_former_code_suppresses_no_error(tmp_path):
     assert (comment.suppressed, option.suppressed) == (1, 1)
 
 
-@pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-or-limit-on-fixed", "TRE001, JNT020"])
+@pytest.mark.parametrize("word", ["JNT020", "JNT", "ignored-axis-or-limit", "TRE001, JNT020"])
 def test_a_comment_suppresses_what_it_names_in_the_element_below(word):
     assert "JNT020" in codes(run(PLAIN.format(comment="")))
     report = run(PLAIN.format(comment=f"<!-- urdfkit: ignore[{word}] it is a spare -->"))

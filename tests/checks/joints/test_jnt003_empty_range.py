@@ -43,7 +43,7 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
     [
         ("revolute", limit("-1", "1")),
         ("revolute", limit("1", "x")),  # URD005
-        ("continuous", limit("1", "-1")),  # JNT013
+        ("continuous", limit("1", "-1")),  # JNT020
         ("fixed", limit("1", "-1")),
         ("revolute", ""),
     ],

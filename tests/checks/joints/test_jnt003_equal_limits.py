@@ -42,7 +42,7 @@ def test_what_to_do_depends_on_the_type() -> None:
         ("revolute", limit("0", "0.001")),
         ("revolute", '<limit upper="1" effort="1" velocity="1"/>'),
         ("revolute", limit("x", "0")),  # URD005
-        ("continuous", limit("0", "0")),  # JNT013
+        ("continuous", limit("0", "0")),  # JNT020
         ("continuous", '<limit effort="1" velocity="1"/>'),
         ("fixed", limit("0", "0")),
     ],

@@ -24,11 +24,11 @@ from tests.reported import fixed, messages, places, reported
 )
 def test_limits_without_effect(content: str, shown: str, mended: str | None) -> None:
     text = robot(joint("j", "continuous", content))
-    assert messages("JNT013", text) == [
+    assert messages("JNT020", text) == [
         f"joint 'j' is continuous and has {shown}, which only Drake obeys"
     ]
-    after = fixed("JNT013", text)
-    assert reported("JNT013", after) == []
+    after = fixed("JNT020", text)
+    assert reported("JNT020", after) == []
     if mended:
         assert mended in after
 
@@ -37,13 +37,13 @@ def test_limits_without_effect(content: str, shown: str, mended: str | None) -> 
     ("ends", "severity"), [("3.14", "info"), ("3.13", "warning"), ("0", "info")]
 )
 def test_less_than_a_turn_narrows(ends: str, severity: str) -> None:
-    (found,) = reported("JNT013", robot(joint("j", "continuous", limit(f"-{ends}", ends))))
+    (found,) = reported("JNT020", robot(joint("j", "continuous", limit(f"-{ends}", ends))))
     assert found.severity.value == severity
     assert (found.fix is None) == (severity == "warning")  # it may be revolute
 
 
 def test_the_place_is_the_first_of_the_two() -> None:
-    assert places("JNT013", robot(joint("j", "continuous", limit("-3", "4")))) == [(4, "-3")]
+    assert places("JNT020", robot(joint("j", "continuous", limit("-3", "4")))) == [(4, "-3")]
 
 
 @pytest.mark.parametrize(
@@ -52,11 +52,10 @@ def test_the_place_is_the_first_of_the_two() -> None:
         ("continuous", '<limit effort="1" velocity="1"/>'),
         ("continuous", ""),
         ("revolute", limit("-1", "1")),
-        ("fixed", limit("-1", "1")),
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert reported("JNT013", robot(joint("j", kind, content))) == []
+    assert reported("JNT020", robot(joint("j", kind, content))) == []
 
 
 def test_another_call_of_a_macro_may_need_the_limits() -> None:
@@ -65,10 +64,10 @@ def test_another_call_of_a_macro_may_need_the_limits() -> None:
         f'<xacro:macro name="arm" params="kind">{macro}</xacro:macro><link name="base"/>'
         '<xacro:arm kind="revolute"/><xacro:arm kind="continuous"/>'
     )
-    assert [found.fix for found in reported("JNT013", text, "robot.xacro")] == [None]
+    assert [found.fix for found in reported("JNT020", text, "robot.xacro")] == [None]
 
 
 def test_outside_of_macros_a_xacro_is_fixed() -> None:
     text = of_xacro(robot(joint("j", "continuous", limit("${-2*pi}", "3"))))
-    mended = fixed("JNT013", text, "robot.xacro")
+    mended = fixed("JNT020", text, "robot.xacro")
     assert '<limit effort="10" velocity="1"/>' in mended

@@ -62,9 +62,27 @@ def test_nearly_a_basis_vector(axis: str, deviation: str, suggested: str) -> Non
 
 
 @pytest.mark.parametrize(
+    ("kind", "does"),
+    [
+        ("revolute", "turns about"),
+        ("continuous", "turns about"),
+        ("prismatic", "moves along"),
+        ("planar", "moves in the plane across"),
+    ],
+)
+def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
+    text = robot(joint("j", kind))
+    (found,) = reported("JNT006", text)
+    assert found.message == f"joint 'j' has no <axis>: it {does} x (1 0 0) by default"
+    assert found.severity is Severity.INFO
+    assert places("JNT006", text) == [(4, f'<joint name="j" type="{kind}">')]
+
+
+@pytest.mark.parametrize(
     ("kind", "content"),
     [
-        ("revolute", ""),  # JNT007
+        ("fixed", ""),
+        ("floating", ""),
         ("revolute", '<axis xyz="0 0 1"/>'),
         ("revolute", '<axis xyz="0 0.707106 -0.707106"/>'),
         ("revolute", '<axis xyz="0.71 0.71 0"/>'),

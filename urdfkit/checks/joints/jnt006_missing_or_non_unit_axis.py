@@ -1,4 +1,4 @@
-"""The axis of a joint is not a unit vector.
+"""The axis of a joint is missing or not a unit vector.
 
 - An axis of length 0 is an error: MuJoCo and Drake reject the robot, Gazebo drops the model,
   Pinocchio computes with an invalid rotation. urdfdom reads an `<axis>` without `xyz` as 0 0 0, not
@@ -10,6 +10,9 @@
   error of 0.002 rad moves a hand at one metre by 2 mm, closed-form inverse kinematics, which needs
   axes that are exactly parallel or perpendicular, fails, and Pinocchio uses its slower joint for
   arbitrary axes.
+- A movable joint without an axis turns about x, or moves along it: an info. URDF's default is
+  1 0 0, and all parsers agree, but few joints turn about x: a missing y or z axis goes unnoticed
+  until the robot moves. Write the axis, also if it is x.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -43,14 +46,21 @@ _TOLERANCE = 0.01
 #: In rad: a larger angle is likely intended, a smaller one is rounding of a 16-digit number.
 _MAX_NOISE, _MIN_NOISE = 5e-3, 1e-9
 
+_MOTION = {"prismatic": "moves along", "planar": "moves in the plane across"}
+
 
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         at = joint.at.child("axis")
-        if at is None or joint.kind not in (*MOVING, "planar"):
+        if joint.kind not in (*MOVING, "planar"):
             continue
-        if "xyz" not in at.attributes:
+        if at is None:
+            motion = _MOTION.get(joint.kind, "turns about")
+            message = f"joint '{joint.name}' has no <axis>: it {motion} x (1 0 0) by default"
+            help = "write the axis, also if it is x"
+            yield Finding(joint.at, message, help, severity=Severity.INFO)
+        elif "xyz" not in at.attributes:
             message = f"joint '{joint.name}': <axis> has no xyz and is read as 0 0 0"
             yield Finding(at, message, "write the direction of the axis", severity=Severity.ERROR)
         elif joint.axis:

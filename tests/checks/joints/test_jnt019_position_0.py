@@ -15,15 +15,15 @@ from tests.reported import messages, places, reported
 )
 def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
     text = robot(joint("j", kind, limit(lower, upper)))
-    assert messages("JNT023", text) == [
+    assert messages("JNT019", text) == [
         f"joint 'j': position 0 is outside the limits [{lower}, {upper}] {unit}"
     ]
-    assert places("JNT023", text) == [(4, limit(lower, upper))]
+    assert places("JNT019", text) == [(4, limit(lower, upper))]
 
 
 def test_all_joints_are_one_finding() -> None:
     legs = [joint(name, "revolute", limit("-2", "-1")) for name in "abcd"]
-    (found,) = reported("JNT023", robot(*legs))
+    (found,) = reported("JNT019", robot(*legs))
     assert (
         found.message == "joints 'a', 'b' and 2 more: position 0 is outside the limits [-2, -1] rad"
     )
@@ -38,9 +38,9 @@ def test_all_joints_are_one_finding() -> None:
         ("revolute", limit("0.00872665", "1.64934")),  # a margin of half a degree
         ("revolute", limit("0.5", "0.5")),  # JNT003
         ("revolute", limit("2", "1")),  # JNT003
-        ("continuous", limit("1", "2")),  # JNT013
+        ("continuous", limit("1", "2")),  # JNT020
         ("revolute", limit("1", "2") + mimic("b")),
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert reported("JNT023", robot(joint("a", kind, content), joint("b", "continuous"))) == []
+    assert reported("JNT019", robot(joint("a", kind, content), joint("b", "continuous"))) == []
