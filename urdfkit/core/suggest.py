@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterable
 
 from urdfkit.core import disk
 
-#: Least similarity (`difflib` ratio, 0 to 1) of a word to be suggested, of a file name, and of a
-#: word that is assumed to be the same, misspelt.
-SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
+#: Least similarity (`difflib` ratio, 0 to 1) of a word to be suggested, of a file name, of a word
+#: that is assumed to be the same, misspelt, and of such a word among names that are much alike.
+SIMILAR, SIMILAR_FILE, TYPO, CLOSE_TYPO = 0.6, 0.7, 0.8, 0.93
 
 #: Least similarity of two names without their common suffix: ``caster_link`` is not ``base_link``.
 _WITHOUT_SUFFIX = 0.65

@@ -11,7 +11,7 @@ from collections.abc import Collection
 from math import inf, isfinite
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import TYPO, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, nearest
 from urdfkit.text import schema
 from urdfkit.text import urdf_extensions as extensions
 from urdfkit.text.document import Attribute, Document, Element
@@ -22,9 +22,6 @@ MAX_UNKNOWN = 1000
 
 #: Elements that the grammar does not require, but simulators do: they drop a link without inertia.
 _EXPECTED = {"link": ("inertial",)}
-
-#: Least similarity of a typo of a name from an extension: such names often resemble one another.
-_FOREIGN_TYPO = 0.88
 
 #: Elements whose name must not be empty.
 _NAMED = ("link", "joint")
@@ -211,7 +208,7 @@ class _Walk:
                 break
             free = [key for key in grammar.attributes if element.get(key) is None]
             foreign = extensions.attributes_of(element.tag)
-            suggested = nearest(name, free) or nearest(name, foreign, _FOREIGN_TYPO) or ""
+            suggested = nearest(name, free) or nearest(name, foreign, CLOSE_TYPO) or ""
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
                 self._add("URD003", element, attribute, suggested, suggested)
@@ -336,7 +333,7 @@ class _Walk:
         else:
             assert child.parent is not None
             foreign = extensions.elements_in(child.parent.tag)
-            suggested = nearest(tag, free, TYPO) or nearest(tag, foreign, _FOREIGN_TYPO) or ""
+            suggested = nearest(tag, free, TYPO) or nearest(tag, foreign, CLOSE_TYPO) or ""
             if not suggested and calling_macro(child):
                 # A macro may name its blocks so, and inserts them under these names.
                 suggested = next((word for word in tag.split("_") if word in free), "")

@@ -4,11 +4,9 @@ import os
 from functools import cache
 
 from urdfkit.core.static_typing import Any
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.text.document import Element
 from urdfkit.text.schema import TEXT, AttributeRule, Grammar
-
-_TYPO = 0.85
 
 
 @cache
@@ -65,7 +63,7 @@ def drake_suggestion(qualified: str, kind: str = "elements") -> str:
     known = data[kind].split()
     if name in known:
         return ""
-    suggestion = data["former"].get(name) or nearest(name, known, _TYPO)
+    suggestion = data["former"].get(name) or nearest(name, known, CLOSE_TYPO)
     return f"drake:{suggestion}" if suggestion else ""
 
 

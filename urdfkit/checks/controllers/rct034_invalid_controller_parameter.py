@@ -33,7 +33,7 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.controllers.trajectory_interfaces import invalid_interfaces, without_gains
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
     ControllerParameters,
@@ -82,8 +82,6 @@ _LENGTHS = {
 }
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
-#: Similarity from which an unknown parameter or class is a typo.
-_PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
 
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
@@ -151,7 +149,7 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
     else:
         package = kind.partition("/")[0]
         types = [name for name in known if name.startswith(f"{package}/")]
-        if types and not nearest(kind, known, _CLASS_TYPO):
+        if types and not nearest(kind, known, CLOSE_TYPO):
             message = f"package '{package}' has no controller type '{kind}'"
             yield controller.type_at, message, f"use one of: {', '.join(types)}"
 
@@ -159,14 +157,14 @@ def _unknown_class(controller: Controller) -> Iterator[_Problem]:
 def _misspelt(controller: Controller) -> Iterator[_Problem]:
     known = controller_types()
     if controller.type not in known:
-        if suggested := nearest(controller.type, known, _CLASS_TYPO):
+        if suggested := nearest(controller.type, known, CLOSE_TYPO):
             message = f"unknown type '{controller.type}'; did you mean '{suggested}'?"
             yield controller.type_at, message, f"write {suggested}"
         return
     typed = parameters_of(controller.type, controller.ros)
     names = {*parameters(controller.type), *(typed.types if typed else ())}
     for name in controller.section.given:
-        suggested = nearest(name, names, _PARAMETER_TYPO) if name not in names else None
+        suggested = nearest(name, names, CLOSE_TYPO) if name not in names else None
         if suggested and suggested not in controller.section.given and len(suggested) > 4:
             message = f"unknown parameter '{name}'; did you mean '{suggested}'?"
             yield controller.section.places[name], message, f"write {suggested}"
@@ -181,9 +179,7 @@ def _missing(
     absent = [name for name in required if name not in own.places]
     declared = parameters(controller.type) if controller.type in controller_types() else ()
     missing = [
-        name
-        for name in absent
-        if name not in declared or not nearest(name, own.places, _PARAMETER_TYPO)
+        name for name in absent if name not in declared or not nearest(name, own.places, CLOSE_TYPO)
     ]
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:

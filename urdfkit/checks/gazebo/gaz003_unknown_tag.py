@@ -13,7 +13,7 @@ Sources:
 
 from collections.abc import Iterable
 
-from urdfkit.core.suggest import Suggester, did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
@@ -37,9 +37,6 @@ _INSTEAD = {
     "vertical_fov": "remove it: width and height of <image> give it",
     "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
 }
-
-#: The least similarity of a typo to a tag.
-_TYPO = 0.8
 
 
 @rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
@@ -101,11 +98,11 @@ def _in_sensor(
     message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
     if instead := _INSTEAD.get(child.tag) or nested:
         return Finding(child, message, instead, group_key=child.tag)
-    intended = nearest(child.tag, known, _TYPO)
+    intended = nearest(child.tag, known, TYPO)
     others = child.parent.children if child.parent else ()
     # <center_x> and <center_y> do not both become <center>.
     is_taken = any(
-        one is not child and intended in (one.tag, nearest(one.tag, known, _TYPO)) for one in others
+        one is not child and intended in (one.tag, nearest(one.tag, known, TYPO)) for one in others
     )
     fix = None if is_taken else fix_tag(child, intended)
     if child.children and not intended:  # <orientation> is not <enable_orientation>

@@ -24,7 +24,7 @@ Sources:
 
 from collections.abc import Iterable, Mapping
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import SensorType, types
@@ -42,9 +42,6 @@ BAD = robot_xml(
     gazebo_xml(sensor_xml("lidar", "gpu_lidr", "<update_rate>10</update_rate>"), reference="base"),
 )
 FIXED = GOOD = BAD.replace("gpu_lidr", "gpu_lidar")
-
-#: The least similarity of a typo to a type.
-_TYPO = 0.8
 
 
 _ON_JOINTS = {"force_torque"}
@@ -139,9 +136,9 @@ def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
 
     files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
     foreign = bool(files) and not any(map(find, files))
-    return foreign and bool(sensor.type) and not nearest(sensor.type, known, _TYPO)
+    return foreign and bool(sensor.type) and not nearest(sensor.type, known, TYPO)
 
 
 def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
-    kind, suggested = sensor.at.attributes.get("type"), nearest(sensor.type, known, _TYPO)
+    kind, suggested = sensor.at.attributes.get("type"), nearest(sensor.type, known, TYPO)
     return fix_value(kind, suggested) if kind else None

@@ -12,7 +12,7 @@ Sources:
     PyBullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
 """
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import fix_value
@@ -21,9 +21,6 @@ from urdfkit.text.schema import JOINT_TYPES
 
 BAD = arm_xml("Revolute", '<limit lower="-1" upper="1" effort="10" velocity="1"/>')
 FIXED = GOOD = BAD.replace("Revolute", "revolute")
-
-#: Similarity from which a word is a misspelt type.
-_SIMILAR = 0.75
 
 
 @rule(Severity.ERROR, help=f"use one of {', '.join(JOINT_TYPES)}")
@@ -34,7 +31,7 @@ def check(context: Context) -> Findings:
             continue
         if kind.value == "spherical" and context.targets.all_are("reads_ball_joints"):
             continue
-        suggested = nearest(kind.value.strip(), JOINT_TYPES, _SIMILAR)
+        suggested = nearest(kind.value.strip(), JOINT_TYPES, TYPO)
         message = f"joint '{joint.name}': unknown type '{kind.value}'" + (
             f"; did you mean '{suggested}'?" if suggested else ""
         )

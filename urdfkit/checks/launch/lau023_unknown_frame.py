@@ -66,9 +66,8 @@ FILES = {
 }
 
 _WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
-#: Usual global frames of a costmap, and the least similarity of a typo.
+#: Usual global frames of a costmap.
 _GLOBAL = ("map", "odom")
-_TYPO = 0.6
 _PUBLISHER = "robot_state_publisher"
 _RVIZ = ("rviz", "rviz2")
 _SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
@@ -123,7 +122,7 @@ def _is_in_namespace(frame: NamedFrame, launch: Launch, last_words: set[str]) ->
 def _is_typo(frame: NamedFrame, frames: list[NamedFrame]) -> bool:
     """True for a frame that is named once and resembles ``map`` or ``odom``."""
     uses = sum(other.name == frame.name for other in frames)
-    return uses == 1 and nearest(frame.name, _GLOBAL, _TYPO) is not None
+    return uses == 1 and nearest(frame.name, _GLOBAL) is not None
 
 
 def _frames_of_drivers(launch: Launch) -> frozenset[str]:

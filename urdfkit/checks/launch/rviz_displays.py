@@ -6,7 +6,7 @@ Sources: plugins_description.xml of rviz_default_plugins, Humble to Rolling.
 import os
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
@@ -16,8 +16,6 @@ from urdfkit.text.located_yaml import Node, Value
 from urdfkit.text.source import Span
 
 _PLUGINS = "rviz_default_plugins"
-#: Least similarity of a misspelt class.
-_TYPO = 0.8
 
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
@@ -49,7 +47,7 @@ def unknown_classes(context: Context) -> Findings:
     reported: set[str] = set()
     for file, display, name in read_by_rviz(context):
         package, _, kind = name.partition("/")
-        suggested = kind if kind in DISPLAYS else nearest(kind, DISPLAYS, _TYPO)
+        suggested = kind if kind in DISPLAYS else nearest(kind, DISPLAYS, TYPO)
         is_known = package not in ("rviz", _PLUGINS) or name == f"{_PLUGINS}/{suggested}"
         class_name = display["Class"]
         if is_known or not suggested or name in reported or not isinstance(class_name, Value):

@@ -19,7 +19,7 @@ Sources:
 
 import re
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import simulated_hardware
@@ -37,8 +37,6 @@ _CONDITIONAL = re.compile(
 )
 #: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
-#: Similarity from which an unknown class is a typo.
-_TYPO = 0.9
 _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the block"
 
 
@@ -92,7 +90,7 @@ def _misspelt(component: Component) -> Findings:
     if component.plugin is None or not name or name in known or name.startswith("fake_"):
         return
     full = next((hardware for hardware in known if hardware.endswith(f"/{name}")), None)
-    if suggested := full or nearest(name, known, _TYPO):
+    if suggested := full or nearest(name, known, CLOSE_TYPO):
         fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
         yield Finding(component.plugin, message, f"write {suggested}", fix)

@@ -10,7 +10,7 @@ Sources:
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
@@ -25,9 +25,8 @@ FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
 }
 
-#: The hardware simulation of gazebo_ros_control, and the least similarity of a typo.
+#: The hardware simulation of gazebo_ros_control.
 _DEFAULT = "gazebo_ros_control/DefaultRobotHWSim"
-_TYPO = 0.9
 
 
 @rule(
@@ -96,7 +95,7 @@ def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
     """A misspelt class of the hardware simulation."""
     kind = plugin.at.child("robotSimType")
     text = kind.text.strip() if kind else ""
-    if kind is not None and text != _DEFAULT and nearest(text, (_DEFAULT,), _TYPO):
+    if kind is not None and text != _DEFAULT and nearest(text, (_DEFAULT,), CLOSE_TYPO):
         message = f"plugin {plugin.filename}: no class '{text}'; did you mean '{_DEFAULT}'?"
         yield Finding(kind, message, f"write {_DEFAULT}")
 

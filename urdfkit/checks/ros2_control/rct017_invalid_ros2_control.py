@@ -26,7 +26,7 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.ros2_control.interface_names import invalid_interfaces
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
@@ -40,9 +40,6 @@ from urdfkit.text.grammar import is_expression
 _JOINT = driven_xml("shoulder").replace("joint", "joints")
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", _JOINT))
 FIXED = GOOD = BAD.replace("joints", "joint")
-
-#: Similarity from which an unknown tag or data type, or an unknown parameter, is a typo.
-_TYPO, _PARAMETER_TYPO = 0.8, 0.85
 #: A tag with a prefix, such as an unexpanded macro call, is reported by other rules.
 _PREFIX = ":"
 _NUMBERS = ("min", "max", "initial_value")
@@ -86,7 +83,7 @@ def _elements(block: Element) -> Findings:
         if child.tag not in known and _PREFIX not in child.tag:
             message = f"<ros2_control>: unknown element <{child.tag}>"
             message += did_you_mean(child.tag, known)
-            yield Finding(child, message, fix=fix_tag(child, nearest(child.tag, known, _TYPO)))
+            yield Finding(child, message, fix=fix_tag(child, nearest(child.tag, known, TYPO)))
     for element in _named(block):
         if not element.get("name"):
             yield Finding(element, f"<{element.tag}> has no name", "add a name")
@@ -103,7 +100,7 @@ def _elements(block: Element) -> Findings:
                     child,
                     message + did_you_mean(child.tag, known),
                     "fix the name of the element, or remove it",
-                    fix_tag(child, nearest(child.tag, known, _TYPO)),
+                    fix_tag(child, nearest(child.tag, known, TYPO)),
                     severity=Severity.WARNING,
                 )
         if element.tag != "transmission":  # which has other joints and actuators
@@ -178,7 +175,7 @@ def _data_type(who: str, interface: Element) -> Findings:
     kind = interface.attributes.get("data_type")
     if kind is None or kind.value in _DATA_TYPES or is_expression(kind.value):
         return
-    if suggested := nearest(kind.value, _DATA_TYPES, _TYPO):
+    if suggested := nearest(kind.value, _DATA_TYPES, TYPO):
         message = f"{who}: unknown data_type '{kind.value}'; did you mean '{suggested}'?"
         fix = fix_value(kind, suggested)
         yield Finding(kind, message, f"write {suggested}", fix, severity=Severity.WARNING)
@@ -205,7 +202,7 @@ def _parameter(who: str, element: Element) -> Findings:
             yield Finding(
                 element, message, help, group_key="not a number", severity=Severity.WARNING
             )
-    elif suggested := nearest(name.value, ("initial_value",), _PARAMETER_TYPO):
+    elif suggested := nearest(name.value, ("initial_value",), CLOSE_TYPO):
         fix = fix_value(name, suggested)
         message = f"{who}: unknown parameter '{name.value}'; did you mean '{suggested}'?"
         yield Finding(name, message, f"write {suggested}", fix, severity=Severity.WARNING)

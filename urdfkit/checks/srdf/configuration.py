@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.moveit.config import (
     MANAGER,
@@ -70,8 +70,6 @@ _OF_OMPL = (
 )  # fmt: skip
 #: The plugins of IKFast are named after the robot, and are similar.
 _OF_ROBOTS = "IKFast"
-_SOLVER_TYPO = 0.93
-_PLANNER_TYPO = 0.8
 
 #: Most groups that a help names.
 _NAMED = 8
@@ -132,7 +130,7 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
         if solver.text in _SOLVERS or _OF_ROBOTS in solver.text:
             continue
         with_package = (known for known in _SOLVERS if known.endswith(f"/{solver.text}"))
-        suggested = next(with_package, None) or nearest(solver.text, _SOLVERS, _SOLVER_TYPO)
+        suggested = next(with_package, None) or nearest(solver.text, _SOLVERS, CLOSE_TYPO)
         if suggested:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
             message = f"group '{entry.name}': {hint}"
@@ -143,12 +141,12 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
     """Misspelt planners of groups, plugins of planning pipelines, and adapters."""
     for name, defined in planner_entries(srdf, context.resolver):
         known = {*defined, *(f"{planner}kConfigDefault" for planner in _OF_OMPL)}
-        match = None if name.text in known else nearest(name.text, sorted(known), _PLANNER_TYPO)
+        match = None if name.text in known else nearest(name.text, sorted(known), TYPO)
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(Location(name.span), message, f"write {match}", severity=Severity.WARNING)
     for plugin in planning_plugins(srdf, context.resolver):
-        match = nearest(plugin.text, _PLANNERS, _PLANNER_TYPO)
+        match = nearest(plugin.text, _PLANNERS, TYPO)
         if match and plugin.text != match:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
             yield Finding(Location(plugin.span), message, f"write {match}")
@@ -158,7 +156,7 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
         package, _, class_name = adapter.partition("/")
         if package in packages and keys.get(adapter) != key:
             same = next((name for name in keys if name.endswith(f"/{class_name}")), None)
-            match = same or nearest(adapter, keys, _PLANNER_TYPO)
+            match = same or nearest(adapter, keys, TYPO)
             message = f"{key}: unknown adapter '{adapter}'"
             help = f"write {match} in {keys[match]}" if match else f"remove it from {key}"
             yield Finding(Location(place.span), message, help)
@@ -189,7 +187,7 @@ def _manager(context: Context, srdf: Srdf) -> Findings:
     plugin = controller_manager(srdf, context.resolver)
     if plugin is None:
         return
-    match = nearest(plugin.text, _MANAGERS, _SOLVER_TYPO)
+    match = nearest(plugin.text, _MANAGERS, CLOSE_TYPO)
     if match and plugin.text != match:
         hint = f"unknown controller manager '{plugin.text}'; did you mean '{match}'?"
         yield Finding(Location(plugin.span), hint, f"write {match}")

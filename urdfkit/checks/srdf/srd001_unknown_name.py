@@ -45,7 +45,7 @@ from itertools import islice
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
-from urdfkit.core.suggest import Suggester
+from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
@@ -62,9 +62,6 @@ FILES = srdf_files(
     '<group name="arm"><link name="forearm"/></group>',
 )
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
-
-#: Similarity from which a name is suggested: "arm" for "amr".
-_SIMILAR = 0.66
 #: Most robots of launch files that are expanded.
 _MAX_STARTED = 32
 
@@ -117,7 +114,7 @@ def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> F
     defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
     fix = corrected_definition(context, defined, name.value) if kind != "group" else None
     fix = fix or fix_value(name, suggested)
-    message = f"unknown {kind} '{name.value}'{Suggester(known, _SIMILAR).hint(name.value)}"
+    message = f"unknown {kind} '{name.value}'{Suggester(known, SIMILAR).hint(name.value)}"
     arguments = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
     related = Related(
         context.document.root.span, f"compared with this robot{arguments and ', '}{arguments}"

@@ -26,7 +26,7 @@ Sources:
 
 from collections.abc import Iterable
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.robot.values import number
@@ -59,8 +59,6 @@ _CHILDREN = {
 }
 #: Number of joints, and of actuators, by type.
 _COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
-#: Similarity from which an unknown word is a typo.
-_TYPO = 0.85
 #: Elements of a transmission that Gazebo reads.
 _READ_BY_GAZEBO = ("type", "joint", "actuator", "hardwareInterface")
 #: Places that a finding lists after the first.
@@ -113,7 +111,7 @@ def _missing(transmission: Element) -> list[str]:
         attribute = " (the attribute is ignored)" if "type" in transmission.attributes else ""
         missing.append(f"<type>{attribute}")
     misspelt = {
-        nearest(child.tag, _CHILDREN["transmission"], _TYPO) for child in transmission.children
+        nearest(child.tag, _CHILDREN["transmission"], TYPO) for child in transmission.children
     }
     missing += [
         f"<{tag}>"
@@ -152,7 +150,7 @@ def _type(transmission: Element, unread: Severity | None) -> Findings:
     if element is None or name in known:
         return
     full = next((kind for kind in known if kind.endswith(f"/{name}")), None)
-    suggested = full or nearest(name, known, _TYPO)
+    suggested = full or nearest(name, known, CLOSE_TYPO)
     if suggested and (full or abs(len(suggested) - len(name)) <= 2):
         fix = fix_value(element, suggested)
         message = "has no package name" if full else f"is unknown; did you mean '{suggested}'?"
@@ -178,7 +176,7 @@ def _children(element: Element, who: str, unread: Severity | None) -> Findings:
     """Misspelt child elements, and invalid gear ratios."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
-        suggested = nearest(child.tag, known, _TYPO) if child.tag not in known else None
+        suggested = nearest(child.tag, known, TYPO) if child.tag not in known else None
         if suggested:
             fix = fix_tag(child, suggested)
             message = f"{who}: unknown element <{child.tag}>; did you mean '{suggested}'?"

@@ -3,15 +3,13 @@
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.workspace.resolve import Resolver
 
-#: Least similarity of a typo to a known name.
-_TYPO = 0.8
 #: Names of the world argument in other launch files, which gz sim's launch file does not read.
 _WORLDS = ("world", "world_name", "world_file")
 _SIM_TIME = "use_sim_time"
@@ -93,7 +91,7 @@ def unknown_file(included: IncludedFile) -> Problem | None:
     """A misspelt launch file of a package that starts Gazebo."""
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {})
-    suggested = nearest(name, known, _TYPO) if name not in known else None
+    suggested = nearest(name, known, TYPO) if name not in known else None
     if not suggested:
         return None
     message, help = f"package '{package}' has no launch file '{name}'", f"write {suggested}"
@@ -117,7 +115,7 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
     has_args = any(passed.endswith("_args") for passed, _ in _passed(included))
     for argument, word in _passed(included) if known else ():
         is_world = argument in _WORLDS and not has_args
-        if argument in known or not (is_ros_1 or is_world or nearest(argument, known, _TYPO)):
+        if argument in known or not (is_ros_1 or is_world or nearest(argument, known, TYPO)):
             continue
         suggested = "gz_args" if is_world and not is_ros_1 else nearest(argument, known)
         hint = f"; did you mean '{suggested}'?" if suggested else ""
