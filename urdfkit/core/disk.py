@@ -79,10 +79,10 @@ def state(path: str) -> os.stat_result:
         found = os.stat(path)
     except OSError:
         if _log is not None:
-            _log.state(path, None)
+            _log.state("s", path, None)
         raise
     if _log is not None:
-        _log.state(path, found)
+        _log.state("s", path, found)
     return found
 
 
@@ -112,12 +112,12 @@ def is_directory(path: str) -> bool:
 
 def is_link(path: str) -> bool:
     """True for a symbolic link, even a broken one."""
-    return S_ISLNK(_link_mode(path))
+    return S_ISLNK(_mode(path, follow=False))
 
 
 def has_name(path: str) -> bool:
     """True if the path exists, even as a broken link."""
-    return _link_mode(path) != 0
+    return _mode(path, follow=False) != 0
 
 
 def names(directory: str) -> list[str]:
@@ -192,23 +192,12 @@ class Environment(Mapping[str, str]):
         return len(os.environ)
 
 
-def _mode(path: str) -> int:
-    """``st_mode`` of a file, with links followed; 0 if it does not exist."""
+def _mode(path: str, *, follow: bool = True) -> int:
+    """``st_mode`` of a file or a link; 0 if it does not exist."""
     try:
-        found = os.stat(path)
+        found = os.stat(path, follow_symlinks=follow)
     except (OSError, ValueError):
         found = None
     if _log is not None:
-        _log.mode(path, found)
-    return found.st_mode if found is not None else 0
-
-
-def _link_mode(path: str) -> int:
-    """``st_mode`` of a file, with links not followed; 0 if it does not exist."""
-    try:
-        found = os.lstat(path)
-    except (OSError, ValueError):
-        found = None
-    if _log is not None:
-        _log.link(path, found)
+        _log.state("k" if follow else "l", path, found)
     return found.st_mode if found is not None else 0

@@ -56,19 +56,11 @@ class FileLog:
 
     def time(self, path: str) -> None:
         """Log the times of change of a file, which stand for its contents."""
-        self._add("t", path, _time(_state(path)))
+        self.state("t", path, _state(path))
 
-    def state(self, path: str, state: os.stat_result | None) -> None:
-        """Log type, permissions and size of a file."""
-        self._add("s", path, _size(state))
-
-    def mode(self, path: str, state: os.stat_result | None) -> None:
-        """Log type and permissions of a file."""
-        self._add("k", path, _mode(state))
-
-    def link(self, path: str, state: os.stat_result | None) -> None:
-        """Log whether a file is a link."""
-        self._add("l", path, _link(state))
+    def state(self, kind: str, path: str, state: os.stat_result | None) -> None:
+        """Log what a kind of query, one of ``t``, ``s``, ``k`` and ``l``, tells of a file."""
+        self._add(kind, path, _STATES[kind](state))
 
     def listed(self, directory: str, entries: Iterable[os.DirEntry[str]] | None) -> None:
         """Log the names and types in a directory."""
@@ -134,20 +126,18 @@ def present_answer(kind: str, path: str, answer: str, since: int) -> str | None:
         now = _variable(os.environ.get(path))
     elif kind == "p":
         now = os.path.realpath(path)
-    elif kind == "l":
-        now = _link(_state(path, follow=False))
-    elif kind == "t":
-        now = _time(_state(path))
     else:
-        now = (_size if kind == "s" else _mode)(_state(path))
+        now = _STATES[kind](_state(path, follow=kind != "l"))
     return answer if now == answer else None
 
 
 def _present_content(kind: str, path: str, answer: str, since: int) -> str | None:
     state = _state(path)
     time = _time(state)
-    if state and answer.startswith(f"{time} ") and _last_change(state) + _RACE_NS < since:
-        return answer
+    if state and answer.startswith(f"{time} "):
+        last_change = max(state.st_mtime_ns, state.st_ctime_ns)
+        if last_change + _RACE_NS < since:
+            return answer
     try:
         if kind == "d":
             with os.scandir(path) as entries:
@@ -174,11 +164,6 @@ def _time(state: os.stat_result | None) -> str:
     return f"{state.st_mtime_ns} {state.st_ctime_ns} {state.st_size} {state.st_ino}"
 
 
-def _last_change(state: os.stat_result) -> int:
-    """When content, permissions or names of a file last changed, in ns since the epoch."""
-    return max(state.st_mtime_ns, state.st_ctime_ns)
-
-
 def _mode(state: os.stat_result | None) -> str:
     return NOTHING if state is None else f"{state.st_mode:o}"
 
@@ -189,6 +174,10 @@ def _size(state: os.stat_result | None) -> str:
 
 def _link(state: os.stat_result | None) -> str:
     return NOTHING if state is None else "link" if S_ISLNK(state.st_mode) else "other"
+
+
+#: Answers to the kinds of queries about the state of a file.
+_STATES = {"t": _time, "s": _size, "k": _mode, "l": _link}
 
 
 def _variable(value: str | None) -> str:

@@ -195,27 +195,22 @@ def named_sections(description: RosDescription) -> dict[str, Section]:
 
 
 def _sections(root: Node) -> dict[tuple[str, ...], Section]:
-    """The parameters of each ROS node, by namespace and name; empty for ROS 1."""
-    sections: dict[tuple[str, ...], Section] = {}
-    for path, node, key in _nodes(root):
-        sections.setdefault(path, Section({}, {}, getattr(key, "span", None))).add(node)
-    return sections
-
-
-def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
-    """The parameters of each ROS node, by namespace and name, and their parent key.
+    """The parameters of each ROS node, by namespace and name; empty for ROS 1.
 
     ``**`` is any namespace.
     """
+    sections: dict[tuple[str, ...], Section] = {}
     stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
     while stack:
         path, node, above = stack.pop()
         for key, inner in mapping(node).items():
             if key == _PARAMETERS and path and isinstance(inner, dict):
-                yield path, inner, above
+                start = getattr(above, "span", None)
+                sections.setdefault(path, Section({}, {}, start)).add(inner)
             elif key != _PARAMETERS:
                 parts = [part for part in key.split("/") if part not in ("", "*", "**")]
                 stack.append(((*path, *parts), inner, key))
+    return sections
 
 
 def _of_ros1(root: Node) -> Iterator[Controller]:

@@ -201,13 +201,13 @@ class _Walk:
                 if suggested := extensions.drake_suggestion(name, "attributes"):
                     self._add("URD002", element, attribute, suggested=suggested)
                 continue
-            if extensions.has_attribute(element.tag, name):
+            foreign = extensions.read_in(element.tag, "attributes")
+            if name in foreign:
                 continue
             self._unknown += 1
             if self._unknown > MAX_UNKNOWN:
                 break
             free = [key for key in grammar.attributes if element.get(key) is None]
-            foreign = extensions.attributes_of(element.tag)
             suggested = nearest(name, free) or nearest(name, foreign, CLOSE_TYPO) or ""
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
@@ -260,7 +260,7 @@ class _Walk:
                 if ":" in tag:
                     self._drake_elements(child)
                     continue
-                if not extensions.has_element(element.tag, tag):
+                if tag not in extensions.read_in(element.tag):
                     unknown.append(child)
                     continue
                 known = extensions.grammar_of(element.tag, tag) or schema.ANYTHING
@@ -332,7 +332,7 @@ class _Walk:
             self._add("URD001", child)
         else:
             assert child.parent is not None
-            foreign = extensions.elements_in(child.parent.tag)
+            foreign = extensions.read_in(child.parent.tag)
             suggested = nearest(tag, free, TYPO) or nearest(tag, foreign, CLOSE_TYPO) or ""
             if not suggested and calling_macro(child):
                 # A macro may name its blocks so, and inserts them under these names.

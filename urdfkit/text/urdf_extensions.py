@@ -25,33 +25,18 @@ def _extensions() -> list[dict[str, Any]]:
 
 
 @cache
-def _pairs(kind: str) -> frozenset[tuple[str, str]]:
-    """Pairs of a tag and a child or attribute of it, as programs read them."""
+def read_in(tag: str, kind: str = "elements") -> frozenset[str]:
+    """Tags that known programs read in an element, such as ``contact`` in a link.
+
+    Args:
+        kind: ``attributes`` for those that they read, such as ``concave`` of a collision.
+    """
     return frozenset(
-        (extension["in"], name) for extension in _extensions() for name in extension.get(kind, ())
+        name
+        for extension in _extensions()
+        if extension["in"] == tag
+        for name in extension.get(kind, ())
     )
-
-
-def has_element(parent: str, tag: str) -> bool:
-    """True if a known program reads the tag in the parent, such as ``contact`` in a link."""
-    return (parent, tag) in _pairs("elements")
-
-
-def has_attribute(tag: str, name: str) -> bool:
-    """True if a known program reads the attribute, such as ``concave`` of a collision."""
-    return (tag, name) in _pairs("attributes")
-
-
-@cache
-def elements_in(parent: str) -> frozenset[str]:
-    """Tags that programs read in a parent element."""
-    return frozenset(tag for place, tag in _pairs("elements") if place == parent)
-
-
-@cache
-def attributes_of(tag: str) -> frozenset[str]:
-    """Attributes that programs read in an element."""
-    return frozenset(name for place, name in _pairs("attributes") if place == tag)
 
 
 def drake_suggestion(qualified: str, kind: str = "elements") -> str:

@@ -18,7 +18,7 @@ from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
-from urdfkit.text.urdf_extensions import has_element
+from urdfkit.text.urdf_extensions import read_in
 
 BAD = link_xml("base", '<inertial><mass value="2"/></inertial>')
 GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
@@ -48,7 +48,7 @@ def _calls_macro(context: Context, element: Element) -> bool:
 def _without_shape(context: Context, element: Element, who: str) -> Finding:
     """Finding about a geometry without a shape, or whose first element is not a shape."""
     message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
-    if has_element("geometry", element.tag):
+    if element.tag in read_in("geometry"):
         message = f"{who}: <geometry> begins with <{element.tag}>, which only Bullet reads"
         severity = Severity.ERROR if context.targets.names else Severity.INFO
     elif element.tag != "geometry":

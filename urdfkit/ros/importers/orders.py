@@ -10,7 +10,7 @@ from urdfkit.robot.tree import KinematicTree
 WORLD = "world"
 
 #: Returns the child joints of a link.
-Below = Callable[[str], Iterable["Joint"]]
+Below = Callable[[str], list[Joint]]
 
 
 def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> list[Joint]:
@@ -28,9 +28,9 @@ def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> l
     sort = _sorter(tree, siblings)
     if walk == "breadth":
         below = _without_fixed(tree, sort) if merged else lambda link: sort(tree.children[link])
-        order = _breadth_first(tree, below)
+        order = _walk(tree, below, is_depth_first=False)
         return order + [joint for joint in tree.spanning if joint.kind == "fixed" and merged]
-    return _depth_first(tree, lambda link: sort(tree.children[link]))
+    return _walk(tree, lambda link: sort(tree.children[link]), is_depth_first=True)
 
 
 def free_trees(tree: KinematicTree, order: Iterable[Joint]) -> list[Joint | None]:
@@ -70,29 +70,19 @@ def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], l
     return lambda joints: sorted(joints, key=lambda joint: place[joint.name])
 
 
-def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
+def _walk(tree: KinematicTree, below: Below, *, is_depth_first: bool) -> list[Joint]:
     order: list[Joint] = []
     visited = {root.name for root in tree.roots}
-    stack = [joint for root in tree.roots for joint in below(root.name)][::-1]
-    while stack:
-        joint = stack.pop()
+    waiting = deque(joint for root in tree.roots for joint in below(root.name))
+    while waiting:
+        joint = waiting.popleft()
         if joint.child_name not in visited:
             visited.add(joint.child_name)
             order.append(joint)
-            stack += reversed(list(below(joint.child_name)))
-    return order
-
-
-def _breadth_first(tree: KinematicTree, below: Below) -> list[Joint]:
-    order: list[Joint] = []
-    visited = {root.name for root in tree.roots}
-    queue = deque(root.name for root in tree.roots)
-    while queue:
-        for joint in below(queue.popleft()):
-            if joint.child_name not in visited:
-                visited.add(joint.child_name)
-                order.append(joint)
-                queue.append(joint.child_name)
+            if is_depth_first:
+                waiting.extendleft(reversed(below(joint.child_name)))
+            else:
+                waiting.extend(below(joint.child_name))
     return order
 
 

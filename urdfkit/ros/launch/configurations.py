@@ -53,20 +53,11 @@ class Configurations:
             yield from missing_in_include(known, taken, source, self._values.span(call), None)
         self._known |= taken.names  # an include declares them for the including file, too
 
-    def passed(self, call: ast.Call) -> dict[str, str | None] | None:
-        """The arguments of an include and of this file; a value is None if it is unknown.
+    def visible(self, call: ast.Call) -> dict[str, Word] | None:
+        """The arguments that an included file sees: those of the include, and of this file.
 
         None if the names are unknown.
         """
-        pairs = self._pairs(call)
-        if pairs is None:
-            return None
-        text = self._values.text
-        own = {name: self._values.configuration(name) for name in self._values.arguments}
-        return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
-
-    def visible(self, call: ast.Call) -> dict[str, Word] | None:
-        """The arguments that an included file sees, with their locations; None as in `passed`."""
         pairs = self._pairs(call)
         if pairs is None:
             return None

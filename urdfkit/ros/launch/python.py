@@ -263,16 +263,18 @@ class _PythonReader:
         if node is not None and path:
             exists = self.collector.file(path, self.values.span(node), "included launch file")
         self.collector.problems += self.configurations.include(call, path)
-        passed = self.configurations.passed(call)
+        visible = self.configurations.visible(call)
         holds = self._condition(call)
+        if holds is False:
+            return
         is_sure = holds is True and not self._has_groups
-        if holds is not False and (passed is None or not exists):
+        if visible is None or not exists:
             self.collector.unread.append(path)
-        if path and holds is not False:
-            arguments = self.configurations.visible(call)
-            included = IncludedFile(path, arguments, self.values.span(call), self.frame, is_sure)
+        if path:
+            included = IncludedFile(path, visible, self.values.span(call), self.frame, is_sure)
             self.collector.include(included)
-        if exists and passed is not None and holds is not False:
+        if exists and visible is not None:
+            passed = {name: word.text for name, word in visible.items()}
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
     def _condition(self, action: ast.Call) -> bool | None:
