@@ -7,12 +7,16 @@
   Shapes nearer than the minimum range are not detected.
 - The whole image of a camera is covered by parts of the robot nearer than half a metre: it looks
   into its housing, or backwards into the body.
+- The minimum range of a lidar is inside a collision shape of its own link: every ray of Gazebo
+  Classic returns the distance of the housing. Raise the minimum range, or make the shape smaller.
 
 Raise the sensor, rotate it, or limit the angles of a lidar to the unblocked range.
 
 Sources:
     gazebo-classic, RaySensor: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/sensors/RaySensor.cc
     gz-sensors, GpuLidarSensor: https://github.com/gazebosim/gz-sensors/blob/main/src/GpuLidarSensor.cc
+    gazebosim/gazebo-classic#1564: https://github.com/gazebosim/gazebo-classic/issues/1564
+    gazebosim/gazebo-classic#2187: https://github.com/gazebosim/gazebo-classic/issues/2187
     SDF, lidar: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
@@ -65,6 +69,8 @@ class _Obstacle(Record):
 
 @rule(Severity.WARNING, help="raise or turn the sensor, or scan the angles that are free")
 def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
+        yield from _of_housing(context, sensor)
     if not context.tree.is_sound:
         return
 
@@ -84,6 +90,30 @@ def check(context: Context) -> Findings:
             yield from _of_camera(context, sensor, frame, near)
 
 
+def _of_housing(context: Context, sensor: Sensor) -> Findings:
+    """A minimum range inside of the shapes of the link of a lidar that does not render."""
+    link = context.model.links_by_name.get(sensor.reference)
+    least = sensor.number(f"{sensor.lidar}/range/min") if sensor.lidar else None
+    if link is None or least is None or sensor.type.startswith("gpu") or sensor.find("pose"):
+        return
+    reach = max(map(_around_origin, link.collisions), default=0.0)
+    if least.value < reach:
+        message = f"{sensor.who}: minimum range {least.value:g} m is inside the collision of "
+        help = "raise the minimum range, or make the collision shape smaller"
+        yield Finding(least, f"{message}link '{link.name}', which reaches {reach:g} m", help)
+
+
+def _around_origin(body: Body) -> float:
+    """Least horizontal distance from the origin to the surface of a primitive; 0 if outside."""
+    extents = body.shape.half_extents if body.shape else None
+    if extents is None or body.origin.rotation != IDENTITY:
+        return 0.0
+    x, y, z = (abs(place) for place in body.origin.position)
+    if z >= extents[2]:
+        return 0.0
+    return max(min(extents[0] - x, extents[1] - y), 0.0)
+
+
 def _of_lidar(
     context: Context, sensor: Sensor, frame: Transform, scan: Scan, near: list[_Obstacle]
 ) -> Findings:
@@ -92,7 +122,7 @@ def _of_lidar(
     blocked: dict[str, set[int]] = {}
     for one in near:
         if not crosses_plane(one.shape) or (one.link == sensor.reference and sees_inside):
-            continue  # of its own link see GAZ050
+            continue  # see _of_housing
         if one.is_mesh:
             ends = {"low": scan.low, "high": scan.high}
             found = _on_mesh(context, one, frame, directions, **ends, both_sides=sees_inside)

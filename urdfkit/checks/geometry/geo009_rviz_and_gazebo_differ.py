@@ -1,11 +1,17 @@
-"""A link has one colour in RViz and another one in Gazebo.
+"""A link looks different in RViz and in Gazebo.
 
-Gazebo uses the `<material>` in `<gazebo reference="...">`, RViz that in the `<visual>`, so the two
-windows differ. Give both the same colour. Gazebo Classic needs its own material, as it does not
-read the URDF's colours; Gazebo reads them from Fortress on, and the `<material>` in `<gazebo>` can
-be removed.
+- Its colours differ. Gazebo uses the `<material>` in `<gazebo reference="...">`, RViz that in the
+  `<visual>`. Give both the same colour. Gazebo Classic needs its own material, as it does not read
+  the URDF's colours; Gazebo reads them from Fortress on, and the `<material>` in `<gazebo>` can be
+  removed.
+- A box, a cylinder or a sphere has a texture. RViz maps the image to the shape in its own way.
+  Gazebo ignores `<texture>` and draws the plain colour, or grey. For an image that all programs
+  show in the same place, use a mesh with texture coordinates (COLLADA or glTF).
 
 Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
     gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
@@ -13,11 +19,12 @@ Sources:
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Material
+from urdfkit.robot.model import Body, Link, Material
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
+from urdfkit.robot.shapes import SIZES
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.document import Element
+from urdfkit.text.document import Attribute, Element
 
 _BLACK = '<material name="black"><color rgba="0 0 0 1"/></material>'
 BAD = robot_xml(
@@ -29,35 +36,43 @@ GOOD = BAD.replace("Gazebo/Red", "Gazebo/Black")
 #: Difference in red, green or blue, above which two colours are clearly different.
 _TOLERANCE = 0.4
 
+_TEXTURE_HELP = (
+    "use a mesh with texture coordinates, and give the material a <color> for the others"
+)
+
 
 @rule(Severity.INFO, help="give both the same colour")
 def check(context: Context) -> Findings:
+    shown = list(Colours(context.model).visuals())
+    yield from _textures(shown)
     names = [name for name in context.targets.names if name in GAZEBO]
     if names == ["gz-fortress"]:
         return  # which has no material scripts
     in_gz = bool(names) and not any(name.startswith("classic") for name in names)
-    colours = Colours(context.model)
-    of_urdf: dict[str, list[Material]] = {}
-    for link, _, material in colours.visuals():
-        of_urdf.setdefault(link.name, []).append(material)
-    for name, element in _gazebo_materials(context).items():
-        rgb = _color(element, in_gz=in_gz)
-        plain = [material for material in of_urdf.get(name, ()) if _is_plain(material)]
-        if rgb and plain and not any(_is_similar(element, rgb, material) for material in plain):
-            yield _finding(name, element, rgb, plain[0])
-
-
-def _is_plain(material: Material) -> bool:
-    return bool(material.rgba and not material.texture)
-
-
-def _gazebo_materials(context: Context) -> dict[str, Element]:
-    """The last ``<material>`` for Gazebo of each link, by link name."""
-    return {
+    plain: dict[str, list[Material]] = {}
+    for link, _, material in shown:
+        if material.rgba and not material.texture:
+            plain.setdefault(link.name, []).append(material)
+    # Of several materials for Gazebo the last counts.
+    of_gazebo = {
         block.get("reference") or "": child
         for block in context.model.gazebo
         for child in block.all("material")
     }
+    for name, element in of_gazebo.items():
+        rgb, others = _color(element, in_gz=in_gz), plain.get(name, [])
+        if rgb and others and not any(_is_similar(element, rgb, one) for one in others):
+            yield _finding(name, element, rgb, others[0])
+
+
+def _textures(shown: list[tuple[Link, Body, Material]]) -> Findings:
+    reported: set[Element | Attribute] = set()
+    for link, body, material in shown:
+        texture, kind = material.texture, body.shape.kind if body.shape else ""
+        if texture and kind in SIZES and texture.at not in reported:
+            reported.add(texture.at)
+            message = f"link '{link.name}' has a texture on a {kind}, which only RViz shows"
+            yield Finding(texture, message, _TEXTURE_HELP)
 
 
 def _named(element: Element) -> str:

@@ -1,7 +1,7 @@
 import pytest
 
 from tests.conftest import MODELS
-from tests.massive import BALL, link
+from tests.massive import BALL, BOX, MESH, WHEEL, link
 from tests.reported import messages, places
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
@@ -70,6 +70,29 @@ def test_gz_draws_another_grey() -> None:
     text = robot("0.25 0.25 0.25 1", "Gazebo/Grey")
     assert len(reported(text, "classic-ros2")) == 1
     assert reported(text, "gz-harmonic") == []
+
+
+LOGO = '<material name="logo"><texture filename="logo.png"/></material>\n'
+
+
+def logo_on(name: str, geometry: str) -> str:
+    visual = f'<visual><geometry>{geometry}</geometry><material name="logo"/></visual>'
+    return link(name, visual)
+
+
+@pytest.mark.parametrize(
+    ("geometry", "kind"), [(BOX, "box"), (BALL, "sphere"), (WHEEL, "cylinder")]
+)
+def test_a_texture_is_reported_once(geometry: str, kind: str) -> None:
+    text = LOGO + logo_on("a", geometry) + logo_on("b", geometry)
+    message = f"link 'a' has a texture on a {kind}, which only RViz shows"
+    assert messages("GEO009", text) == reported(text, "gz-fortress") == [message]
+    assert places("GEO009", text) == [(2, "logo.png")]
+
+
+def test_a_mesh_has_texture_coordinates() -> None:
+    assert messages("GEO009", LOGO + logo_on("a", MESH)) == []
+    assert messages("GEO009", LOGO + link("a")) == []
 
 
 def test_the_mission_s_model() -> None:

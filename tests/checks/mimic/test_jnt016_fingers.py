@@ -1,4 +1,4 @@
-"""JNT032: see the rule."""
+"""JNT016: fingers of a gripper that mimic each other."""
 
 import pytest
 
@@ -20,7 +20,7 @@ def robot(axis: str, multiplier: str = "1", kind: str = "prismatic") -> str:
 
 @pytest.mark.parametrize(("axis", "multiplier"), [("0 1 0", "1"), ("0 -1 0", "-1")])
 def test_they_never_come_closer(axis: str, multiplier: str) -> None:
-    assert messages("JNT032", robot(axis, multiplier)) == [
+    assert messages("JNT016", robot(axis, multiplier)) == [
         (
             "joint 'right_joint' mimics 'left_joint' and moves in the same direction: the gripper "
             "cannot close"
@@ -39,4 +39,4 @@ def test_they_never_come_closer(axis: str, multiplier: str) -> None:
     ],
 )
 def test_what_closes_or_is_no_gripper_is_calm(axis: str, multiplier: str, kind: str) -> None:
-    assert messages("JNT032", robot(axis, multiplier, kind)) == []
+    assert messages("JNT016", robot(axis, multiplier, kind)) == []
