@@ -1,7 +1,5 @@
 """``urdfkit check`` as a click command."""
 
-from typing import Any
-
 import click
 
 from urdfkit.cli.checking import run_check
@@ -23,13 +21,9 @@ def click_option(option: Option) -> click.Option:
     )
 
 
-def _check(**values: Any) -> int:
-    return run_check(values)
-
-
 command = click.Command(
     "check",
-    callback=_check,
+    callback=lambda **values: run_check(values),
     params=[
         click.Argument([FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
         *map(click_option, CHECK),

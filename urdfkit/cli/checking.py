@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 
 from urdfkit.cli import options, output
 from urdfkit.core.static_typing import TYPE_CHECKING, Any
@@ -25,7 +26,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from collections import Counter
 
-    from urdfkit.cli.progress import ProgressBar
+    from urdfkit.core.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.fix_session import Fixes
 
@@ -215,13 +216,9 @@ def fail_on(values: Mapping[str, Any], settings: Options) -> Severity:
 def _check(values: Mapping[str, Any], settings: Options) -> Report:
     name = values["stdin_filename"] or STANDARD_INPUT
     files = options.files(values)
-    progress = _progress(files)
-    try:
+    with _progress(files) as progress:
         sources = [_standard_input(name) if file == "-" else file for file in files]
         return check_with(settings._replace(progress=progress), sources, spills=True)
-    finally:
-        if progress is not None:
-            progress.clear()
 
 
 def _standard_input(name: str) -> Source:
@@ -247,10 +244,9 @@ def apply_fixes(
     files = options.files(values)
     if "-" in files:
         raise options.UsageError("standard input cannot be fixed in place; pass a file")
-    progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
-    settings = settings._replace(progress=progress)
-    try:
+    with _progress(files) as progress:
+        settings = settings._replace(progress=progress)
         if values["diff"] and not generate_meshes:
             fixes = changes(files, settings, unsafe=unsafe, force=force)
         else:
@@ -272,9 +268,6 @@ def apply_fixes(
         # The generated meshes may lead to further findings and fixes.
         again = fix(*files, unsafe=unsafe, force=force, options=settings)
         again.write()
-    finally:
-        if progress is not None:
-            progress.clear()
     first = {file.path: file for file in fixes.files}
     return again._replace(
         files=tuple({**{file.path: file for file in again.files}, **first}.values()),
@@ -322,14 +315,17 @@ def _with_baseline(
     return baseline.apply_baseline(report, known, directory)
 
 
-def _progress(files: Sequence[str]) -> ProgressBar | None:
+@contextmanager
+def _progress(files: Sequence[str]) -> Iterator[Progress | None]:
     """A progress bar of robots; for a single robot, of its mesh files, which take longest."""
     if sys.stderr is None or not sys.stderr.isatty():
-        return None  # saves the import
-    from urdfkit.cli.progress import on_terminal
+        yield None  # saves the import
+        return
+    from urdfkit.cli.progress import progress_bar
 
     is_single = len(files) == 1 and not os.path.isdir(files[0])
-    return on_terminal("mesh files" if is_single else "")
+    with progress_bar("mesh files" if is_single else "") as bar:
+        yield bar
 
 
 def _show_crashes(report: Report) -> None:

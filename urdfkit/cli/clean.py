@@ -2,7 +2,7 @@
 
 import os
 from contextlib import suppress
-from errno import EEXIST, ENOTEMPTY
+from errno import EEXIST, ENOENT, ENOTEMPTY
 
 from urdfkit.cli import output
 from urdfkit.cli.cache_contents import contents
@@ -37,8 +37,6 @@ def _remove(directory: str) -> None:
     """Remove a directory, unless another process has removed it or added an entry."""
     try:
         os.rmdir(directory)
-    except FileNotFoundError:
-        pass
     except OSError as error:
-        if error.errno not in (ENOTEMPTY, EEXIST):
+        if error.errno not in (ENOENT, ENOTEMPTY, EEXIST):
             raise

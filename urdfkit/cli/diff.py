@@ -14,6 +14,7 @@ from urdfkit.core import atomic
 from urdfkit.output.comparison import KINDS, compare
 from urdfkit.output.comparison.differences import Tolerances
 from urdfkit.output.report.translations import LANGUAGES
+from urdfkit.output.report.writing import form_of
 
 #: Formats by file suffix.
 SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
@@ -90,10 +91,7 @@ def command(
 def _format(format: str | None, output_file: str | None) -> str:
     if format or not output_file:
         return format or "text"
-    for suffix, name in SUFFIXES.items():
-        if output_file.lower().endswith(suffix):
-            return name
-    raise options.UsageError(f"-o {output_file}: the suffix is not one of {', '.join(SUFFIXES)}")
+    return form_of(output_file, SUFFIXES)
 
 
 def _kinds(text: str) -> set[str]:

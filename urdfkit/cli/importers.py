@@ -58,7 +58,7 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
     context = robot(inputs)
     robots = [context.imported(importer.name) for importer in facts]
     if format == "csv":
-        output.write("".join(_csv(robots)))
+        output.write(_csv(robots))
         return 0
     errors = {item.name: _errors(inputs, context, item) for item in facts} if programs else {}
     lines = _reports(robots, errors) if programs else _overview(robots)
@@ -81,7 +81,7 @@ def _map(inputs: dict[str, Any], names: list[str], pair: str, format: str) -> in
     context = robot(inputs)
     result = index_map(context.imported(source), context.imported(target))
     if format == "csv":
-        output.write("".join(_map_csv(result)))
+        output.write(_map_csv(result))
     else:
         output.json_or_page(format, lambda: _map_as_json(result), [_map_line(result)])
     return 0
@@ -98,10 +98,6 @@ def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> l
     return [error for error in report.diagnostics if error.severity is Severity.ERROR]
 
 
-def _place(span: Span) -> str:
-    return f"{shown(span.source.path)}:{span.line}"
-
-
 def _overview(robots: list[Imported]) -> Iterator[str]:
     """A row for each program, followed by the joint orders that differ."""
     model = robots[0].tree.model
@@ -111,17 +107,14 @@ def _overview(robots: list[Imported]) -> Iterator[str]:
     orders: dict[tuple[str, ...], str] = {}
     for imported in robots:
         order = tuple(joint.joint.name for joint in imported.joints)
-        letter = orders.setdefault(order, _letter(len(orders)))
-        row = f"{len(_moving(imported)):>6} {_total(imported):>10} {_freedom(imported):>4}"
+        letter = orders.setdefault(order, chr(ord("A") + len(orders)))
+        freedom = sum(joint.nv for joint in imported.joints)
+        row = f"{len(_moving(imported)):>6} {_total(imported):>10} {freedom:>4}"
         rows.append((f" {imported.facts.name}", f"{row}  {letter:<5}  {_root(imported)}"))
     yield from output.two_columns(rows)
     yield ""
     for order, letter in orders.items():
         yield from output.indented(", ".join(order) or "no joints", f"{letter}: ", "   ")
-
-
-def _letter(number: int) -> str:
-    return chr(ord("A") + number)
 
 
 def _moving(imported: Imported) -> list[ImportedBody]:
@@ -138,10 +131,6 @@ def _total(imported: Imported) -> str:
 def _kilograms(imported: Imported) -> str:
     total = _total(imported)
     return "of unknown mass" if total == "?" else f"{total} kg"
-
-
-def _freedom(imported: Imported) -> int:
-    return sum(joint.nv for joint in imported.joints)
 
 
 def _root(imported: Imported) -> str:
@@ -163,8 +152,8 @@ def _report(imported: Imported, errors: list[Diagnostic]) -> Iterator[str]:
         flag = f" --target {facts.target}" if facts.target else ""
         yield f"{facts.title} may reject this robot: 'urdfkit check{flag}' reports"
         for error in errors:
-            text = f"{_place(error.span)}: {error.message} ({error.code})"
-            yield from output.indented(text)
+            place = f"{shown(error.span.source.path)}:{error.span.line}"
+            yield from output.indented(f"{place}: {error.message} ({error.code})")
         yield "Without these errors:"
         yield ""
     number = len(_moving(imported))
@@ -251,23 +240,22 @@ def _placed(span: Span) -> dict[str, Any]:
     return {"file": shown(span.source.path), "line": span.line}
 
 
-def _csv(robots: list[Imported]) -> Iterator[str]:
+def _csv(robots: list[Imported]) -> str:
     header = ("importer", "joint", "type", "q", "nq", "v", "nv", "file", "line")
-    yield _csv_text(
+    return _csv_text(
         header, (_row(imported, joint) for imported in robots for joint in imported.joints)
     )
 
 
 def _row(robot: Imported, joint: ImportedJoint) -> tuple[object, ...]:
-    span, numbers = joint.joint.at.span, (joint.q, joint.nq, joint.v, joint.nv)
-    location = shown(span.source.path), span.line
-    return (robot.facts.name, joint.joint.name, joint.joint.kind, *numbers, *location)
+    numbers, location = (joint.q, joint.nq, joint.v, joint.nv), _placed(joint.joint.at.span)
+    return (robot.facts.name, joint.joint.name, joint.joint.kind, *numbers, *location.values())
 
 
-def _map_csv(result: IndexMap) -> Iterator[str]:
+def _map_csv(result: IndexMap) -> str:
     names = (joint.joint.name for joint in result.joints)
     rows = zip(names, range(len(result.joints)), result.indices, strict=True)
-    yield _csv_text(("joint", result.target, result.source), rows)
+    return _csv_text(("joint", result.target, result.source), rows)
 
 
 def _csv_text(header: Iterable[object], rows: Iterable[Iterable[object]]) -> str:

@@ -1,7 +1,6 @@
 """``urdfkit info``: a summary of a robot."""
 
 import os
-import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
@@ -174,14 +173,7 @@ def _sensor(sensor: Sensor) -> str:
 
 def _entry(label: str, text: str) -> list[str]:
     """A label, and its text wrapped in a second column."""
-    return textwrap.wrap(
-        text,
-        max(output.width(), 40),
-        initial_indent=f"{label:<{_LABEL}}",
-        subsequent_indent=" " * _LABEL,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+    return output.indented(text, f"{label:<{_LABEL}}", " " * _LABEL)
 
 
 def _list(names: Iterable[str]) -> str:

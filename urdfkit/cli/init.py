@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import described, option
+from urdfkit.cli.settings import toml_key, toml_text
 from urdfkit.core import atomic
 from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
@@ -91,37 +92,25 @@ class _ConfiguredRobot:
     def lines(self) -> Iterator[str]:
         """The ``[[robot]]`` table with the required arguments; the others as comments."""
         yield "[[robot]]"
-        yield f"file = {_quoted(self.file)}"
+        yield f"file = {toml_text(self.file)}"
         if self._xacro is None:
             return
         for name in self._needed:
-            yield f"arguments.{_key(name)} = {self._value(name, self._xacro)}"
+            yield f"arguments.{toml_key(name)} = {self._value(name, self._xacro)}"
         for name, default in self._xacro.defaults.items():
             if name not in self._needed:
-                yield f"# arguments.{_key(name)} = {_quoted(default)}"
+                yield f"# arguments.{toml_key(name)} = {toml_text(default)}"
 
     def _value(self, name: str, xacro: Xacro) -> str:
         """The first possible value; the others, or an instruction, as a comment."""
         possible = found_values(name, xacro, self._resolver)
         if possible is None:
             return '""  # required: fill in the value'
-        first, *others = map(_quoted, possible.values)
+        first, *others = map(toml_text, possible.values)
         return f"{first}  # or {', '.join(others)}" if others else first
 
 
 def _listed(names: Iterable[str]) -> str:
     chosen = set(names)
-    known = [_quoted(name) for name in TARGETS if name in chosen]
+    known = [toml_text(name) for name in TARGETS if name in chosen]
     return f"[{', '.join(known)}]" if known else '["ros2", "gz-harmonic"]'
-
-
-def _key(name: str) -> str:
-    """A name as a TOML key."""
-    is_bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
-    return name if is_bare else _quoted(name)
-
-
-def _quoted(text: str) -> str:
-    import json  # a JSON text is a TOML text
-
-    return json.dumps(text, ensure_ascii=False)

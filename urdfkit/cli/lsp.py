@@ -1,8 +1,7 @@
 """``urdfkit lsp``: the language server for editors."""
 
 from urdfkit.cli.decorators import described, option
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import needing
 
 
 @described("lsp")
@@ -18,12 +17,8 @@ def command(stdio: bool) -> int:
     Examples:
         urdfkit lsp --stdio
     """
-    try:
+    with needing("urdfkit lsp", "lsp"):
         from urdfkit.lsp.features import make
         from urdfkit.lsp.server import serve
-    except ModuleNotFoundError as error:
-        if error.name not in ("lsprotocol", "pygls"):
-            raise
-        raise MissingLibrary(f"urdfkit lsp needs pygls: {install_command('lsp')}") from error
     serve(make())
     return 0

@@ -5,8 +5,8 @@ import os
 import click
 
 from urdfkit.cli.decorators import described, option
-from urdfkit.core.installation import install_command
-from urdfkit.errors import MissingLibrary, UnreadableFile
+from urdfkit.core.installation import needing
+from urdfkit.errors import UnreadableFile
 
 
 @described("mcp")
@@ -26,11 +26,7 @@ def command(directory: str, write: bool) -> int:
     """
     if not os.path.isdir(directory):
         raise UnreadableFile(f"{directory}: no such directory")
-    try:
+    with needing("urdfkit mcp", "mcp"):
         from urdfkit.cli.mcp_tools import server
-    except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] != "mcp":
-            raise
-        raise MissingLibrary(f"urdfkit mcp needs mcp: {install_command('mcp')}") from error
     server(directory, may_write=write).run("stdio")
     return 0

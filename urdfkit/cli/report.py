@@ -1,7 +1,6 @@
 """``urdfkit report``: a report of a robot in one file."""
 
 import os
-from collections.abc import Mapping
 from typing import Any
 
 import click
@@ -69,14 +68,11 @@ def command(
             output.write(text)
         for severity in Severity:
             counts[severity] += document["summary"][severity.value]
-    return int(fail_on is not None and _fails(counts, Severity(fail_on)))
+    least = Severity(fail_on).rank if fail_on else -1
+    return int(any(count for severity, count in counts.items() if severity.rank <= least))
 
 
 def _of_variant(file: str, name: str) -> str:
     """The file for one of several variants: ``robot-left.html``."""
     stem, suffix = os.path.splitext(file)
     return f"{stem}-{name.replace(os.sep, '_').replace('/', '_')}{suffix}"
-
-
-def _fails(counts: Mapping[Severity, int], fail_on: Severity) -> bool:
-    return any(count for severity, count in counts.items() if severity.rank <= fail_on.rank)

@@ -31,13 +31,13 @@ def _lines(settings: Options, fail_on: Severity) -> Iterator[str]:
     config = resolved.config
     yield (f"# from {printable(shown(config.path))}" if config.path else "# no configuration file")
     yield wrap(f"select = {_listed(_rules(resolved))}", WIDTH, indent=4)
-    yield f"fail-on = {_text(fail_on.value)}"
+    yield f"fail-on = {toml_text(fail_on.value)}"
     targets = f"targets = {_listed(resolved.targets)}"
     yield targets if resolved.targets else "# targets: detected for each robot"
     if config.exclude:
         yield f"exclude = {_listed(config.exclude)}"
     yield f"preview = {_value(resolved.preview is True)}"
-    yield f"min-confidence = {_text(config.min_confidence.value)}"
+    yield f"min-confidence = {toml_text(config.min_confidence.value)}"
     yield f"width = {config.width or WIDTH}"
     yield f"xacro-seconds = {config.limits.seconds:g}"
     yield f"xacro-megabytes = {config.limits.megabytes}"
@@ -73,17 +73,17 @@ def _of_files(config: Config) -> Iterator[str]:
         yield f"files = {_listed(entry.files)}"
         yield wrap(f"codes = {_listed(sorted(entry.codes | entry.but_errors))}", WIDTH, indent=4)
         if entry.reason:
-            yield f"reason = {_text(entry.reason)}"
+            yield f"reason = {toml_text(entry.reason)}"
 
 
 def _robot(file: str, entries: list[RobotEntry]) -> Iterator[str]:
     yield ""
     yield "[[robot]]"
-    yield f"file = {_text(file)}"
+    yield f"file = {toml_text(file)}"
     for entry in entries:
-        key = f"variants.{_key(entry.name)}" if entry.name else "arguments"
+        key = f"variants.{toml_key(entry.name)}" if entry.name else "arguments"
         inner = ", ".join(
-            f"{_key(name)} = {_text(value)}" for name, value in entry.arguments.items()
+            f"{toml_key(name)} = {toml_text(value)}" for name, value in entry.arguments.items()
         )
         yield f"{key} = {{ {inner} }}"
 
@@ -92,24 +92,25 @@ def _table(name: str, values: Mapping[str, object]) -> Iterator[str]:
     if values:
         yield ""
         yield f"[{name}]"
-        yield from (f"{_key(key)} = {_value(value)}" for key, value in values.items())
+        yield from (f"{toml_key(key)} = {_value(value)}" for key, value in values.items())
 
 
 def _listed(texts: Iterable[str]) -> str:
-    return f"[{', '.join(map(_text, texts))}]"
+    return f"[{', '.join(map(toml_text, texts))}]"
 
 
 def _value(value: object) -> str:
     """A value in TOML; numbers and booleans are the same as in JSON."""
-    return _text(value) if isinstance(value, str) else json.dumps(value)
+    return toml_text(value) if isinstance(value, str) else json.dumps(value)
 
 
-def _key(name: str) -> str:
+def toml_key(name: str) -> str:
+    """A name as a TOML key."""
     is_bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
-    return name if is_bare else _text(name)
+    return name if is_bare else toml_text(name)
 
 
-def _text(text: str) -> str:
+def toml_text(text: str) -> str:
     """A string in TOML, with escapes for control sequences of terminals and CI servers."""
     quoted = json.dumps(text, ensure_ascii=False).replace("##", "\\u0023#")
     return "".join(char if char.isprintable() else f"\\U{ord(char):08x}" for char in quoted)

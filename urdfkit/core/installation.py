@@ -49,7 +49,8 @@ def needing(what: str, extra: str) -> Iterator[None]:
     except MissingLibrary:
         raise
     except ImportError as error:
-        raise MissingLibrary(f"{what} needs {error.name}: {install_command(extra)}") from error
+        library = str(error.name).partition(".")[0]
+        raise MissingLibrary(f"{what} needs {library}: {install_command(extra)}") from error
 
 
 def _program() -> str:

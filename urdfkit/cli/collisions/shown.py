@@ -1,7 +1,7 @@
 """A collision matrix as text, Markdown and JSON."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit.core.words import counted, few
 from urdfkit.physics.collision.matrix import NEAR, ClosestApproach, Matrix, PairResult, PairVerdict
@@ -25,13 +25,6 @@ _MOST = 30
 _WIDTH = 80
 
 
-class _List(NamedTuple):
-    """Some pairs under a title."""
-
-    title: str
-    pairs: Sequence[PairResult]
-
-
 def text(matrix: Matrix, comparison: MatrixComparison | None) -> str:
     """The result as text for a terminal."""
     return "\n".join(_lines(matrix, comparison)) + "\n"
@@ -43,10 +36,10 @@ def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
     for verdict, meaning in _MEANING.items():
         if pairs := matrix.of(verdict):
             yield f"{len(pairs):>6}  {verdict.value:<9}  {meaning}"
-    for section in _lists(matrix, comparison):
+    for title, pairs in _lists(matrix, comparison):
         yield ""
-        yield section.title
-        shown = section.pairs[:_MOST]
+        yield title
+        shown = pairs[:_MOST]
         firsts = _aligned([pair.first for pair in shown])
         seconds = _aligned([pair.second for pair in shown])
         for first, second, pair in zip(firsts, seconds, shown, strict=True):
@@ -54,8 +47,8 @@ def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             yield line.rstrip()
             if pair.is_near_miss and pair.nearest:
                 yield f"      {wrap(_pose(pair.nearest), _WIDTH, indent=6, used=6)}"
-        if len(section.pairs) > _MOST:
-            yield f"  and {len(section.pairs) - _MOST} more"
+        if len(pairs) > _MOST:
+            yield f"  and {len(pairs) - _MOST} more"
     for note in _notes(matrix, comparison):
         yield ""
         yield wrap(printable(note), _WIDTH)
@@ -77,12 +70,11 @@ def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
         if (pairs := matrix.of(verdict))
     ]
     sections.append(table(("pairs", "", ""), counts))
-    for section in _lists(matrix, comparison):
+    for title, pairs in _lists(matrix, comparison):
         rows = [
-            (escape(p.first), escape(p.second), _frequency(p), _distance(p.nearest))
-            for p in section.pairs
+            (escape(p.first), escape(p.second), _frequency(p), _distance(p.nearest)) for p in pairs
         ]
-        sections.append(f"**{escape(section.title)}**\n")
+        sections.append(f"**{escape(title)}**\n")
         sections.append(table(("link", "link", "collide", "nearest"), rows))
     sections += [f"{escape(note)}\n" for note in _notes(matrix, comparison)]
     return "\n".join(sections)
@@ -131,8 +123,10 @@ def _title(matrix: Matrix) -> str:
     )
 
 
-def _lists(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[_List]:
-    """The lists of pairs that need attention."""
+def _lists(
+    matrix: Matrix, comparison: MatrixComparison | None
+) -> list[tuple[str, list[PairResult]]]:
+    """The lists of pairs that need attention, with titles."""
     often = sorted(matrix.of(PairVerdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
     named = [
         ("collide in the initial pose", matrix.of(PairVerdict.DEFAULT)),
@@ -145,9 +139,7 @@ def _lists(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[_Lis
             ("disabled in the SRDF, but can collide", list(comparison.hidden)),
             ("not disabled in the SRDF, but could be", list(comparison.watched)),
         ]
-    for title, pairs in named:
-        if pairs:
-            yield _List(title, pairs)
+    return [(title, pairs) for title, pairs in named if pairs]
 
 
 def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
@@ -112,13 +113,16 @@ def _without_view(document: ReportDocument, reason: str) -> ReportDocument:
     return {**document, "missing": {**document["missing"], "3D view": reason}}
 
 
-def form_of(target: str) -> str:
-    """The report format of a file name.
+def form_of(target: str, suffixes: Mapping[str, str] = SUFFIXES) -> str:
+    """The format of a file name.
+
+    Args:
+        suffixes: the formats by suffix.
 
     Raises:
         UrdfkitError: the suffix is unknown.
     """
-    for suffix, form in SUFFIXES.items():
+    for suffix, form in suffixes.items():
         if target.lower().endswith(suffix):
             return form
-    raise UrdfkitError(f"{target}: the suffix is not one of {', '.join(SUFFIXES)}")
+    raise UrdfkitError(f"{target}: the suffix is not one of {', '.join(suffixes)}")
