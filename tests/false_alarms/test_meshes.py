@@ -36,3 +36,14 @@ def test_millimetres_are_reported_once(tmp_path: Path) -> None:
     robot = add_file(tmp_path / "base.urdf", whole_robot(link + arm).encode())
     found = engine.check(robot, select=["GEO004", "MSH012"]).diagnostics
     assert [one.code for one in found] == ["MSH012"]
+
+
+def test_a_scale_of_one_number(tmp_path: Path) -> None:
+    """Drake's quadrotor: URD005 reports the scale, and it is the scale that is compared."""
+    add_file(tmp_path / "body.stl", stl(box((-100, -75, -50), (100, 75, 50))))
+    collision = '<collision><geometry><box size="0.2 0.15 0.1"/></geometry></collision>'
+    link = mesh_link("body.stl").replace("</link>", f"{collision}</link>")
+    link = link.replace('.stl"', '.stl" scale="0.001"')
+    robot = add_file(tmp_path / "body.urdf", whole_robot(link).encode())
+    found = engine.check(robot, select=["GEO004", "MSH012", "URD005"], targets=["ros2"]).diagnostics
+    assert [one.code for one in found] == ["URD005"]

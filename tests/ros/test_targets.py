@@ -86,6 +86,12 @@ def test_a_plain_robot_implies_no_target() -> None:
     assert Context(source, Resolver(environment={})).targets == Targets(())
 
 
+def test_the_namespace_of_drake_implies_it() -> None:
+    data = b'<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="a"/></robot>'
+    inferred = Context(Source("robot.urdf", data), Resolver(environment={})).targets
+    assert inferred == Targets(("drake",), ("drake: xmlns:drake",))
+
+
 WITH_PLUGINS = [
     entry for entry in manifest() if entry.facts.get("expect", {}).get("gazebo_plugins")
 ]

@@ -364,8 +364,14 @@ def _shape(element: Element) -> Shape:
         number(element.get("radius")),
         number(element.get("length")),
         _placed_text(element, "filename") if element.tag == "mesh" else None,
-        vector(element.get("scale")) or (1.0, 1.0, 1.0),
+        _scale(element.get("scale")),
     )
+
+
+def _scale(text: str | None) -> Vector:
+    """The scale of a mesh; one number, which Drake reads, is that of all directions."""
+    values = numbers(text)
+    return vector(text) or (values * 3 if values and len(values) == 1 else (1.0, 1.0, 1.0))
 
 
 def _material(element: Element) -> Material:

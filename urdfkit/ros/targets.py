@@ -1,7 +1,8 @@
 """Targets: the programs that read the robot, on which severities depend.
 
 A root link with inertia, for example, makes KDL warn, but Gazebo requires it. Targets are given by
-the user, or detected from the plugins of the model and the build system of its package.
+the user, or detected from the plugins and namespaces of the model and the build system of its
+package.
 """
 
 from __future__ import annotations
@@ -110,6 +111,7 @@ class TargetFacts(Record):
     reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
     reads_planes: bool = False  # True if it reads the shape ``<plane>``
     reads_unnamed_materials: bool = False  # True if a material needs no name
+    reads_one_scale: bool = False  # True if one number scales a mesh in all directions
     reserves_world: bool = False  # True if a link ``world`` is the world itself
     adds_world: bool = False  # True if joints may reference the world without a link for it
     #: True if it rejects a mimic of a joint without exactly one degree of freedom.
@@ -176,6 +178,8 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
         yield _Evidence(ros, "package.xml")
     if model.ros2_controls:
         yield _Evidence("ros2", "<ros2_control>")
+    if "xmlns:drake" in model.root.attributes:
+        yield _Evidence("drake", "xmlns:drake")
     for element in (*model.gazebo, *model.ros2_controls):
         for plugin in element.walk():
             # in ros2_control, the text is the hardware plugin

@@ -84,3 +84,12 @@ def test_pybullet_reads_planes() -> None:
     robot = f'<link name="a"><collision>{plane}</collision></link>'
     assert reported("URD004", robot, targets=("pybullet",)) == []
     assert len(reported("URD004", robot, targets=("pybullet", "ros2"))) == 1
+
+
+@pytest.mark.parametrize(("targets", "severity"), [((), "info"), (("ros2",), "error")])
+def test_the_density_of_isaac_gym(targets: tuple[str, ...], severity: str) -> None:
+    robot = '<link name="a"><inertial><density value="567"/></inertial></link>'
+    (found,) = reported("URD004", robot, targets=targets)
+    assert found.severity.value == severity
+    assert "density" in found.message
+    assert reported("URD001", robot) == []

@@ -138,3 +138,12 @@ def test_what_is_surely_meant_is_offered(place: int, written: str, better: str) 
     assert fixed("URD005", VISUAL.format(*bad)) == (
         f'<robot name="example">\n{VISUAL.format(*good)}\n</robot>\n'
     )
+
+
+def test_one_number_scales_a_mesh_in_drake() -> None:
+    robot = '<link name="a"><visual><geometry><mesh filename="a.obj" scale="{}"/></geometry>'
+    robot += "</visual></link>"
+    assert len(reported("URD005", robot.format("0.001"))) == 1
+    assert reported("URD005", robot.format("0.001"), targets=("drake",)) == []
+    assert len(reported("URD005", robot.format("0.001"), targets=("drake", "ros2"))) == 1
+    assert len(reported("URD005", robot.format("1 2"), targets=("drake",))) == 1

@@ -57,3 +57,13 @@ def test_the_suffix_of_another_format(
 )
 def test_what_some_reader_takes(tmp_path: Path, name: str, data: bytes) -> None:
     assert message(tmp_path, name, data) is None
+
+
+@pytest.mark.parametrize(
+    ("targets", "count"), [((), 0), (("drake",), 0), (("ros2", "drake"), 0), (("ros2",), 1)]
+)
+def test_the_soft_bodies_of_drake(tmp_path: Path, targets: tuple[str, ...], count: int) -> None:
+    add_file(tmp_path / "bowl.vtk", b"# vtk DataFile Version 3.0\nbowl\nASCII\n")
+    robot = mesh_link("bowl.vtk")
+    assert len(reported(CODE, robot, str(tmp_path / "bowl.urdf"), targets)) == count
+    assert reported("MSH009", robot, str(tmp_path / "bowl.urdf"), targets) == []

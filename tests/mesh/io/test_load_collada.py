@@ -389,3 +389,16 @@ def test_what_is_left_of_a_file_without_its_end_is_shown_where_it_is(tmp_path: P
     path.write_bytes(data[: data.index(b"<vertices")])
     with pytest.raises(UnloadableMesh):
         salvage(path)
+
+
+def test_ids_that_two_geometries_have(tmp_path: Path) -> None:
+    """Each geometry refers to its own sources, as in assimp."""
+    expected = square(tmp_path).parts[0].vertices.tolist()
+    path = tmp_path / "square.dae"
+    text = path.read_text(encoding="utf-8")
+    (geometry,) = re.findall(r"<geometry.*</geometry>", text, re.DOTALL)
+    point = geometry.replace('"square"', '"point"').replace("0 0 0 1 0 0 1 1 0 0 1 0", "0 0 0")
+    path.write_text(text.replace(geometry, point + geometry), encoding="utf-8")
+    mesh = load(path)
+    assert mesh.parts[0].vertices.tolist() == expected
+    assert mesh.losses == ("2 repeated ids, of which Gazebo reads the first",)

@@ -5,7 +5,8 @@ urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects a robot with a joint without `
 no `<geometry>`, or the `<geometry>` does not begin with a shape, it drops all visuals and
 collisions of the link, with one line in the log. The shapes are box, cylinder, sphere, mesh and,
 from version 1.1, capsule. Write a plane as a thin box: only Bullet reads `<plane>`, which is an
-info unless a target is known. A `<material>` belongs after the `<geometry>`.
+info unless a target is known, and so is a `<density>` in place of mass and inertia, which only
+Isaac Gym reads. A `<material>` belongs after the `<geometry>`.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -26,8 +27,12 @@ GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 @rule(Severity.ERROR, help="add the element")
 def check(context: Context) -> Findings:
+    dense: list[Element] = []
     for element, _, missing, _ in context.deviations.get("URD004", ()):
         who = owner(element)
+        if element.tag == "inertial" and element.child("density"):
+            dense += [element] if element not in dense else []
+            continue
         if not missing:
             if element.tag != "plane" or not context.targets.all_are("reads_planes"):
                 yield _without_shape(context, element, who)
@@ -36,6 +41,13 @@ def check(context: Context) -> Findings:
             continue  # without the prefix: XAC002
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
+    for element in dense:
+        yield Finding(
+            element,
+            f"{owner(element)}: <inertial> has a <density>, which only Isaac Gym reads",
+            "for other programs, add <mass> and <inertia>",
+            severity=Severity.ERROR if context.targets.names else Severity.INFO,
+        )
 
 
 def _calls_macro(context: Context, element: Element) -> bool:

@@ -6,9 +6,10 @@ and white space after the last. `xyz`, `rpy`, `size` and `scale` have three numb
 
 For a value in a joint, urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects the robot; in a link it
 drops the inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a
-vector of the wrong length; PyBullet continues with a wrong number. MuJoCo accepts the numbers of C:
-hexadecimal numbers, any white space, `inf` in a `<limit>`. These are a warning if MuJoCo is the
-only target.
+vector of the wrong length; PyBullet continues with a wrong number. Only Drake reads one number as
+the `scale` in all directions: this is not reported if Drake is the only target. MuJoCo accepts the
+numbers of C: hexadecimal numbers, any white space, `inf` in a `<limit>`. These are a warning if
+MuJoCo is the only target.
 
 In `<mujoco>` some attributes require a keyword, as `strippath="true"`: MuJoCo rejects other words
 ("invalid keyword"), and keywords in upper case.
@@ -47,6 +48,7 @@ _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
 def check(context: Context) -> Findings:
     properties: dict[str, set[str]] = {}  # by the path of their file
     reads_c = context.targets.all_are("reads_c_numbers")
+    reads_scale = context.targets.all_are("reads_one_scale")
     for element, attribute, kind, _ in context.deviations.get("URD005", ()):
         assert attribute is not None
         if "|" in kind:
@@ -55,6 +57,8 @@ def check(context: Context) -> Findings:
         length = schema.LENGTHS.get(kind, 1)
         parts = [part for part in attribute.value.split(" ") if part]
         if length > 1 and len(parts) != length and all(map(is_number, parts[:100])):
+            if reads_scale and attribute.name == "scale" and len(parts) == 1:
+                continue
             reason, alike = f"has {counted(len(parts), 'number')}, not {length} ({kind})", ""
             better = _completed(attribute.name, kind, parts)
         else:

@@ -7,10 +7,11 @@ COLLADA or OBJ. If no target simulates the robot, such a file is a warning: plan
 OpenRAVE and Kautham read scene files. PLY, glTF and FBX are not reported: RViz, MoveIt and
 Pinocchio load them through assimp, new Gazebo loads glTF and FBX, Gazebo Classic none of the three.
 
-MuJoCo loads only binary STL and OBJ, Drake only OBJ and glTF: if one of them is a target, a
-collision in another format, such as COLLADA, is an error. Drake ignores visuals that it does not
-load, MuJoCo ignores all, unless the robot has `<mujoco><compiler discardvisual="false"/>`. From an
-OBJ, MuJoCo loads the first object or group and ignores the others without a message (warning).
+MuJoCo loads only binary STL and OBJ, Drake only OBJ, glTF and, for soft bodies, VTK, which no other
+program loads: if one of them is a target, a collision in another format, such as COLLADA, is an
+error. Drake ignores visuals that it does not load, MuJoCo ignores all, unless the robot has
+`<mujoco><compiler discardvisual="false"/>`. From an OBJ, MuJoCo loads the first object or group and
+ignores the others without a message (warning).
 
 RViz 2 does not load ASCII STL up to ROS 2 Iron, so that Humble does not show the visual; RViz loads
 it since Jazzy. In a robot for ROS 2 such a visual is an info.
@@ -34,7 +35,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.mesh.io.facts import ASCII_STL, BY_SUFFIX, MAX_BYTES, OBJ
+from urdfkit.mesh.io.facts import ASCII_STL, BY_SUFFIX, MAX_BYTES, OBJ, VTK
 from urdfkit.mesh.io.obj import objects
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -60,6 +61,8 @@ def check(context: Context) -> Findings:
             message = f"{mesh.who} is of {facts.format}, which Gazebo, MuJoCo and Drake do not read"
             severity = None if context.targets.that("simulates") else Severity.WARNING
             yield Finding(mesh.at, message, severity=severity)
+        elif facts.format == VTK and not _reads_vtk(context):
+            yield Finding(mesh.at, f"{mesh.who} is of VTK, which only Drake reads")
         elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
             message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
             yield Finding(mesh.at, message, "give the file the suffix of its format")
@@ -72,6 +75,12 @@ def check(context: Context) -> Findings:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
             help = "urdfkit mesh convert FILE -o NEW.stl"
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
+
+
+def _reads_vtk(context: Context) -> bool:
+    """True if a target reads VTK, or none is known."""
+    targets = context.targets.facts
+    return not targets or any(VTK in target.meshes for target in targets)
 
 
 def _not_for_target(context: Context, mesh: MeshReference, format_name: str) -> Findings:

@@ -17,8 +17,9 @@ never committed. XAC011 reports packages that are not found. Also reported:
   cannot check whether it exists (a warning).
 - An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
   warning).
-- A relative path that is found from a parent directory: only PyBullet searches there (a warning);
-  in a xacro, the path is relative to the directory where the expanded URDF is written (an info).
+- A relative path that is found from a parent directory: only PyBullet and Isaac search there (a
+  warning); in a xacro, the path is relative to the directory where the expanded URDF is written (an
+  info).
 - A name that only MuJoCo finds, by `<mujoco><compiler meshdir="..."/></mujoco>` in the URDF (an
   info).
 - One slash after a scheme, as in `package:/arm/arm.stl`.
@@ -29,6 +30,7 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
     PyBullet, BulletUrdfImporter.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp
+    Isaac, urdf-importer-extension: https://github.com/isaac-sim/urdf-importer-extension
     Pinocchio, URDF geometry: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/geometry.cpp
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
     measured: 60 of 548 public models with meshes
@@ -171,7 +173,7 @@ def _found_above(context: Context, mesh: MeshReference, directory: str) -> Findi
         message = f"{mesh.who} is found if the URDF is written to {shown(directory)}"
         help = "write package://PACKAGE/..., or write the URDF there"
         return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
-    message = f"{mesh.who} is found by PyBullet alone, which looks in {shown(directory)}, too"
+    message = f"{mesh.who} is found in {shown(directory)}, where only PyBullet and Isaac look, too"
     path = os.path.join(directory, mesh.located.reference)
     own = os.path.dirname(os.path.abspath(context.files.top))
     right = os.path.relpath(path, own).replace(os.sep, "/")

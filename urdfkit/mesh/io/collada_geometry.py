@@ -51,6 +51,7 @@ class Geometries:
         self._losses = losses
         self._sources: dict[Element, Floats] = {}
         self._surfaces: dict[Element, list[ColladaTriangles]] = {}
+        self._repeated: set[str] = set()
         self.lines = 0
 
     def surfaces(self, geometry: Element) -> list[ColladaTriangles]:
@@ -92,7 +93,7 @@ class Geometries:
             if entry.get("semantic") != "VERTEX":
                 yield from self._input(entry, offset, number)
                 continue
-            vertices = self._tree.named(entry.get("source"), "vertices")
+            vertices = self._named(entry, "vertices")
             for shared in children(vertices, "input"):
                 yield from self._input(shared, offset, number)
 
@@ -101,13 +102,31 @@ class Geometries:
         width = {"POSITION": (3, 3), "NORMAL": (3, 3), "TEXCOORD": (2, 2), "COLOR": (3, 4)}
         if semantic not in width or offset < 0:
             return
-        source = self._tree.named(entry.get("source"), "source")
+        source = self._named(entry, "source")
         values = self._source(source) if source is not None else np.zeros((0, 0))
         least, most = width[semantic]
         if values.shape[1] >= least:
             yield _Input(semantic, number, offset, values[:, :most])
         elif semantic != "POSITION":
             self._losses.add(f"list* of {semantic} values that cannot be read")
+
+    def _named(self, entry: Element, kind: str) -> Element | None:
+        """The element that an input refers to: of its own mesh, if an id is repeated, as in assimp.
+
+        Gazebo takes the first of the file.
+        """
+        reference = entry.get("source")
+        first = self._tree.named(reference, kind)
+        if reference is None or first is None:
+            return first
+        for mesh in entry.iterancestors("{*}mesh"):
+            for own in children(mesh, kind):
+                if own.get("id") == first.get("id"):
+                    if own is not first and reference not in self._repeated:
+                        self._repeated.add(reference)
+                        self._losses.add("repeated id*, of which Gazebo reads the first")
+                    return own
+        return first
 
     def _source(self, source: Element) -> Floats:
         """(n, k), the values of a source."""

@@ -13,6 +13,7 @@ OBJ = "OBJ"
 PLY = "PLY"
 GLB = "GLB"
 GLTF = "glTF"
+VTK = "VTK"
 
 #: Larger files are recognised by their beginning, and not validated.
 MAX_BYTES = 128 * 1024 * 1024

@@ -54,6 +54,7 @@ _MAGIC = (
     (b"#Inventor", "Open Inventor"),
     (b"#X3D", "X3D"),
     (b"#usda", "USD"),
+    (b"# vtk DataFile", facts.VTK),
     (b"PXR-USDC", "USD"),
     (b"\x00\x10[MeshSerializer", "Ogre mesh"),
     (b"OFF\n", "OFF"),
