@@ -189,7 +189,7 @@ SLOW = (
 )
 
 
-#: Tests of which one of so many is run unless ``--thorough``; none if 0.
+#: Tests of which one of so many is run unless ``--thorough``; none if 0, but with ``--sample``.
 SAMPLED = {
     "tests/consumers/test_corpus.py": 40,
     "tests/ros/importers/test_against_engines.py::test_a_real_robot": 40,
@@ -245,6 +245,8 @@ SAMPLED = {
 }
 #: The same of tests with a parameter for each robot of the corpus.
 SAMPLED_ROBOTS = 10
+#: The same of those with 0, for ``--sample``.
+SAMPLED_RARELY = 12
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -252,6 +254,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--thorough",
         action="store_true",
         help="all parameters of the sampled tests, and more examples for each property",
+    )
+    parser.addoption(
+        "--sample",
+        type=int,
+        metavar="N",
+        help="other parameters of the sampled tests for each number, and some that are not sampled",
     )
 
 
@@ -285,14 +293,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     chosen = config.getoption("keyword") or any("::" in argument for argument in config.args)
     if chosen or config.getoption("thorough"):
         return
+    sample: int | None = config.getoption("sample")
     seen: Counter[str] = Counter()
     kept: list[pytest.Item] = []
     left_out: list[pytest.Item] = []
     for item in items:
         name = item.nodeid.partition("[")[0]
-        number = seen[name] + crc32(name.encode())  # other robots for other tests
+        number = seen[name] + crc32(name.encode()) + (sample or 0)  # other robots for other tests
         seen[name] += 1
-        every = _one_of(item, name)
+        every = _one_of(item, name) or (0 if sample is None else SAMPLED_RARELY)
         (left_out if not every or number % every else kept).append(item)
     items[:] = kept
     config.hook.pytest_deselected(items=left_out)
