@@ -63,9 +63,10 @@ def test_a_former_code_lowers_no_severity(tmp_path: Path) -> None:
 
 
 def test_options_of_rules(tmp_path: Path) -> None:
-    text = "[rules.dense-collision-mesh]\ntriangles = 50\n[rules.INE014]\nratio = 200\n"
+    text = "[rules.dense-collision-mesh]\nvisual-triangles = 50\n[rules.INE014]\nratio = 200\n"
     options = load(write(tmp_path, text)).options
-    assert options == {"MSH019": {"triangles": 50}, "INE014": {"ratio": 200.0}}
+    triangles = {"triangles": 20_000, "shared-triangles": 5_000, "visual-triangles": 50}
+    assert options == {"MSH019": triangles, "INE014": {"ratio": 200.0}}
 
 
 @pytest.mark.parametrize(

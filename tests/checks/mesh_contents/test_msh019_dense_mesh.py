@@ -7,6 +7,10 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages, reported
+from urdfkit.lint import engine
+from urdfkit.lint.config import Config
+from urdfkit.lint.options import Options
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.samples import box, stl
 from urdfkit.text.diagnostic import Severity
 
@@ -61,3 +65,21 @@ def test_another_file_or_another_link(tmp_path: Path) -> None:
     files = {"a.stl": stl(CUBE, copies=500), "b.stl": stl(CUBE, copies=501)}
     two = link(mesh("a.stl", "visual"), mesh("b.stl")) + link(mesh("a.stl"), name="b")
     assert messages(tmp_path, "MSH019", two, files) == []
+
+
+@pytest.mark.parametrize(
+    ("option", "roles"),
+    [
+        ("triangles", ("collision",)),
+        ("shared-triangles", ("visual", "collision")),
+        ("visual-triangles", ("visual",)),
+    ],
+)
+def test_another_bound(tmp_path: Path, option: str, roles: tuple[str, ...]) -> None:
+    robot = link(*(mesh("a.stl", role) for role in roles))
+    (tmp_path / "a.stl").write_bytes(stl(CUBE))
+    (tmp_path / "robot.urdf").write_text(whole_robot(robot))
+    for bound, count in ((11, 1), (12, 0)):
+        config = Config(options={"MSH019": {option: bound}})
+        options = Options(select=["MSH019"], config=config, cache=False)
+        assert len(engine.check(tmp_path / "robot.urdf", options=options).diagnostics) == count

@@ -19,15 +19,12 @@ Sources:
     measured: 131 of 676 public models use a visual mesh for collision
 """
 
+from collections.abc import Iterable
+
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import BINARY_STL
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_defects import (
-    DENSE_COLLISION,
-    DENSE_SHARED,
-    DENSE_VISUAL,
-    MeshDefect,
-)
+from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.ros import targets
 
@@ -43,41 +40,42 @@ FILES = {
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
-    options={"triangles": DENSE_COLLISION},
+    options={"triangles": 20_000, "shared-triangles": 5_000, "visual-triangles": 100_000},
 )
 def check(context: Context) -> Findings:
-    yield from _slow_collisions(context, check.option(context, "triangles"))
-    defects = context.measured.defects
-    for use in defects.get(MeshDefect.DENSE_SHARED, ()):
+    bound = check.option(context, "triangles")
+    yield from _slow_collisions(context, bound)
+    least = check.option(context, "shared-triangles")
+    for use in _visual_and_collision(context.measured.uses):
         number = use.measures.triangles
-        yield Finding(
-            use.at,
-            f"{use.who} is the visual mesh ({number:,} triangles, more than {DENSE_SHARED:,}); "
-            "consider a simpler one",
-            "urdfkit mesh collision suggests a simple shape",
-            weight=number,
-            group_key="shared",
-            severity=Severity.INFO,
-        )
-    for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
+        if least < number <= bound:
+            yield Finding(
+                use.at,
+                f"{use.who} is the visual mesh ({number:,} triangles, more than {least:,}); "
+                "consider a simpler one",
+                "urdfkit mesh collision suggests a simple shape",
+                weight=number,
+                group_key="shared",
+                severity=Severity.INFO,
+            )
+    most = check.option(context, "visual-triangles")
+    for use in context.measured.files:
         number = use.measures.triangles
-        yield Finding(
-            use.at,
-            f"{use.who} has {number:,} triangles; more than {DENSE_VISUAL:,} make rendering slow",
-            "urdfkit mesh simplify FILE",
-            weight=number,
-            group_key="visual",
-            severity=Severity.INFO,
-        )
+        if use.role == "visual" and number > most:
+            yield Finding(
+                use.at,
+                f"{use.who} has {number:,} triangles; more than {most:,} make rendering slow",
+                "urdfkit mesh simplify FILE",
+                weight=number,
+                group_key="visual",
+                severity=Severity.INFO,
+            )
 
 
 def _slow_collisions(context: Context, bound: float) -> Findings:
-    dense = {
-        use.path: use
-        for use in reversed(context.measured.files)
-        if use.role == "collision" and use.measures.triangles > bound
-    }
-    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
+    collisions = [use for use in context.measured.files if use.role == "collision"]
+    dense = [use for use in collisions if use.measures.triangles > bound]
+    for use in sorted(dense, key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         rejecting = []
         if context.files.facts(use.path).format == BINARY_STL:
@@ -96,3 +94,13 @@ def _slow_collisions(context: Context, bound: float) -> Findings:
             severity=Severity.ERROR if fatal else None,
             targets=fatal,
         )
+
+
+def _visual_and_collision(uses: list[MeshUse]) -> Iterable[MeshUse]:
+    """The first collision with each file that is also a visual of the same link."""
+    visuals = {(use.link.name, use.path) for use in uses if use.role == "visual"}
+    first: dict[str, MeshUse] = {}
+    for use in uses:
+        if use.role == "collision" and (use.link.name, use.path) in visuals:
+            first.setdefault(use.path, use)
+    return first.values()

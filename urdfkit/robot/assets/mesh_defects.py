@@ -17,15 +17,6 @@ if TYPE_CHECKING:
     from urdfkit.robot.assets.mesh_uses import MeshUse
     from urdfkit.robot.model import RobotModel
 
-#: Triangles of a collision mesh above which simulation and planning become slow.
-DENSE_COLLISION = 20_000
-
-#: Triangles of a visual mesh above which loading and drawing become slow.
-DENSE_VISUAL = 100_000
-
-#: Triangles of a mesh that is both visual and collision, above which a simpler collision helps.
-DENSE_SHARED = 5_000
-
 #: A mesh longer than this, in m, is not a part of a robot that is smaller by this factor.
 HUGE, HUGE_RATIO = 10.0, 20.0
 
@@ -50,8 +41,6 @@ class MeshDefect(Enum):
     OVERLAPPING = "overlapping pieces"
     INVERTED = "inside out"
     DEGENERATE = "degenerate triangles"
-    DENSE_SHARED = "dense visual used for collision"
-    DENSE_VISUAL = "dense visual"
     MISSING_TEXTURES = "missing textures"
     MISSING_MATERIALS = "missing material file"
     EXTRAS = "content besides triangles"
@@ -81,8 +70,6 @@ def find_defects(
             defects.setdefault(MeshDefect.MILLIMETRES, []).append(use)
         elif is_microscopic(use):
             defects.setdefault(MeshDefect.MICROSCOPIC, []).append(use)
-    if shared := _dense_shared(uses):
-        defects[MeshDefect.DENSE_SHARED] = shared
     return defects
 
 
@@ -126,17 +113,6 @@ def rest_of_robot(model: RobotModel) -> float:
     return max((*offsets, *sizes), default=0.0)
 
 
-def _dense_shared(uses: list[MeshUse]) -> list[MeshUse]:
-    """The first collision with each dense file that is also a visual of the same link."""
-    visuals = {(use.link.name, use.path) for use in uses if use.role == "visual"}
-    first: dict[str, MeshUse] = {}
-    for use in uses:
-        is_dense = DENSE_SHARED < use.measures.triangles <= DENSE_COLLISION
-        if use.role == "collision" and is_dense and (use.link.name, use.path) in visuals:
-            first.setdefault(use.path, use)
-    return list(first.values())
-
-
 def _lacks_materials(use: MeshUse) -> bool:
     """True if neither the file nor the URDF defines the colour."""
     return bool(use.measures.no_materials) and use.body.material is None
@@ -170,9 +146,6 @@ OF_FILES: dict[MeshDefect, Callable[[MeshUse], bool]] = {
     MeshDefect.OPEN: _is_open,
     MeshDefect.INVERTED: lambda use: use.measures.inside_out or use.measures.inverted_bodies > 0,
     MeshDefect.DEGENERATE: _is_degenerate,
-    MeshDefect.DENSE_VISUAL: lambda use: (
-        use.role == "visual" and use.measures.triangles > DENSE_VISUAL
-    ),
     MeshDefect.OVERLAPPING: _overlaps,
     MeshDefect.EXTRAS: lambda use: bool(extras(use)),
     MeshDefect.FLAT: _is_flat,
