@@ -56,9 +56,13 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
 
 
 def element_tree(element: Element) -> ElementTree.Element:
-    """An element with its contents, for an XML writer."""
-    values = {name: attribute.value for name, attribute in element.attributes.items()}
-    copy = ElementTree.Element(element.tag, values)
-    copy.text = element.text
-    copy.extend(map(element_tree, element.children))
-    return copy
+    """A copy of an element, which can be changed and written."""
+    root = ElementTree.Element("")
+    stack = [(element, root)]
+    while stack:
+        element, parent = stack.pop()
+        values = {name: attribute.value for name, attribute in element.attributes.items()}
+        copy = ElementTree.SubElement(parent, element.tag, values)
+        copy.text = element.text.strip() or None
+        stack += [(child, copy) for child in reversed(element.children)]
+    return root[0]

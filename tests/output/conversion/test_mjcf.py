@@ -136,11 +136,15 @@ def test_the_proof_fails_for_different_dynamics(tmp_path: Path) -> None:
     robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=outwards))
     file = tmp_path / "o" / convert(robot, tmp_path / "o").file
     model = mujoco.MjModel.from_xml_path(str(file))
-    assert prove(model, robot, {}).gravity == 0
+    assert prove(model, robot, {}).differences["gravity"] == 0
     model.opt.gravity = (0, -9.81, 0)
-    assert prove(model, robot, {}).mass_matrix < PART < prove(model, robot, {}).gravity
+    assert (
+        prove(model, robot, {}).differences["mass_matrix"]
+        < PART
+        < prove(model, robot, {}).differences["gravity"]
+    )
     model.body("tip").inertia *= 1.0001
-    assert prove(model, robot, {}).mass_matrix > PART
+    assert prove(model, robot, {}).differences["mass_matrix"] > PART
 
 
 #: A robot with one of each, and errors in the writer: a method, the body or joint, what it sets.

@@ -12,8 +12,9 @@ from math import asin, dist
 from types import MappingProxyType
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, length
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.inertia import rotated
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import (
     Body,
     Inertial,
@@ -37,8 +38,6 @@ Change = tuple[str, str, ComparedValue, ComparedValue]
 #: Entries of a tensor below this part of the greatest entry are rounding errors of a rotation.
 _ROUNDING = 1e-6
 _NONE: Mapping[str, str] = MappingProxyType({})
-#: Default axis of a joint.
-_DEFAULT_AXIS = (1.0, 0.0, 0.0)
 
 
 class Tolerances(Record):
@@ -231,7 +230,7 @@ def _of_joint(
             yield "joints", f"{what} {old or 'none'} -> {new or 'none'}", old, new
     yield from of_frames("frames", "frame", before.origin, after.origin, allowed)
     if after.kind != "fixed":
-        axes = _axis(before), _axis(after)
+        axes = direction(before), direction(after)
         turned = 2 * asin(min(1.0, dist(*axes) / 2))
         if turned > allowed.rotation:
             yield "joints", f"its axis turned by {turned:.4g} rad", *axes
@@ -239,13 +238,6 @@ def _of_joint(
         limits = _limit(before.limit, key), _limit(after.limit, key)
         if not _is_close(*limits, allowed.limit):
             yield "limits", f"{key} {_text(limits[0])} -> {_text(limits[1])}", *limits
-
-
-def _axis(joint: Joint) -> Vector:
-    """A unit vector in the frame of the joint."""
-    axis = joint.axis.value if joint.axis else _DEFAULT_AXIS
-    size = length(axis) or 1.0
-    return (axis[0] / size, axis[1] / size, axis[2] / size)
 
 
 def _mimic(joint: Joint, renamed: Mapping[str, str] = _NONE) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import dist
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, rotate, transposed
+from urdfkit.core.spatial import Transform
 from urdfkit.output.comparison.differences import RenamedParts, Tolerances, angle_between
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.tree import KinematicTree
@@ -59,6 +59,4 @@ def _within(places: dict[str, Transform], name: str, parent: str) -> Transform:
     """The frame of a link in its parent; in the root if it has no parent."""
     if parent not in places:
         return places[name]
-    turned = transposed(places[parent].rotation)
-    x, y, z = rotate(turned, places[parent].position)
-    return Transform(turned, (-x, -y, -z)) @ places[name]
+    return places[parent].inverse @ places[name]

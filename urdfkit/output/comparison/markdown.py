@@ -8,18 +8,6 @@ from urdfkit.output.comparison import KINDS, Comparison, portable
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.markdown import code, escape, fitted, table
 
-_TITLES = {
-    "links": "Links",
-    "joints": "Joints",
-    "names": "Names",
-    "frames": "Joint frames",
-    "limits": "Limits",
-    "masses": "Masses",
-    "inertias": "Inertias",
-    "shapes": "Shapes",
-    "meshes": "Meshes",
-}
-
 
 def render(comparison: Comparison, *, width: int = 80) -> str:
     """A summary, then a section for each kind."""
@@ -40,14 +28,20 @@ def _sections(comparison: Comparison) -> Iterator[str]:
             moved = f"{1000 * comparison.center_moved:.4g} mm"
             rows.append(["centre of mass / m", *(spaced(center, 4) for center in centers), moved])
         yield _section("Total", table(["", "before", "after", "change"], rows))
-    for kind, title in _TITLES.items():
+    for kind in KINDS:
         found = [one for one in comparison.differences if one.kind == kind]
         if found:
             rows = [[f"{one.what} {code(one.name)}", escape(one.text)] for one in found]
+            title = "Joint frames" if kind == "frames" else kind.capitalize()
             yield _section(title, table(["", "what"], rows))
     if comparison.moved:
         rows = [
-            [code(m.link), f"{1000 * m.distance:.3f}", f"{degrees(m.angle):.3f}", _how(m.carried)]
+            [
+                code(m.link),
+                f"{1000 * m.distance:.3f}",
+                f"{degrees(m.angle):.3f}",
+                "moved with its parent" * m.carried,
+            ]
             for m in comparison.moved
         ]
         header = ["link", "mm", "deg", ""]
@@ -57,10 +51,6 @@ def _sections(comparison: Comparison) -> Iterator[str]:
             yield _section(title, table(["", "where", "what"], _findings(findings)))
     for note in comparison.notes:
         yield f"Note: {note}\n"
-
-
-def _how(carried: bool) -> str:
-    return "moved with its parent" if carried else ""
 
 
 def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:

@@ -56,11 +56,11 @@ def convert(
     if to not in FORMATS:
         raise UrdfkitError(f"no format '{to}'{did_you_mean(to, FORMATS)}")
     options = ConversionOptions(base, fixed, collision, exclude)
-    if options != ConversionOptions() and not FORMATS[to].has_options:
+    if options != ConversionOptions() and to != "mjcf":
         raise UrdfkitError(
             f"the format '{to}' does not support base, fixed, collision and exclude; omit them"
         )
-    with needing(f"to convert to {to}", FORMATS[to].extra):
+    with needing(f"to convert to {to}", FORMATS[to]):
         module = import_module(f"{__name__}.{to}")
     context = robot if isinstance(robot, Context) else read(robot)
     conversion: Conversion = module.write(context, os.path.abspath(out), options, force=force)

@@ -1,6 +1,7 @@
 """Pseudo-inertia matrices of links that are fixed together, and their comparison."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
@@ -20,15 +21,15 @@ def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform
     matrix = np.block(
         [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
     )
-    transform = homogeneous(frame)
+    transform = homogeneous(*frame)
     result: Floats = transform @ matrix @ transform.T
     return result
 
 
-def homogeneous(frame: Transform) -> Floats:
-    """Homogeneous matrix of a frame, (4, 4)."""
+def homogeneous(rotation: ArrayLike, position: ArrayLike) -> Floats:
+    """Homogeneous matrix, (4, 4), of a rotation (3, 3) and a position (3,)."""
     matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = frame.rotation, frame.position
+    matrix[:3, :3], matrix[:3, 3] = rotation, position
     return matrix
 
 

@@ -98,7 +98,7 @@ def rejections(robot: Context, meshes: Mapping[str, Span] | None = None) -> Iter
     Args:
         meshes: source locations of meshes, by name.
     """
-    mujoco.set_mju_user_warning(_ignore)
+    mujoco.set_mju_user_warning(ignore_warning)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -107,7 +107,7 @@ def rejections(robot: Context, meshes: Mapping[str, Span] | None = None) -> Iter
         raise _explained(str(error), robot, meshes or {}) from error
 
 
-def _ignore(warning: str) -> None:
+def ignore_warning(warning: str) -> None:
     """Discard a warning, which MuJoCo otherwise writes to a file in the current directory."""
 
 

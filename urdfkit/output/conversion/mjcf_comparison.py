@@ -140,7 +140,7 @@ def shapes(
     for link in robot.model.links:
         for body in (*link.visuals, *link.collisions):
             if body.shape is not None and body.shape.kind in KINDS:
-                place = placed[link.name] @ homogeneous(body.origin)
+                place = placed[link.name] @ homogeneous(*body.origin)
                 yield _shape(data, robot, body, place, written.get(id(body.at))), link.name
 
 
@@ -157,7 +157,10 @@ def _shape(
     group = VISUAL_GROUP if body.at.tag == "visual" else COLLISION_GROUP
     if set(model.geom_group[geoms]) != {group}:
         return WHOLE
-    frames = [back @ _geom_frame(data, geom) for geom in geoms]
+    frames = [
+        back @ homogeneous(data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom])
+        for geom in geoms
+    ]
     if extents is None:
         return _mesh(model, robot, shape, geoms_of_shape, frames)
     if set(model.geom_type[geoms]) != {int(KINDS[shape.kind])}:
@@ -188,12 +191,6 @@ def _mesh(
         centers = np.array([frame[:3, 3] for frame in frames])
         distances = np.maximum(low - centers, centers - high).clip(0)
     return float(distances.max() / max(np.abs(ours).max(), LEAST))
-
-
-def _geom_frame(data: Any, geom: int) -> Floats:
-    frame = np.eye(4)
-    frame[:3, :3], frame[:3, 3] = data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom]
-    return frame
 
 
 def _vertices(model: Any, geom: int) -> Floats:

@@ -10,9 +10,9 @@ import mujoco
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.output.conversion.element_copy import copied
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.output.exchange import element_tree
 from urdfkit.text.document import Element
 
 _MASSES = "the conversion writes the masses of the robot"
@@ -84,7 +84,7 @@ def _read(robot: Context) -> Iterator[tuple[Element, Any]]:
         for element in block.children if block else ():
             if element.tag not in ("option", "size"):
                 continue
-            settings += tostring(copied(element), encoding="unicode")
+            settings += tostring(element_tree(element), encoding="unicode")
             try:
                 yield element, mujoco.MjSpec.from_string(f"<mujoco>{settings}</mujoco>")
             except ValueError as error:

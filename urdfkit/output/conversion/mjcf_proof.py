@@ -9,10 +9,10 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
+from urdfkit.output.conversion.body_inertia import homogeneous
 from urdfkit.output.conversion.mjcf_comparison import (
     LEAST,
     inertias,
@@ -26,6 +26,7 @@ from urdfkit.output.conversion.mjcf_inputs import expected_options
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.own_dynamics import OwnDynamics
 from urdfkit.output.conversion.random_poses import random_poses
+from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.text_reading import read_text
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics
 from urdfkit.robot.kinematics import laws, positions
@@ -44,46 +45,7 @@ _OPTIONS = ("gravity", "disableflags", "enableflags")
 MAX_OWN = 1000
 
 
-class MjcfProof(Record):
-    """The largest differences between MuJoCo and the robot."""
-
-    frames: float  # of link poses, in m and in entries of the rotation
-    #: Relative to the largest entry: inertia of links that are fixed together; mass matrix and
-    #: gravity torques of the whole robot.
-    inertia: float
-    mass_matrix: float
-    gravity: float
-    joints: float  # of ranges, efforts, damping, friction and equalities, relative
-    shapes: float  # of pose or size of visuals and collisions, relative to the size
-    part: str  # the link or joint that differs most; empty if there is no difference
-    engine: str  # the program that MuJoCo is compared with
-    reader: str  # the parser of the URDF
-
-    @property
-    def holds(self) -> bool:
-        parts = self.inertia, self.mass_matrix, self.gravity, self.joints
-        return self.frames <= LENGTH and max(parts) <= PART and self.shapes <= SHAPE
-
-    @property
-    def agreed(self) -> str:
-        quantities = "frames, inertia, mass matrix and gravity torques"
-        reader = "" if self.reader == self.engine else f", of the URDF as {self.reader} reads it"
-        return (
-            f"MuJoCo and {self.engine} agree on {quantities}{reader}; joints and shapes match the "
-            "robot"
-        )
-
-    @property
-    def disagreed(self) -> str:
-        return (
-            f"MuJoCo and {self.engine} do not agree on the robot: "
-            f"frames {self.frames:.2g} m, inertia {self.inertia:.2g}, "
-            f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}, "
-            f"joints {self.joints:.2g}, shapes {self.shapes:.2g}; most at '{self.part}'"
-        )
-
-
-def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> MjcfProof:
+def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Proof:
     """Compare a compiled model of MuJoCo with a robot.
 
     Args:
@@ -107,16 +69,31 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Mj
     frame, mimic, matrix, gravity = poses.compare()
     joint = max((mimic, ""), *joints(model, robot))
     measured = ((frame, LENGTH), (inertia, PART), (joint, PART), (shape, SHAPE))
-    return MjcfProof(
-        frame[0],
-        inertia[0],
-        matrix,
-        gravity,
-        joint[0],
-        shape[0],
-        max((1.0, ""), *((most / bound, name) for (most, name), bound in measured))[1],
-        "urdfkit" if is_large else "Pinocchio",
-        "Pinocchio" if poses.reading else "urdfkit",
+    _, worst = max((1.0, ""), *((most / bound, name) for (most, name), bound in measured))
+    engine = "urdfkit" if is_large else "Pinocchio"
+    reader = "Pinocchio" if poses.reading else "urdfkit"
+    of_reader = "" if reader == engine else f", of the URDF as {reader} reads it"
+    is_moved = max(inertia[0], matrix, gravity, joint[0]) <= PART
+    return Proof(
+        frame[0] <= LENGTH and is_moved and shape[0] <= SHAPE,
+        f"MuJoCo and {engine} agree on frames, inertia, mass matrix and gravity torques"
+        f"{of_reader}; joints and shapes match the robot",
+        f"MuJoCo and {engine} do not agree on the robot: frames {frame[0]:.2g} m, "
+        f"inertia {inertia[0]:.2g}, mass matrix {matrix:.2g}, gravity torques {gravity:.2g}, "
+        f"joints {joint[0]:.2g}, shapes {shape[0]:.2g}; most at '{worst}'",
+        {
+            "frames": frame[0],  # of link poses, in m and in entries of the rotation
+            # Relative to the largest entry: inertia of links that are fixed together; mass matrix
+            # and gravity torques of the whole robot.
+            "inertia": inertia[0],
+            "mass_matrix": matrix,
+            "gravity": gravity,
+            "joints": joint[0],  # ranges, efforts, damping, friction and equalities, relative
+            "shapes": shape[0],  # pose or size of visuals and collisions, relative to the size
+            "part": worst,  # empty if there is no difference
+            "engine": engine,  # the program that MuJoCo is compared with
+            "reader": reader,  # the parser of the URDF
+        },
     )
 
 
@@ -232,7 +209,6 @@ def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
     bodies = names(data.model, "nbody")
     for name, matrix in links.items():
         part = data.body(name) if name in bodies else data.site(name)  # merged link
-        frame = np.eye(4)
-        frame[:3, :3], frame[:3, 3] = part.xmat.reshape(3, 3), part.xpos
+        frame = homogeneous(part.xmat.reshape(3, 3), part.xpos)
         worst = max(worst, (float(np.abs(frame - matrix).max()), name))
     return worst

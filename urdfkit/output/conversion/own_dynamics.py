@@ -35,7 +35,7 @@ class OwnDynamics:
 
     def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
         """Homogeneous matrices (4, 4) of the links in the frame of the root."""
-        return {name: homogeneous(frame) for name, frame in frames(self._tree, pose).items()}
+        return {name: homogeneous(*frame) for name, frame in frames(self._tree, pose).items()}
 
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
         """The joint-space mass matrix, the root fixed, (nv, nv)."""

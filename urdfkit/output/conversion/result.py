@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator
-from typing import Any, Protocol
+from typing import Any
 
 from urdfkit import __version__
 from urdfkit.core import atomic
@@ -20,30 +20,14 @@ REPORT = "conversion.json"
 VERSION = 1
 
 
-class Proof(Protocol):
-    """Differences between the converted robot and the original."""
+class Proof(Record):
+    """Comparison of the converted robot with the original."""
 
-    @property
-    def part(self) -> str:
-        """Name of the link or joint that differs most; empty if unknown."""
-        ...
-
-    @property
-    def holds(self) -> bool:
-        """True if all differences are within the bounds."""
-        ...
-
-    @property
-    def agreed(self) -> str:
-        """Summary of a proof that holds; a sentence."""
-        ...
-
-    @property
-    def disagreed(self) -> str:
-        """Summary of a proof that fails: a sentence with the differences."""
-        ...
-
-    def _asdict(self) -> dict[str, Any]: ...
+    holds: bool  # True if all differences are within the bounds
+    agreed: str  # summary of a proof that holds; a sentence
+    disagreed: str  # summary of a proof that fails: a sentence with the differences
+    #: The differences, and under ``part`` the link or joint that differs most, if it is known.
+    differences: dict[str, Any]
 
 
 def proven(proof: Proof, robot: Context) -> Proof:
@@ -53,8 +37,9 @@ def proven(proof: Proof, robot: Context) -> Proof:
         UrdfkitError: the proof fails; located at the link or joint that differs most.
     """
     if not proof.holds:
+        place = robot.model.place(proof.differences.get("part", ""))
         raise UrdfkitError(
-            f"{robot.model.place(proof.part)}: {proof.disagreed}; nothing is written: this is a "
+            f"{place}: {proof.disagreed}; nothing is written: this is a "
             "bug in the conversion, not in the robot: please report it with the file"
         )
     return proof
@@ -80,7 +65,7 @@ class Conversion(Record):
             "file": self.file,
             "base": self.root,
             "counts": {f"{thing}s": number for thing, number in self.counts.items()},
-            "proof": {"holds": self.proof.holds, **self.proof._asdict()},
+            "proof": {"holds": self.proof.holds, **self.proof.differences},
             "parts": [
                 {
                     "part": entry.part,

@@ -13,8 +13,8 @@ from xml.etree.ElementTree import SubElement
 
 from urdfkit.core.spatial import Transform, from_rpy
 from urdfkit.errors import UrdfkitError
-from urdfkit.output.conversion.element_copy import copied
 from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
+from urdfkit.output.exchange import element_tree
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.values import numbers, vector
 from urdfkit.ros.gazebo.conversion import LUMP
@@ -65,11 +65,11 @@ class GazeboBlock:
         for child in block.children:
             if child.tag in ("visual", "collision"):
                 parts = self.visual if child.tag == "visual" else self.collision
-                parts += map(copied, child.children)
+                parts += map(element_tree, child.children)
             elif child.tag in TAKERS:
                 self.settings[child.tag] = _setting(child)
             elif child.tag not in (*KEEPING_TAGS, "canonicalBody"):
-                self.others.append((copied(child), child))
+                self.others.append((element_tree(child), child))
 
     def concerns(self, tag: Tag, link: str) -> bool:
         """True if it applies to a visual or collision of its present link."""

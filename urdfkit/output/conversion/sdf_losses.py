@@ -1,6 +1,6 @@
 """The result of the conversion to SDF for each part of a robot."""
 
-from urdfkit.core.spatial import Rotation, Transform, from_rpy
+from urdfkit.core.spatial import Transform, from_rpy
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.conversion.losses import LossTable
@@ -11,6 +11,7 @@ from urdfkit.output.conversion.sdf_extensions import (
     is_read_as_rpy,
 )
 from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
+from urdfkit.output.conversion.sdf_proof import difference
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Link, Material
@@ -128,15 +129,10 @@ def _origin(
     """Record an origin; if ``is_turned``, urdfdom rounds a pitch near 90 degrees to 90 degrees."""
     origin = at.child("origin")
     losses.keep(origin, note)
-    rounded = from_rpy(*snapped_rpy(frame.rotation))
-    error = _difference(frame.rotation, rounded) if is_turned else 0.0
+    rounded = Transform(from_rpy(*snapped_rpy(frame.rotation)), frame.position)
+    error = difference(frame, rounded) if is_turned else 0.0
     if error > _TURNED:
         losses.approximate(origin, f"the pitch is rounded to 90 degrees, off by {error:.2g} rad")
-
-
-def _difference(first: Rotation, second: Rotation) -> float:
-    rows = zip(first, second, strict=True)
-    return max(abs(a - b) for row in rows for a, b in zip(*row, strict=True))
 
 
 def _joint(losses: LossTable, joint: Joint, conversion: SdfConversion) -> None:

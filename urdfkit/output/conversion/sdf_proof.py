@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, length, minus
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.random_poses import random_poses
+from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.sdf_reader import Sdf, pose, text
 from urdfkit.output.conversion.sdf_values import SNAP
 from urdfkit.robot.inertia import ZERO, MassProperties, combined
@@ -27,41 +27,7 @@ LENGTH, PART = 1e-9, 1e-6
 ROUNDED = 1e-2
 
 
-class SdfProof(Record):
-    """The largest differences between an SDF and the robot."""
-
-    frames: float  # of link poses, in m and in entries of the rotation
-    masses: float  # of merged links, relative to the mass
-    centers: float  # of centres of mass of merged links, in m
-    inertia: float  # of tensors of merged links, relative to the largest entry
-    joints: float  # of limits, relative; 1 for other parent, child or type
-    shapes: float  # of poses of visuals and collisions, in m and in entries of the rotation
-    missing: int  # number of missing visuals and collisions
-    is_rounded: bool  # True if sdformat rounds a pitch to 90 degrees in a merged link
-    part: str  # the link whose frame differs most
-
-    @property
-    def holds(self) -> bool:
-        is_placed = max(self.frames, self.shapes) <= LENGTH and not self.missing
-        center, inertia = (ROUNDED, ROUNDED) if self.is_rounded else (LENGTH, PART)
-        is_heavy = self.masses <= PART and self.centers <= center and self.inertia <= inertia
-        return is_placed and is_heavy and self.joints <= PART
-
-    @property
-    def agreed(self) -> str:
-        return "the SDF agrees with the robot on frames, shapes, masses, inertia, joints and limits"
-
-    @property
-    def disagreed(self) -> str:
-        return (
-            "the SDF does not agree with the robot: "
-            f"frames {self.frames:.2g} m ('{self.part}'), masses {self.masses:.2g}, centres "
-            f"{self.centers:.2g} m, inertia {self.inertia:.2g}, joints {self.joints:.2g}, "
-            f"shapes {self.shapes:.2g} m, of which {self.missing} are missing"
-        )
-
-
-def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
+def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Proof:
     """Compare an SDF with a robot.
 
     Args:
@@ -74,27 +40,42 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> SdfProof:
         ours, theirs = frames(tree, sample), sdf.placed(names, positions(tree, sample))
         root = ours[tree.roots[0].name]
         for name in names:
-            worst = max(worst, (_difference(root.inverse @ ours[name], theirs[name]), name))
+            worst = max(worst, (difference(root.inverse @ ours[name], theirs[name]), name))
     groups: dict[str, list[str]] = {}
     for name in names:
         groups.setdefault(sdf.link_of(name), []).append(name)
     masses = [*_masses(sdf, tree, groups)]
     mass, center, tensor = (max((row[i] for row in masses), default=0.0) for i in range(3))
     shapes = [*_shapes(sdf, tree, groups)]
-    return SdfProof(
-        worst[0],
-        mass,
-        center,
-        tensor,
-        max(_joints(sdf, robot, conversion), default=0.0),
-        max((distance for distance, _ in shapes), default=0.0),
-        sum(missing for _, missing in shapes),
-        _is_rounded(tree),
-        worst[1],
+    shape = max((distance for distance, _ in shapes), default=0.0)
+    missing = sum(number for _, number in shapes)
+    joint = max(_joints(sdf, robot, conversion), default=0.0)
+    is_rounded = _is_rounded(tree)
+    is_placed = max(worst[0], shape) <= LENGTH and not missing
+    bounds = (ROUNDED, ROUNDED) if is_rounded else (LENGTH, PART)
+    is_heavy = mass <= PART and center <= bounds[0] and tensor <= bounds[1]
+    return Proof(
+        is_placed and is_heavy and joint <= PART,
+        "the SDF agrees with the robot on frames, shapes, masses, inertia, joints and limits",
+        f"the SDF does not agree with the robot: frames {worst[0]:.2g} m ('{worst[1]}'), "
+        f"masses {mass:.2g}, centres {center:.2g} m, inertia {tensor:.2g}, joints {joint:.2g}, "
+        f"shapes {shape:.2g} m, of which {missing} are missing",
+        {
+            "frames": worst[0],  # of link poses, in m and in entries of the rotation
+            "masses": mass,  # of merged links, relative to the mass
+            "centers": center,  # of mass of merged links, in m
+            "inertia": tensor,  # of merged links, relative to the largest entry
+            "joints": joint,  # of limits, relative; 1 for other parent, child or type
+            "shapes": shape,  # of their poses, in m and in entries of the rotation
+            "missing": missing,  # number of missing visuals and collisions
+            "is_rounded": is_rounded,  # True if sdformat rounds a pitch in a merged link
+            "part": worst[1],  # the link whose frame differs most
+        },
     )
 
 
-def _difference(first: Transform, second: Transform) -> float:
+def difference(first: Transform, second: Transform) -> float:
+    """The largest difference of two frames, in m or in entries of the rotation."""
     pairs = [*zip(first.position, second.position, strict=True)]
     for rows in zip(first.rotation, second.rotation, strict=True):
         pairs += zip(*rows, strict=True)
@@ -104,7 +85,7 @@ def _difference(first: Transform, second: Transform) -> float:
 def _shape_error(ours: Transform, theirs: Transform) -> float:
     """Difference of two shape poses; only of position if urdfdom rounds the rotation."""
     is_rounded = abs(ours.rotation[2][0]) >= SNAP
-    error = _difference(ours, theirs)
+    error = difference(ours, theirs)
     return (
         length(minus(ours.position, theirs.position)) if is_rounded and error < ROUNDED else error
     )

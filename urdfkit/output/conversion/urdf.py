@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.core.record import Record
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import Bundle
@@ -12,35 +11,8 @@ from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.output.conversion.result import REPORT, Conversion, proven
+from urdfkit.output.conversion.result import REPORT, Conversion, Proof, proven
 from urdfkit.text.document import Attribute, Element
-
-
-class UrdfProof(Record):
-    """Differences between the robot and the written URDF, read again."""
-
-    elements: int  # number of compared elements
-    different: int  # number of different elements, ignoring file names
-    missing: int  # number of referenced files that do not exist
-
-    @property
-    def part(self) -> str:
-        return ""
-
-    @property
-    def holds(self) -> bool:
-        return not self.different and not self.missing
-
-    @property
-    def agreed(self) -> str:
-        return f"all {self.elements} elements are unchanged when read again, and all files exist"
-
-    @property
-    def disagreed(self) -> str:
-        return (
-            f"the URDF does not agree with the robot: {self.different} elements differ, "
-            f"{self.missing} files are missing"
-        )
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
@@ -59,7 +31,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
     return conversion
 
 
-def prove(written: Context, robot: Context) -> UrdfProof:
+def prove(written: Context, robot: Context) -> Proof:
     """Compare the written URDF with the robot."""
     names = {id(shape.filename.at) for shape in robot.model.shapes if shape.filename}
     names |= {id(attribute) for attribute in _texture_names(robot)}
@@ -68,7 +40,14 @@ def prove(written: Context, robot: Context) -> UrdfProof:
         _content(before, names) != _content(after, names, like=before)
         for before, after in zip(ours, theirs, strict=False)
     )
-    return UrdfProof(len(ours), different, len(written.files.missing))
+    missing = len(written.files.missing)
+    return Proof(
+        not different and not missing,
+        f"all {len(ours)} elements are unchanged when read again, and all files exist",
+        f"the URDF does not agree with the robot: {different} elements differ, "
+        f"{missing} files are missing",
+        {"elements": len(ours), "different": different, "missing": missing},
+    )
 
 
 def _texture_names(robot: Context) -> list[Attribute]:

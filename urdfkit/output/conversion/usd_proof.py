@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
-from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
@@ -19,6 +18,7 @@ from urdfkit.output.conversion.body_inertia import (
     of_link,
     pseudo_inertia,
 )
+from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.usd_shapes import converted_shapes, shape_difference
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction
 from urdfkit.robot.model import Body, Joint, Link
@@ -48,35 +48,6 @@ _TYPES = {
     "fixed": "PhysicsFixedJoint",
     "planar": "PhysicsJoint",
 }
-
-
-class UsdProof(Record):
-    """The largest differences between a stage and the robot."""
-
-    frames: float  # of link poses at zero, in m and in entries of the rotation
-    masses: float  # of masses and tensors of links that are fixed together, relative
-    axes: float  # of unit vectors, and of the frames of joints in parent and child
-    joints: float  # of limits or mimic, relative; 1 for another joint type
-    shapes: float  # of pose or size of visuals and collisions, relative to the size
-    part: str  # the link or joint that differs most
-
-    @property
-    def holds(self) -> bool:
-        return (
-            self.frames <= LENGTH and max(self.masses, self.axes, self.joints, self.shapes) <= PART
-        )
-
-    @property
-    def agreed(self) -> str:
-        return "the stage agrees with the robot on frames, masses, inertia, joints and shapes"
-
-    @property
-    def disagreed(self) -> str:
-        return (
-            "the USD does not agree with the robot: "
-            f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
-            f"joints {self.joints:.2g}, shapes {self.shapes:.2g}; most at '{self.part}'"
-        )
 
 
 class Stage:
@@ -135,7 +106,7 @@ class Stage:
     def difference(self, prim: Any, at: Transform) -> float:
         """Difference of a prim from a frame, in m or in entries of the rotation."""
         pose = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        return float(np.abs(pose - homogeneous(at)).max())
+        return float(np.abs(pose - homogeneous(*at)).max())
 
     def inertia(self, prim: Any) -> tuple[float, Floats, Floats]:
         """Mass in kg, (3,) centre in m and (3, 3) tensor about that, in the frame of a prim."""
@@ -192,9 +163,7 @@ def _axis_token(prim: Any) -> str:
 
 
 def _frame(position: Any, rotation: Any) -> Floats:
-    frame = np.eye(4)
-    frame[:3, :3], frame[:3, 3] = rotation_of(rotation.Get()), position.Get()
-    return frame
+    return homogeneous(rotation_of(rotation.Get()), position.Get())
 
 
 def rotation_of(quaternion: Any) -> Floats:
@@ -209,7 +178,7 @@ def _name(prim: Any) -> str:
 
 
 @np.errstate(over="ignore", invalid="ignore")  # numbers that are out of range in USD
-def prove(stage: Stage, robot: Context) -> UsdProof:
+def prove(stage: Stage, robot: Context) -> Proof:
     """Compare a stage with a robot."""
     placed = robot.tree.frames
     frame = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
@@ -217,9 +186,24 @@ def prove(stage: Stage, robot: Context) -> UsdProof:
     axes = max(_axes(stage, robot), default=(0.0, ""))
     joints = max(_joints(stage, robot), default=(0.0, ""))
     shapes = max(_shape_differences(stage, robot), default=(0.0, ""))
+    relative = (masses[0], axes[0], joints[0], shapes[0])
     bounds = zip((frame, masses, axes, joints, shapes), (LENGTH, *[PART] * 4), strict=True)
-    worst = max((difference / bound, name) for (difference, name), bound in bounds)
-    return UsdProof(frame[0], masses[0], axes[0], joints[0], shapes[0], worst[1])
+    _, worst = max((difference / bound, name) for (difference, name), bound in bounds)
+    return Proof(
+        frame[0] <= LENGTH and max(relative) <= PART,
+        "the stage agrees with the robot on frames, masses, inertia, joints and shapes",
+        f"the USD does not agree with the robot: frames {frame[0]:.2g} m, "
+        f"masses {masses[0]:.2g}, axes {axes[0]:.2g}, joints {joints[0]:.2g}, "
+        f"shapes {shapes[0]:.2g}; most at '{worst}'",
+        {
+            "frames": frame[0],  # of link poses at zero, in m and in entries of the rotation
+            "masses": masses[0],  # and tensors of links that are fixed together, relative
+            "axes": axes[0],  # unit vectors, and the frames of joints in parent and child
+            "joints": joints[0],  # of limits or mimic, relative; 1 for another joint type
+            "shapes": shapes[0],  # pose or size of visuals and collisions, relative to the size
+            "part": worst,
+        },
+    )
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:

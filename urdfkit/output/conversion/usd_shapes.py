@@ -47,7 +47,7 @@ def shape_difference(prim: Any, robot: Context, body: Body) -> float:
     collides = any(gprim.HasAPI(UsdPhysics.CollisionAPI) for gprim in gprims(prim))
     if collides != (body.at.tag == "collision"):
         return 1.0
-    back = homogeneous(body.origin.inverse)
+    back = homogeneous(*body.origin.inverse)
     extents = shape.half_extents
     if extents is None:
         return _mesh_difference(prim, robot, shape, back)

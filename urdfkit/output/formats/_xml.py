@@ -1,4 +1,6 @@
-"""Text in XML reports."""
+"""Texts and documents in XML reports."""
+
+from xml.etree import ElementTree
 
 
 def xml_text(text: str) -> str:
@@ -8,3 +10,10 @@ def xml_text(text: str) -> str:
         for char in text
         if char not in "\ufffe\uffff"
     )
+
+
+def document(root: ElementTree.Element) -> str:
+    """An XML document, indented."""
+    ElementTree.indent(root)
+    text = ElementTree.tostring(root, encoding="unicode")
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'

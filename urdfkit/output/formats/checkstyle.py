@@ -3,12 +3,11 @@
 Source of the format: the output of Checkstyle's own ``XMLLogger``; it has no schema.
 """
 
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.output.formats._xml import xml_text
+from urdfkit.output.formats._xml import document, xml_text
 
 #: Version of Checkstyle, by which programs recognise the format.
 _VERSION = "4.3"
@@ -35,9 +34,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         _error(
             file, {"line": "1"}, "error", f"the rule crashed: {crash.error}", crash.code or "check"
         )
-    ElementTree.indent(root)
-    text = ElementTree.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
+    return document(root)
 
 
 def _file(root: Element, files: dict[str, Element], path: str) -> Element:

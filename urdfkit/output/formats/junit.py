@@ -5,13 +5,12 @@ that crashed is an error of the test case. A robot that is not checked is a skip
 """
 
 from operator import itemgetter
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.output.formats._paths import posix
-from urdfkit.output.formats._xml import xml_text
+from urdfkit.output.formats._xml import document, xml_text
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 
@@ -24,9 +23,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     for path in paths:
         _suite(root, path, report)
     _count(root)
-    ElementTree.indent(root)
-    text = ElementTree.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
+    return document(root)
 
 
 def _suite(root: Element, path: str, report: Report) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 from urdfkit.core.installation import needing
@@ -38,14 +37,10 @@ def simulate(
         MissingLibrary: MuJoCo is not installed.
         UrdfkitError: the robot cannot be read, or MuJoCo rejects it.
     """
-    running = _running()
-    simulation: Simulation = running.run(
-        robot if isinstance(robot, Context) else read(robot),
-        base,
-        os.fspath(srdf) if srdf else None,
-        progress,
-    )
-    return simulation
+    with needing("to simulate a robot", "simulate"):
+        from urdfkit.output.simulation.running import run
+    context = robot if isinstance(robot, Context) else read(robot)
+    return run(context, base, os.fspath(srdf) if srdf else None, progress)
 
 
 def motion(
@@ -55,10 +50,7 @@ def motion(
 
     There are fewer if the simulation diverges. The errors are those of `simulate`.
     """
-    return list(_running().motion(robot, base, srdf, images))
-
-
-def _running() -> ModuleType:
     with needing("to simulate a robot", "simulate"):
-        from urdfkit.output.simulation import running
-    return running
+        from urdfkit.output.simulation.release import moments
+        from urdfkit.output.simulation.simulated_robot import SimulatedRobot
+    return list(moments(SimulatedRobot(robot, base, srdf), images))

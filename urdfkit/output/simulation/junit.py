@@ -1,10 +1,9 @@
 """Verdicts as JUnit XML for CI servers: a test case per verdict, the robot as test suite."""
 
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.output.formats._paths import posix
-from urdfkit.output.formats._xml import xml_text
+from urdfkit.output.formats._xml import document, xml_text
 from urdfkit.output.simulation.verdicts import Simulation, Verdict
 
 
@@ -17,9 +16,7 @@ def render(simulation: Simulation, file: str) -> str:
     for element in (root, suite):
         element.set("tests", str(len(simulation.verdicts)))
         element.set("failures", str(sum(not item.passes for item in simulation.verdicts)))
-    ElementTree.indent(root)
-    text = ElementTree.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
+    return document(root)
 
 
 def _case(suite: Element, file: str, verdict: Verdict) -> None:

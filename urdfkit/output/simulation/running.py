@@ -1,18 +1,15 @@
 """Runs all simulations of a robot."""
 
-from collections.abc import Iterator
-
 import mujoco
 
 from urdfkit.core.progress import Progress
-from urdfkit.core.spatial import Transform
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.simulation.drive import drive
 from urdfkit.output.simulation.drop import drop
 from urdfkit.output.simulation.hold import hold
 from urdfkit.output.simulation.overlap import overlap
-from urdfkit.output.simulation.release import moments, release
+from urdfkit.output.simulation.release import release
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot
 from urdfkit.output.simulation.size import size
 from urdfkit.output.simulation.sweep import follow, sweep
@@ -37,10 +34,3 @@ def run(robot: Context, base: str, srdf: str | None, progress: Progress | None) 
             raise UrdfkitError(f"{path}: MuJoCo cannot simulate it: {error}") from error
     srdf_path = simulated.srdf.path if simulated.srdf else None
     return Simulation(simulated.is_free, tuple(verdicts), srdf_path)
-
-
-def motion(
-    robot: Context, base: str, srdf: str | None, images: int
-) -> Iterator[dict[str, Transform]]:
-    """Link poses for `urdfkit.output.simulation.motion`."""
-    yield from moments(SimulatedRobot(robot, base, srdf), images)

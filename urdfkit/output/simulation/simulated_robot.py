@@ -13,7 +13,7 @@ from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_collisions
-from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats
+from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, ignore_warning
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.joint_loads import GRAVITY, STEP
@@ -50,7 +50,7 @@ class SimulatedRobot:
     neighbours: set[frozenset[str]]  # pairs of links with a joint between them
 
     def __init__(self, robot: Context, base: str, srdf: str | None = None) -> None:
-        mujoco.set_mju_user_warning(_ignore)
+        mujoco.set_mju_user_warning(ignore_warning)
         self.robot = robot
         self.srdf = read_named(srdf, robot) if srdf else robot.srdf
         self.is_free = floats(robot, base)
@@ -241,7 +241,3 @@ def _add_lock(made: MjcfRobot, joint: Joint) -> None:
 def _rotation(matrix: Any) -> Rotation:
     first, second, third = (vector(row) for row in matrix.reshape(3, 3))
     return first, second, third
-
-
-def _ignore(warning: str) -> None:
-    """Discard a warning, which MuJoCo otherwise writes to a file in the current directory."""
