@@ -6,9 +6,17 @@
   programs may add their own elements.
 - An element without a required attribute, or with text instead of a number, is logged and ignored:
   the group has no chain, the state does not set the joint.
+- A virtual joint connects the root of the robot to a frame of the world, and is `fixed`, `planar`
+  or `floating`. If its type or link is invalid, MoveIt prints a warning and treats the root as
+  fixed: planning works, but the robot cannot be placed or driven (warning).
+- The links of an end effector's group must not be in its parent group, and its parent link must be.
+  MoveIt loads the robot, but handles the hand as a part of the arm, or attaches it to another group
+  with the parent link, or to none (warning).
 
 Sources:
+    SRDF: https://wiki.ros.org/srdf
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
@@ -28,6 +36,8 @@ FILES = srdf_files(
 )
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
+_VIRTUAL_TYPES = ("fixed", "planar", "floating")
+
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), help="fix the XML of the SRDF")
 def check(context: Context) -> Findings:
@@ -39,6 +49,8 @@ def check(context: Context) -> Findings:
         yield from _misspelt(context.srdf)
         yield from _incomplete(context.srdf)
         yield from _positions(context.srdf)
+        yield from _virtual_joints(context, context.srdf)
+        yield from _end_effectors(context.srdf)
 
 
 def _misspelt(srdf: Srdf) -> Findings:
@@ -73,3 +85,40 @@ def _positions(srdf: Srdf) -> Findings:
             if any(number(part) is None for part in value.value.split()):
                 message = f"state '{state.get('name')}': value '{value.value}' is not a number"
                 yield Finding(value, message, "write a number, in rad or m")
+
+
+def _virtual_joints(context: Context, srdf: Srdf) -> Findings:
+    roots = {link.name: link for link in context.tree.roots}
+    world = roots.get("world")
+    # Robots for Gazebo have this empty root; MoveIt creates the joint nevertheless.
+    has_world = world is not None and not world.visuals and not world.collisions
+    help = "attach it to the root link, with type fixed, planar or floating"
+    for joint in srdf.virtual_joints:
+        name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
+        is_wrong = child in context.model.links_by_name and child not in roots
+        if kind is not None and kind not in _VIRTUAL_TYPES:
+            reason = f"has type '{kind}', which is not one of {', '.join(_VIRTUAL_TYPES)}"
+            yield _warning(joint, f"virtual joint '{name}' {reason}", help)
+        elif is_wrong and not (has_world and kind == "fixed"):
+            reason = f"is attached to '{child}', which is not the root link"
+            yield _warning(joint, f"virtual joint '{name}' {reason}", help)
+
+
+def _end_effectors(srdf: Srdf) -> Findings:
+    help = "use groups without common links, and a parent link in the parent group"
+    for effector in srdf.end_effectors:
+        name, parent = effector.get("name"), effector.get("parent_group")
+        hand = srdf.links_of(effector.get("group") or "")
+        arm = srdf.links_of(parent) if parent else set()
+        if shared := sorted(hand & arm):
+            links = ", ".join(f"'{link}'" for link in shared)
+            message = f"end effector '{name}' and group '{parent}' share {links}"
+            yield _warning(effector, message, help)
+        link = effector.get("parent_link")
+        if link in hand:
+            message = f"end effector '{name}' is attached to '{link}', its own link"
+            yield _warning(effector, message, help)
+
+
+def _warning(at: Element, message: str, help: str) -> Finding:
+    return Finding(at, message, help, severity=Severity.WARNING)

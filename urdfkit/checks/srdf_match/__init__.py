@@ -1,4 +1,4 @@
-"""SRDF files that belong to another variant of the robot."""
+"""Whether an SRDF is for the robot."""
 
 from urdfkit.lint.context import Context
 from urdfkit.workspace.srdf_files import other_srdf_files, srdf_files

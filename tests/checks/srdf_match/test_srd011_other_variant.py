@@ -1,4 +1,4 @@
-"""SRD025: an SRDF for another variant is one info, not an error for each name."""
+"""SRD011: an SRDF for another variant is one info, not an error for each name."""
 
 from pathlib import Path
 
@@ -58,7 +58,7 @@ def test_another_robot_of_the_package_has_the_names(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (found,) = about_srdf(write(tmp_path))
-    assert (found.code, found.severity.value) == ("SRD025", "info")
+    assert (found.code, found.severity.value) == ("SRD011", "info")
     assert found.message == (
         "10 of 20 names in the SRDF are not in this robot; they are in robots/talos_full.urdf"
     )
@@ -89,6 +89,6 @@ def test_a_prefix_is_one_finding(tmp_path: Path, prefix: str) -> None:
         return
     (finding,) = found
     assert (finding.code, finding.message) == (
-        "SRD025",
+        "SRD011",
         "6 of 6 names in the SRDF are not in this robot, whose names begin with 'left_'",
     )

@@ -1,4 +1,4 @@
-"""SRD007: see the rule."""
+"""SRD017: virtual joints."""
 
 from pathlib import Path
 
@@ -24,12 +24,12 @@ GOOD = [
 
 @pytest.mark.parametrize(("text", "message"), BAD)
 def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
-    assert message_of(tmp_path, text, "SRD007") == message
+    assert message_of(tmp_path, text, "SRD017") == message
 
 
 @pytest.mark.parametrize("text", GOOD)
 def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
-    assert findings(tmp_path, text, "SRD007") == []
+    assert findings(tmp_path, text, "SRD017") == []
 
 
 WORLD = """<robot name="r">
@@ -55,4 +55,4 @@ def test_world_link_of_gazebo_is_accepted(
         f'<robot name="r">\n<virtual_joint name="v" type="{kind}" parent_frame="w" '
         'child_link="base"/></robot>'
     )
-    assert len(check(tmp_path / "r.urdf", select=["SRD007"]).diagnostics) == count
+    assert len(check(tmp_path / "r.urdf", select=["SRD017"]).diagnostics) == count

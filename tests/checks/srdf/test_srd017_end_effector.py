@@ -1,4 +1,4 @@
-"""SRD006: see the rule."""
+"""SRD017: the groups of an end effector."""
 
 from pathlib import Path
 
@@ -35,11 +35,11 @@ GOOD = [
 
 @pytest.mark.parametrize(("text", "message"), BAD)
 def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
-    (found,) = findings(tmp_path, text, "SRD006")
+    (found,) = findings(tmp_path, text, "SRD017")
     assert found.severity is Severity.WARNING  # MoveIt loads the robot
-    assert message_of(tmp_path, text, "SRD006") == message
+    assert message_of(tmp_path, text, "SRD017") == message
 
 
 @pytest.mark.parametrize("text", GOOD)
 def test_valid_configuration_is_accepted(tmp_path: Path, text: str) -> None:
-    assert findings(tmp_path, text, "SRD006") == []
+    assert findings(tmp_path, text, "SRD017") == []
