@@ -76,7 +76,8 @@ class IncludeGraph:
         if "$" not in text and not set("*?[") & set(text):
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
             if "\0" not in path:  # invalid in paths
-                yield disk.real(self._existing(path))
+                found = path if disk.exists(path) else self.resolver.installed(path)
+                yield disk.real(found or path)
             return
         yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
 
@@ -88,9 +89,6 @@ class IncludeGraph:
         for path in self.names:
             if path.startswith(directory) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
-
-    def _existing(self, path: str) -> str:
-        return path if disk.exists(path) else self.resolver.installed(path) or path
 
     def _package(self, name: str, near: str) -> str:
         from urdfkit.errors import PackageNotFound

@@ -7,13 +7,8 @@ from urdfkit.core.spatial import Vector
 
 def number(text: str | None) -> float | None:
     """A finite number as URDF parsers read it, or None."""
-    if text is None or "_" in text:  # Python alone reads 1_000
-        return None
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    return value if isfinite(value) else None
+    values = numbers(text)
+    return values[0] if values and len(values) == 1 else None
 
 
 def numbers(text: str | None) -> tuple[float, ...] | None:

@@ -130,7 +130,7 @@ class Dynamics:
         if not total.mass:  # Pinocchio divides by it
             return combined(())
         center: Floats = pin.centerOfMass(self.model, self.data, q)
-        xx, xy, yy, xz, yz, zz = map(float, _lower(total.inertia))
+        xx, xy, yy, xz, yz, zz = map(float, total.inertia[np.tril_indices(3)])
         x, y, z = map(float, center)
         return MassProperties(float(total.mass), (x, y, z), Tensor(xx, xy, xz, yy, yz, zz))
 
@@ -189,10 +189,6 @@ def _columns(joints: Sequence[Joint]) -> Iterator[tuple[str, list[str]]]:
         while taken.intersection(names):
             names = [f"{name}_" for name in names]
         yield joint.name, [joint.name] if count == 1 else names
-
-
-def _lower(tensor: Floats) -> Sequence[float]:
-    return tensor[0, 0], tensor[1, 0], tensor[1, 1], tensor[2, 0], tensor[2, 1], tensor[2, 2]
 
 
 #: Pinocchio's joint for each type of joint.

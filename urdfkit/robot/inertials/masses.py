@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.defects import InertiaDefect
+from urdfkit.robot.inertials.defects import HEAVIEST, InertiaDefect, find_defects
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
@@ -84,8 +84,6 @@ class Masses:
     @cached_property
     def defects(self) -> dict[InertiaDefect, list[LinkInertia]]:
         """The links with each defect of mass or inertia."""
-        from urdfkit.robot.inertials.defects import find_defects
-
         return find_defects(self.inertias, self.matters, self._with_shared_tensor)
 
     @cached_property
@@ -94,8 +92,6 @@ class Masses:
 
         One mistake caused them, such as a wrong unit of the whole robot.
         """
-        from urdfkit.robot.inertials.defects import HEAVIEST, InertiaDefect
-
         dense = self.defects.get(InertiaDefect.DENSITY, [])
         if len(dense) < COMMON_CAUSE or 2 * len(dense) <= sum(
             bool(link.densities) for link in self.inertias
@@ -127,8 +123,6 @@ class Masses:
     @property
     def singular(self) -> list[RigidBody]:
         """The bodies with a joint and a mass, but without a moment of inertia about some axis."""
-        from urdfkit.robot.inertials.defects import InertiaDefect
-
         impossible = (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY)
         wrong = {link.body.top.name for key in impossible for link in self.defects.get(key, ())}
         bodies = []
@@ -185,8 +179,6 @@ class Masses:
     @property
     def _defective(self) -> list[LinkInertia]:
         """The links with a defect other than a tensor that differs from the shape."""
-        from urdfkit.robot.inertials.defects import InertiaDefect
-
         others = (key for key in self.defects if key is not InertiaDefect.UNLIKE_SHAPE)
         return [link for key in others for link in self.defects[key]]
 

@@ -1,7 +1,7 @@
 """Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
 from urdfkit.ros.launch.argument_checks import (
@@ -179,18 +179,18 @@ class _XmlReader(XmlLaunchFile):
         attribute = element.attributes.get("file")
         path = self.path(attribute) if attribute else None
         purpose = "included launch file"
+        visible = self._visible(element)
         if path:
-            arguments = self._seen(element)
             is_sure = not self.unknown_conditions
-            included = IncludedFile(path, arguments, element.span, self.frame, is_sure)
+            included = IncludedFile(path, visible, element.span, self.frame, is_sure)
             self.collector.include(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
-            self._included(element, path)
+            self._included(element, path, {name: word.text for name, word in visible.items()})
             return
         self.collector.unread.append(path or "")
         self._is_whole = self._is_whole and not declares_others(path or "")
 
-    def _included(self, element: Element, path: str) -> None:
+    def _included(self, element: Element, path: str, passed: Mapping[str, str | None]) -> None:
         source = self.collector.resolver.readable(path)
         if source is None:
             return
@@ -204,7 +204,7 @@ class _XmlReader(XmlLaunchFile):
             self._arguments.declare(taken.names)  # an include declares them here, too
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
-            self.collector.follow(path, self.source, self._passed(element), frame)
+            self.collector.follow(path, self.source, passed, frame)
             return
         here = (*self._outer, self.source.path)
         is_xml = not path.endswith(YAML)
@@ -216,7 +216,7 @@ class _XmlReader(XmlLaunchFile):
         inherited = {child.get("name") or "" for child in element.children}
         if self._passes_all(element):
             inherited |= self._arguments.declared
-        file = LaunchedFile(source, self._passed(element), frame)
+        file = LaunchedFile(source, passed, frame)
         _XmlReader(self.collector, file, inherited, here).read()
 
     def _of_other_ros(self, attribute: Attribute, path: str) -> None:
@@ -249,23 +249,13 @@ class _XmlReader(XmlLaunchFile):
         if self.ros == 1 or not self._may_inherit():
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
-    def _passed(self, element: Element) -> dict[str, str | None]:
-        """The arguments of an include; None if known only at run time."""
-        passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
+    def _visible(self, element: Element) -> dict[str, Word]:
+        """The arguments that an included file sees, with their locations."""
+        place = element.span
+        own = self.values if self._passes_all(element) else {}
+        visible = {name: Word(value, place) for name, value in own.items()}
         for child in element.children:
             attribute = child.attributes.get("value")
             if child.tag in ("arg", "let") and attribute and not self.is_off(child):
-                passed[child.get("name") or ""] = self.text(attribute)
-        return passed
-
-    def _seen(self, element: Element) -> dict[str, Word]:
-        """The arguments that an included file sees, with their locations."""
-        spans = {
-            child.get("name") or "": child.attributes["value"].span
-            for child in element.children
-            if "value" in child.attributes and not self.is_off(child)
-        }
-        return {
-            name: Word(value, spans.get(name, element.span))
-            for name, value in self._passed(element).items()
-        }
+                visible[child.get("name") or ""] = Word(self.text(attribute), attribute.span)
+        return visible
