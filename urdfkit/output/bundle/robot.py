@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from xml.sax.saxutils import quoteattr
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
@@ -97,7 +96,7 @@ def _compiler(root: Element) -> tuple[Edit, ...]:
         return insert_first(mujoco, ['<compiler strippath="false"/>'])
     attributes = {at.name: at.value for at in compiler.attributes.values() if at.name != "meshdir"}
     attributes["strippath"] = "false"
-    values = "".join(f" {name}={quoteattr(value)}" for name, value in attributes.items())
+    values = "".join(f' {name}="{escaped(value)}"' for name, value in attributes.items())
     return (Edit(compiler.tag_at.whole_span, f"<compiler{values}/>"),)
 
 

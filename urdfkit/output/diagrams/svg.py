@@ -4,8 +4,8 @@ Each link has a row, so that trees of any shape are readable and printable.
 """
 
 from collections.abc import Iterator
+from html import escape
 from unicodedata import east_asian_width
-from xml.sax.saxutils import escape
 
 from urdfkit.output.diagrams.rows import TreeRow, caption, rows
 from urdfkit.robot.tree import KinematicTree
@@ -95,7 +95,7 @@ def _label(row: TreeRow) -> str:
 
 def _text(text: str) -> str:
     """A text escaped for XML, without invalid characters."""
-    return escape(printable(text))
+    return escape(printable(text), quote=False)
 
 
 def _left(depth: int) -> float:

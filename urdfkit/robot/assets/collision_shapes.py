@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
@@ -16,7 +15,7 @@ from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
-from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
+from urdfkit.text.editing.edits import escaped, from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.workspace.resolve import OUTSIDE
 
@@ -203,11 +202,11 @@ def _visual_mesh(robot: Robot, body: Body) -> tuple[str, str] | None:
     if path is None or body.shape is None or body.shape.filename is None:
         return None
     at, (stem, suffix) = body.shape.filename.at, os.path.splitext(body.shape.filename.value)
-    reference = escape(stem)
+    reference = escaped(stem)
     # The source text is kept: the value of $(find) is a path of this machine.
     if isinstance(at, Attribute) and at.span.text.endswith(suffix):
-        reference = at.span.text.removesuffix(suffix)
-    return reference.replace('"', "&quot;"), os.path.splitext(path)[0]
+        reference = at.span.text.removesuffix(suffix).replace('"', "&quot;")
+    return reference, os.path.splitext(path)[0]
 
 
 def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:
