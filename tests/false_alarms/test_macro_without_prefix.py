@@ -51,7 +51,7 @@ NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 UNEXPANDED = [
     ("XAC003", '<xacro:wheel name="left"/>', "plain.urdf"),
     ("XAC003", '<link name="${side}_wheel"/>', "plain.urdf"),
-    ("XAC021", '<xacro:property name="side" value="left"/><link name="{side}_wheel"/>', "r.xacro"),
+    ("XAC003", '<xacro:property name="side" value="left"/><link name="{side}_wheel"/>', "r.xacro"),
 ]
 
 

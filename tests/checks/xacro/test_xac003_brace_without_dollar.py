@@ -1,4 +1,4 @@
-"""XAC021: see the rule."""
+"""XAC003: a name in braces without a dollar."""
 
 import pytest
 
@@ -25,7 +25,7 @@ MACRO = (
 )
 def test_a_name_in_braces(inside: str, name: str) -> None:
     text = MACRO.replace("INSIDE", inside)
-    (found,) = check(Source("r.urdf.xacro", text.encode()), select=["XAC021"]).diagnostics
+    (found,) = check(Source("r.urdf.xacro", text.encode()), select=["XAC003"]).diagnostics
     assert found.message == f"xacro does not replace {{{name}}}: the dollar before it is missing"
     assert len(found.calls) == 2
 
@@ -35,9 +35,9 @@ def test_a_name_in_braces(inside: str, name: str) -> None:
 )
 def test_others_are_calm(inside: str) -> None:
     robot = f'{HEAD}<xacro:property name="p" value="1"/>{inside}</robot>'
-    assert messages("XAC021", robot, "r.urdf.xacro") == []
+    assert messages("XAC003", robot, "r.urdf.xacro") == []
 
 
 def test_it_is_fixed() -> None:
     robot = f'{HEAD}<xacro:property name="p" value="1"/><link name="{{p}}_link"/></robot>'
-    assert '<link name="${p}_link"/>' in fixed("XAC021", robot, "r.urdf.xacro")
+    assert '<link name="${p}_link"/>' in fixed("XAC003", robot, "r.urdf.xacro")
