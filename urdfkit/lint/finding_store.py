@@ -2,10 +2,11 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from itertools import islice
 
 from urdfkit.core import disk
-from urdfkit.core.memo import Memo
+from urdfkit.core.memo import LIMIT
 from urdfkit.core.static_typing import IO, overload
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
@@ -43,7 +44,8 @@ class FindingStore:
         self._spilled: IO[bytes] | None = None
         self._files: dict[str, tuple[str, ...]] = {}  # real paths by displayed path
         self._variants: dict[str, set[str]] = {}  # names of variants by path of the description
-        self._paths: Memo[str, tuple[str, str]] = Memo()
+        #: The real path and the displayed path of a file; cached, for files with many findings.
+        self._real_and_shown = lru_cache(LIMIT)(lambda path: (disk.real(path), shown(path)))
 
     def __del__(self) -> None:
         if self._spilled is not None:
@@ -96,12 +98,6 @@ class FindingStore:
         if file not in files:
             self._files[name] = (*files, file)
         return file_findings
-
-    def _real_and_shown(self, path: str) -> tuple[str, str]:
-        """The real path and the displayed path of a file; cached, for files with many findings."""
-        if path not in self._paths:
-            self._paths[path] = disk.real(path), shown(path)
-        return self._paths[path]
 
     def diagnostics(self) -> Sequence[Diagnostic]:
         """All findings, sorted by file, place, code and message; call it after the last ``add``."""

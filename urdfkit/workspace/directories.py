@@ -1,10 +1,11 @@
 """Cached listings of directories, with case-sensitive lookup of names."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache, lru_cache
 
 from urdfkit.core import disk
-from urdfkit.core.memo import Memo
+from urdfkit.core.memo import LIMIT
 
 #: Directories created by a build or a virtual environment, and one that macOS adds to archives.
 _NOT_SOURCES = frozenset(
@@ -33,34 +34,29 @@ class Directories:
     """
 
     def __init__(self) -> None:
-        self._entries: Memo[str, dict[str, bool] | None] = Memo()
+        #: Names in a directory, with True for directories; None if it cannot be read.
+        self.entries: Callable[[str], dict[str, bool] | None] = lru_cache(LIMIT)(self._entries)
         #: Names of entries that are neither files nor directories, such as broken links.
         self._others: dict[str, list[str]] = {}
-        self._below: dict[str, list[str]] = {}
+        self._walked: Callable[[str], list[str]] = cache(self._walk)
         self._links: set[str] = set()
-        self._real: Memo[str, str] = Memo()
+        #: Absolute path with all symbolic links resolved.
+        self.real: Callable[[str], str] = lru_cache(LIMIT)(self._real)
 
-    def real(self, path: str) -> str:
-        """Absolute path with all symbolic links resolved."""
-        if path not in self._real:
-            parent, name = os.path.split(path)
-            is_plain = parent != path and not disk.is_link(path)
-            real = os.path.join(self.real(parent), name) if is_plain else disk.real(path)
-            self._real[path] = real
-        return self._real[path]
+    def _real(self, path: str) -> str:
+        parent, name = os.path.split(path)
+        is_plain = parent != path and not disk.is_link(path)
+        return os.path.join(self.real(parent), name) if is_plain else disk.real(path)
 
     def is_link(self, path: str) -> bool:
         """True for a symbolic link in a directory that is already listed."""
         return path in self._links
 
-    def entries(self, directory: str) -> dict[str, bool] | None:
-        """Names in a directory, with True for directories; None if it cannot be read."""
-        if directory not in self._entries:
-            try:
-                self._entries[directory] = self._list(directory)
-            except (OSError, ValueError):  # ValueError: a NUL in the name
-                self._entries[directory] = None
-        return self._entries[directory]
+    def _entries(self, directory: str) -> dict[str, bool] | None:
+        try:
+            return self._list(directory)
+        except (OSError, ValueError):  # ValueError: a NUL in the name
+            return None
 
     def _list(self, directory: str) -> dict[str, bool]:
         entries: dict[str, bool] = {}
@@ -121,13 +117,10 @@ class Directories:
 
     def walk(self, directory: str) -> list[str]:
         """Like the function `walk`; including broken links, pipes and devices."""
-        top = os.path.abspath(directory)
-        if top not in self._below:
-            self._below[top] = self._walked(top)
         prefix = os.path.join(directory, "")
-        return [prefix + path for path in self._below[top]]
+        return [prefix + path for path in self._walked(os.path.abspath(directory))]
 
-    def _walked(self, top: str) -> list[str]:
+    def _walk(self, top: str) -> list[str]:
         """The paths below a directory, relative to it."""
         paths: list[str] = []
         stack = [""]  # directories relative to the top, with a trailing separator

@@ -1,8 +1,9 @@
 """Files that git ignores."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fnmatch import fnmatchcase
+from functools import cache
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within, upwards
@@ -24,7 +25,7 @@ class GitIgnored:
     """
 
     def __init__(self) -> None:
-        self._words: dict[str, set[str] | None] = {}
+        self._words_above: Callable[[str], set[str] | None] = cache(self._read_words)
 
     def __contains__(self, path: object) -> bool:
         if not isinstance(path, str):
@@ -32,21 +33,17 @@ class GitIgnored:
         words = self._words_above(os.path.dirname(disk.real(path)))
         return words is not None and _may_match(words, path) and is_ignored(path)
 
-    def _words_above(self, directory: str) -> set[str] | None:
+    def _read_words(self, directory: str) -> set[str] | None:
         """The words of the .gitignore files from a directory up to its repository.
 
         None outside of repositories.
         """
-        if directory not in self._words:
-            parent = os.path.dirname(directory)
-            if disk.exists(os.path.join(directory, ".git")):
-                words: set[str] | None = _words(os.path.join(directory, ".git", "info", "exclude"))
-            else:
-                words = None if parent == directory else self._words_above(parent)
-            self._words[directory] = words
-            if words is not None:
-                self._words[directory] = words | _words(os.path.join(directory, ".gitignore"))
-        return self._words[directory]
+        parent = os.path.dirname(directory)
+        if disk.exists(os.path.join(directory, ".git")):
+            words: set[str] | None = _words(os.path.join(directory, ".git", "info", "exclude"))
+        else:
+            words = None if parent == directory else self._words_above(parent)
+        return None if words is None else words | _words(os.path.join(directory, ".gitignore"))
 
 
 def is_ignored(path: str) -> bool:

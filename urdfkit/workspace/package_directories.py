@@ -1,7 +1,8 @@
 """Names of packages by directory, and detection of repositories."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 
 from urdfkit.core import disk
 from urdfkit.text.comments import without_comments
@@ -14,13 +15,8 @@ class PackageDirectories:
 
     def __init__(self, listings: Directories) -> None:
         self.listings = listings
-        self._names: dict[str, str | None] = {}
-
-    def name_of(self, directory: str) -> str | None:
-        """Name of the package in a directory; None if it is not a package."""
-        if directory not in self._names:
-            self._names[directory] = _package_name(directory)
-        return self._names[directory]
+        #: Name of the package in a directory; None if it is not a package.
+        self.name_of: Callable[[str], str | None] = cache(_package_name)
 
     def is_repository(self, directory: str) -> bool:
         """True for the top directory of a repository that is not a submodule."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 
 from urdfkit.core import disk
-from urdfkit.core.memo import Memo
+from urdfkit.core.memo import LIMIT, Memo
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
@@ -50,15 +51,10 @@ class Packages:
         self._roots = SearchRoots(self._packages, environment)
         self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
-        self._scans: Memo[ScannedDirectory, PackageScan] = Memo()
+        self._scan: Callable[[ScannedDirectory], PackageScan] = lru_cache(LIMIT)(self._new_scan)
         self._searched: Memo[str, tuple[str, ...]] = Memo()
-        self._directories_of: Memo[str, str] = Memo()
-
-    def directory_of(self, path: str) -> str:
-        """The absolute directory of a file; cached, as a robot may refer to a hundred meshes."""
-        if path not in self._directories_of:
-            self._directories_of[path] = os.path.dirname(os.path.abspath(path))
-        return self._directories_of[path]
+        #: The absolute directory of a file; cached, as a robot may refer to a hundred meshes.
+        self.directory_of: Callable[[str], str] = lru_cache(LIMIT)(_directory_of)
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
         """The directories that may be a package; certain candidates in order of preference.
@@ -158,13 +154,11 @@ class Packages:
             if sibling not in parents and disk.is_directory(sibling):
                 yield sibling
 
-    def _scan(self, level: ScannedDirectory) -> PackageScan:
+    def _new_scan(self, level: ScannedDirectory) -> PackageScan:
         from urdfkit.workspace.package_scan import PackageScan  # often the robot's package suffices
 
-        if level not in self._scans:
-            depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
-            self._scans[level] = PackageScan(self._packages, level.root, depth, nested=level.inside)
-        return self._scans[level]
+        depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
+        return PackageScan(self._packages, level.root, depth, nested=level.inside)
 
     def _in_environment(self, name: str) -> Iterator[str]:
         for prefix in self.prefixes:
@@ -190,6 +184,10 @@ class Packages:
             and directory not in self._roots.shared
             and (not self.root(near).mark or self.searches(directory, near))
         ]
+
+
+def _directory_of(path: str) -> str:
+    return os.path.dirname(os.path.abspath(path))
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:

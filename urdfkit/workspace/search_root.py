@@ -22,9 +22,10 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 
-from urdfkit.core.memo import Memo
+from urdfkit.core.memo import LIMIT
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import is_walked
@@ -69,20 +70,11 @@ class SearchRoots:
     def __init__(self, directories: PackageDirectories, environment: Mapping[str, str]) -> None:
         self.shared = _shared_directories(environment)
         self._directories = directories
-        self._roots: Memo[str, Root] = Memo()
-        self._levels: Memo[str, tuple[ScannedDirectory, ...]] = Memo()
-
-    def root(self, start: str) -> Root:
-        """The root of the search for packages from a directory."""
-        if start not in self._roots:
-            self._roots[start] = self._find_root(start)
-        return self._roots[start]
-
-    def levels(self, start: str) -> tuple[ScannedDirectory, ...]:
-        """The directories that are scanned for packages from a directory, innermost first."""
-        if start not in self._levels:
-            self._levels[start] = self._find_levels(start)
-        return self._levels[start]
+        #: The root of the search for packages from a directory.
+        self.root: Callable[[str], Root] = lru_cache(LIMIT)(self._find_root)
+        #: The directories that are scanned for packages from a directory, innermost first.
+        self.levels: Callable[[str], tuple[ScannedDirectory, ...]]
+        self.levels = lru_cache(LIMIT)(self._find_levels)
 
     def enclosing(self, start: str) -> tuple[str, str] | None:
         """Name and directory of the innermost package that contains a directory."""

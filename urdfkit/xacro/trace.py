@@ -5,7 +5,8 @@ up, and the origin of their values.
 """
 
 import reprlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache
 from itertools import chain
 from types import FrameType
 
@@ -26,7 +27,7 @@ class Tracer:
         self._defined = defined
         self._collected: list[dict[str, Origin]] = []
         self._last: tuple[Origin, ...] = ()
-        self._definitions: dict[tuple[Node, str], tuple[str, Span, str]] = {}
+        self._definition: Callable[[Node, str], tuple[str, Span, str]] = cache(_definition)
 
     def begin(self) -> None:
         """Called before the evaluation of a text."""
@@ -58,12 +59,6 @@ class Tracer:
         inputs = annotations.inputs.get(key, ())
         kind, span, text = self._definition(definer, key)
         self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
-
-    def _definition(self, definer: Node, key: str) -> tuple[str, Span, str]:
-        """The cached result of the function `_definition`."""
-        if (definer, key) not in self._definitions:
-            self._definitions[definer, key] = _definition(definer, key)
-        return self._definitions[definer, key]
 
     def argument(self, name: str, value: str) -> None:
         """Record that an expression used ``$(arg name)``."""

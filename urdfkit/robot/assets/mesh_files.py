@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from functools import cached_property
+from collections.abc import Callable
+from functools import cache, cached_property
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -60,8 +61,8 @@ class MeshFiles:
         self.resolver = resolver
         self.top = model.document.sources[0].path
         self._model = model
-        self._facts: dict[str, MeshFacts] = {}
-        self._below: dict[str, list[str]] = {}
+        self.facts: Callable[[str], MeshFacts] = cache(_facts)
+        self._below = cache(lambda base: resolver.directories.files_below(base, MAX_DIRECTORIES))
 
     @cached_property
     def meshes(self) -> tuple[MeshReference, ...]:
@@ -106,13 +107,6 @@ class MeshFiles:
     def locate(self, name: Placed[str]) -> ResolvedReference:
         """The resolved reference of a mesh or texture."""
         return self.resolver.locate(name.value, _tag(name).source.path, self.top)
-
-    def facts(self, path: str) -> MeshFacts:
-        if path not in self._facts:
-            from urdfkit.mesh.io.sniff import sniff_file
-
-            self._facts[path] = sniff_file(path)
-        return self._facts[path]
 
     def has_ambiguous_axes(self, body: Body) -> bool:
         """True for a mesh whose axes programs interpret differently (MSH013)."""
@@ -264,11 +258,9 @@ class MeshFiles:
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
             base = package[1] if package else self.resolver.packages.workspace(self.top)
-        if base not in self._below:
-            self._below[base] = self.resolver.directories.files_below(base, MAX_DIRECTORIES)
         directory, expected = os.path.split(located.relative)
         by_common: dict[int, list[str]] = {}
-        for path in self._below[base]:
+        for path in self._below(base):
             name = os.path.basename(path)
             if name.casefold() != expected.casefold() and not (
                 any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(expected)
@@ -301,6 +293,12 @@ class MeshFiles:
         if close is None:
             return None, False
         return os.path.join(directory, stems[close]), is_mistyped(expected, stems[close])
+
+
+def _facts(path: str) -> MeshFacts:
+    from urdfkit.mesh.io.sniff import sniff_file
+
+    return sniff_file(path)
 
 
 def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
