@@ -46,7 +46,7 @@ def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
     return tuple(ast.walk(tree))
 
 
-def string(node: ast.expr | None) -> str | None:
+def string(node: ast.AST | None) -> str | None:
     """The value of a string literal; None for any other expression."""
     value = node.value if isinstance(node, ast.Constant) else None
     return value if isinstance(value, str) else None

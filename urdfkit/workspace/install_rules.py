@@ -106,8 +106,7 @@ class InstallRules:
             parts = [node]
             if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "join":
                 parts = list(node.args)
-            texts = [part.value for part in parts if isinstance(part, ast.Constant)]
-            words = [text for text in texts if isinstance(text, str)]
+            words = [text for part in parts if (text := python_source.string(part)) is not None]
             if len(words) == len(parts):
                 paths.append(posixpath.join(*words).removeprefix("./"))
         return paths

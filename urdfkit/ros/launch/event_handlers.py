@@ -3,10 +3,10 @@
 import ast
 from collections.abc import Iterator
 
+from urdfkit.ros.launch.python_mistakes import ACTIONS
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 
-_ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
 #: Actions that start other actions later.
 _TRIGGERS = ("RegisterEventHandler", "TimerAction")
 #: Arguments of a handler or timer with the actions to start.
@@ -83,4 +83,4 @@ def _listed(node: ast.expr, values: Values) -> list[ast.expr]:
 
 def _is_action(node: ast.expr, values: Values) -> bool:
     action = values.suggested(node)
-    return isinstance(action, ast.Call) and called(action) in _ACTIONS
+    return isinstance(action, ast.Call) and called(action) in ACTIONS

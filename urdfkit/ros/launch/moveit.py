@@ -153,7 +153,7 @@ class _Reader:
         node = self._values.suggested(node)
         if isinstance(node, ast.Dict):
             names: set[str] = set()
-            for key, value in zip(node.keys, node.values, strict=True):
+            for key, value in self._values.pairs(node):
                 name = self._values.text(key)
                 if name is None:
                     return {_OPEN}
@@ -167,13 +167,7 @@ class _Reader:
 
     def pipelines(self, node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
         """The names in a list of planning pipelines, with their locations."""
-        dictionary = self._values.suggested(node)
-        pairs = (
-            zip(dictionary.keys, dictionary.values, strict=True)
-            if isinstance(dictionary, ast.Dict)
-            else ()
-        )
-        for key, value in pairs:
+        for key, value in self._values.pairs(node):
             is_pipelines = self._values.text(key) == "planning_pipelines"
             for item in self._values.items(value) if is_pipelines else ():
                 if item is not None and (name := self._values.text(item)):

@@ -206,9 +206,8 @@ class _PythonReader:
         lists: dict[str, tuple[str | None, ...]] = {}
         is_whole = ros_arguments is None
         for item in self.values.items(node) if node else ():
-            value_node = self.values.suggested(item)
-            if isinstance(value_node, ast.Dict):
-                for key, value in zip(value_node.keys, value_node.values, strict=True):
+            if isinstance(self.values.suggested(item), ast.Dict):
+                for key, value in self.values.pairs(item):
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     values[name or ""] = self.values.text(value)
@@ -241,8 +240,7 @@ class _PythonReader:
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
         for item in self.values.items(parameters) if parameters else ():
-            dictionary = self.values.suggested(item)
-            for value in dictionary.values if isinstance(dictionary, ast.Dict) else ():
+            for _, value in self.values.pairs(item):
                 command = self.values.suggested(value)
                 if isinstance(command, ast.Call) and called(command) == "Command":
                     yield command
@@ -359,12 +357,11 @@ class _PythonReader:
         path = text and self._path(text)
         if not path:
             return
-        mappings = self.values.suggested(mappings_node)
-        arguments: dict[str, str | None] = {}
-        if isinstance(mappings, ast.Dict):
-            for key, value in zip(mappings.keys, mappings.values, strict=True):
-                arguments[self.values.text(key) or ""] = self.values.text(value)
-        elif mappings_node is not None:
+        arguments = {
+            self.values.text(key) or "": self.values.text(value)
+            for key, value in self.values.pairs(mappings_node)
+        }
+        if mappings_node and not isinstance(self.values.suggested(mappings_node), ast.Dict):
             arguments[""] = None
         span = self.values.span(call)
         frame = self._frame(call)

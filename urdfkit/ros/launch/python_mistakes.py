@@ -8,13 +8,14 @@ from itertools import pairwise
 from urdfkit.core.suggest import nearest
 from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.python_source import string
 from urdfkit.text.source import Source, Span
 
 #: The function that launch calls.
 _ENTRY = "generate_launch_description"
 
 #: Actions without effect unless they are in a launch description.
-_ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
 #: Arguments of a call that must be lists, with their expected type.
 _LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
 #: Arguments with a list of actions, by action.
@@ -71,7 +72,7 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
 def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
     """Actions that are assigned to an unused name."""
     for call in calls:
-        if not isinstance(call, ast.Call) or called(call) not in _ACTIONS:
+        if not isinstance(call, ast.Call) or called(call) not in ACTIONS:
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
@@ -83,8 +84,8 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
 def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
     """A part of a path that begins with a slash: the parts before it are dropped."""
     for part in parts_of_path(call)[1:]:
-        text = part.value if isinstance(part, ast.Constant) else None
-        if isinstance(text, str) and text.startswith("/"):
+        text = string(part) or ""
+        if text.startswith("/"):
             message = f"'{text}' begins with a slash, so the directories before it are dropped"
             help = f"write '{text.lstrip('/')}'"
             return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
@@ -155,7 +156,7 @@ def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
     position, name = _HOLDERS[called(call)]
     node = argument(call, position, name)
     value = values.suggested(node)
-    if node is not None and isinstance(value, ast.Call) and called(value) in _ACTIONS:
+    if node is not None and isinstance(value, ast.Call) and called(value) in ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
         yield _rejected(node, message, "write it in [ ]", values)
     for item in values.items(node) if isinstance(value, ast.List) else ():
@@ -172,11 +173,11 @@ def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
     if node is None or argument(call, None, "shell") is not None:
         return
     first = values.items(node)[:1]
-    text = first[0].value if first and isinstance(first[0], ast.Constant) else None
-    if isinstance(command, ast.Constant) and isinstance(command.value, str):
+    text = string(first[0]) if first else None
+    if (line := string(command)) is not None:
         message = "cmd of ExecuteProcess is a string, which launch splits into letters"
-        yield _rejected(node, message, f"write {command.value.split()}", values)
-    elif isinstance(text, str) and " " in text.strip() and first[0] is not None:
+        yield _rejected(node, message, f"write {line.split()}", values)
+    elif text and " " in text.strip() and first[0] is not None:
         message = f"'{text}' is one word, so launch looks for a program with this name"
         yield _rejected(first[0], message, "write one item for each word, or shell=True", values)
 
@@ -197,9 +198,9 @@ def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterat
     """A path after the directory of a package without a slash, which launch does not add."""
     for before, piece in pairwise(pieces):
         directory = values.suggested(before)
-        text = piece.value if isinstance(piece, ast.Constant) else None
+        text = string(piece) or ""
         is_package = isinstance(directory, ast.Call) and called(directory) in PACKAGE_DIRECTORY
-        if piece is not None and is_package and isinstance(text, str) and text[:1].isalpha():
+        if piece is not None and is_package and text[:1].isalpha():
             message = f"'{text}' follows the directory of a package without a slash"
             yield _rejected(piece, message, f"write '/{text}'", values)
 
@@ -209,10 +210,10 @@ def added(node: ast.expr, values: Values) -> Problem | None:
     if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Add):
         return None
     sides = [values.suggested(side) for side in (node.left, node.right)]
-    is_text = [isinstance(side, ast.Constant) and isinstance(side.value, str) for side in sides]
+    has_text = any(string(side) is not None for side in sides)
     names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
     substitution = next((name for name in names if name in _SUBSTITUTIONS), "")
-    if not (substitution and any(is_text)):
+    if not (substitution and has_text):
         return None
     message = f"a string and a {substitution} cannot be added: its value is known only at run time"
     return _rejected(node, message, "write both into a list, with a comma between them", values)
@@ -222,22 +223,20 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
     for name, expected in _LISTS.items():
         node = argument(call, None, name)
         value = values.suggested(node)
-        is_text = isinstance(value, ast.Constant) and isinstance(value.value, str)
-        if node is not None and (is_text or isinstance(value, ast.Dict)):
+        if node is not None and (string(value) is not None or isinstance(value, ast.Dict)):
             yield _rejected(node, f"{name} of Node is not {expected}", "write it in [ ]", values)
     pairs = argument(call, None, "remappings")
     for pair in values.items(pairs) if isinstance(values.suggested(pairs), ast.List) else ():
-        if isinstance(pair, ast.Constant) and isinstance(pair.value, str):
-            names = tuple(pair.value.split(":="))
+        if pair is not None and (text := string(pair)) is not None:
+            names = tuple(text.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
-            yield _rejected(pair, f"'{pair.value}' in remappings is not a pair", help, values)
+            yield _rejected(pair, f"'{text}' in remappings is not a pair", help, values)
 
 
 def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     """A parameter that is a document of xacro, or a method that is not called."""
-    dictionaries = (values.suggested(item) for item in values.items(node) if node)
-    for dictionary in dictionaries:
-        for value in dictionary.values if isinstance(dictionary, ast.Dict) else ():
+    for item in values.items(node) if node else ():
+        for _, value in values.pairs(item):
             text = values.suggested(value)
             is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
             if is_method and isinstance(text, ast.Attribute):
@@ -273,15 +272,14 @@ def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     if node is not None and isinstance(arguments, ast.Dict):
         yield _rejected(node, "launch_arguments is a dictionary", "append .items()", values)
     if isinstance(arguments, ast.Call) and isinstance(arguments.func, ast.Attribute):
-        pairs = values.suggested(arguments.func.value) if arguments.func.attr == "items" else None
-        for value in pairs.values if isinstance(pairs, ast.Dict) else ():
+        dictionary = arguments.func.value if arguments.func.attr == "items" else None
+        for _, value in values.pairs(dictionary):
             yield from _text(value, "the value of a launch argument", values)
 
 
 def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    value = values.suggested(node)
-    text = value.value if isinstance(value, ast.Constant) else None
-    if node is not None and isinstance(text, str) and not _BOOLEAN.fullmatch(text):
+    text = string(values.suggested(node))
+    if node is not None and text is not None and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
         yield _rejected(node, f"condition '{text}' is neither true nor false", help, values)
 

@@ -66,6 +66,11 @@ class Values:
             node = self._scopes.value(node)
         return None
 
+    def pairs(self, node: ast.expr | None) -> list[tuple[ast.expr | None, ast.expr]]:
+        """The keys and values of a dictionary; empty for any other expression."""
+        node = self.suggested(node)
+        return list(zip(node.keys, node.values, strict=True)) if isinstance(node, ast.Dict) else []
+
     def opened(self, node: ast.expr | None) -> ast.expr | None:
         """The call that opens the file of a name in ``with open(...) as name``."""
         calls = self._opened.get(node.id, []) if isinstance(node, ast.Name) else []
