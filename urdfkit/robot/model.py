@@ -370,8 +370,10 @@ def _shape(element: Element) -> Shape:
 
 def _scale(text: str | None) -> Vector:
     """The scale of a mesh; one number, which Drake reads, is that of all directions."""
-    values = numbers(text)
-    return vector(text) or (values * 3 if values and len(values) == 1 else (1.0, 1.0, 1.0))
+    values = numbers(text) or ()
+    if len(values) == 1 and values[0]:
+        return values * 3
+    return vector(text) or (1.0, 1.0, 1.0)
 
 
 def _material(element: Element) -> Material:

@@ -60,6 +60,7 @@ def test_a_frame_is_not_the_link_that_it_is_on() -> None:
     [
         ("<material>Gazebo/Black</material>", "plate_2", "warning"),
         ("<mu1>1</mu1>", "baase", "error"),
+        ("<material>Gazebo/Black</material>", "baase", "warning"),
         ('<sensor name="imu" type="imu"/>', "plate_2", "error"),
     ],
 )

@@ -108,3 +108,12 @@ def test_a_model_has_one_finding():
 
 def test_a_contact_sensor_needs_no_frame():
     assert findings("GAZ058", "contact", targets=("gz-harmonic",)) == []
+
+
+@pytest.mark.parametrize(
+    ("frame", "count"), [("camera/left", 0), ("left", 0), ("amera/left", 1), ("camera/right", 1)]
+)
+def test_a_namespace_in_front_of_a_frame(frame: str, count: int) -> None:
+    """RotorS's stereo camera: a plugin of ROS 1 puts the name of the model in front."""
+    robot = BASE + '<link name="uav/camera/left"/>' + sensor("ray", LASER.format(frame))
+    assert len(messages("GAZ058", robot)) == count

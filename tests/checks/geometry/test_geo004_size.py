@@ -7,6 +7,8 @@ import pytest
 from tests import meshed
 from tests.massive import joint, link, shape
 from tests.reported import messages, places
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.samples import box, stl
 
 HAND = '<box size="0.1 0.2 0.3"/>'
 
@@ -106,3 +108,13 @@ def test_the_units_that_were_confused(factor: float, why: str) -> None:
 def test_a_shape_that_is_a_thousand_times_too_small(box: str, found: int) -> None:
     seen = '<box size="0.1 0.2 0.3"/>'
     assert len(messages("GEO004", pair(seen, f'<box size="{box}"/>'))) == found
+
+
+@pytest.mark.parametrize(("size", "count"), [((5e-4, 5e-4, 5e-4), 0), ((1e-4, 2e-4, 3e-4), 1)])
+def test_a_tiny_cube_is_a_placeholder(tmp_path: Path, size: Vector, count: int) -> None:
+    """Unitree's B2: the visual of its head is a cube of half a millimetre."""
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+    robot = meshed.link(meshed.mesh("a.stl", "visual"), shape("collision", HAND))
+    files = {"a.stl": stl(box((0, 0, 0), size))}
+    assert len(meshed.messages(tmp_path, "GEO004", robot, files)) == count

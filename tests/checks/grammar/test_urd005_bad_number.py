@@ -22,6 +22,7 @@ BALL = (
         ("1_000", "holds '1_000', which is not a number"),
         ("\u0661", "holds '\u0661', which is not a number"),
         ("0.5 ", "has white space after the number"),
+        ("0.5\n", "has white space after the number"),
         ("1 2", "holds 2 numbers, not 1"),
     ],
 )

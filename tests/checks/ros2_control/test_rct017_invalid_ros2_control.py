@@ -4,6 +4,7 @@ import pytest
 
 from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission
 from tests.reported import fixed, messages, places, reported
+from urdfkit.robot.samples import xacro_xml
 
 GPIO = '<gpio name="lamp"><param name="p">1</param><command_interface name="on"/></gpio>'
 GOOD = ROBOT + control(driven("swing", more='<param name="p">1</param>'), GPIO)
@@ -273,3 +274,11 @@ def test_attributes_with_invalid_values(old: str, new: str, severity: str) -> No
     assert old in GOOD
     found = reported("RCT017", GOOD.replace(old, new, 1))
     assert [one.severity.value for one in found] == [severity][: bool(severity)]
+
+
+def test_an_empty_name_from_an_argument() -> None:
+    """Doosan's arms are named by the launch file."""
+    block = '<ros2_control name="{}" type="system"/>'
+    assert messages("RCT017", block.format("")) == ["<ros2_control> has no name"]
+    text = xacro_xml('<xacro:arg name="model" default=""/>', block.format("$(arg model)"))
+    assert reported("RCT017", text.encode(), "robot.xacro") == []

@@ -1,5 +1,6 @@
 """SRD011: an SRDF for another variant is one info, not an error for each name."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -92,3 +93,15 @@ def test_a_prefix_is_one_finding(tmp_path: Path, prefix: str) -> None:
         "SRD011",
         "6 of 6 names in the SRDF are not in this robot, whose names begin with 'left_'",
     )
+
+
+def test_the_floating_base_is_in_no_robot(tmp_path: Path) -> None:
+    """Solo: the SRDF of all legs has a state with Pinocchio's root joint."""
+    left = write(tmp_path)
+    srdf = tmp_path / "srdf" / "talos.srdf"
+    root = '<joint name="root_joint" value="0 0 0.3 0 0 0 1"/>'
+    states = f'<group_state name="a" group="left_arm">{root}</group_state></robot>'
+    text = srdf.read_text().replace("</robot>", states)
+    lines = [line for line in text.splitlines(True) if not re.search("_[45]_link", line)]
+    srdf.write_text("".join(lines))
+    assert [one.code for one in about_srdf(left)] == ["SRD011"]

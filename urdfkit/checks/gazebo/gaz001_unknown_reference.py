@@ -4,8 +4,8 @@ Gazebo's converter compares the reference with the names of links and joints and
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
 usual cause. It is a warning if the block sets properties of a link, and no similar name exists, or
 only that of a link which has the properties already: a file that several robots include may contain
-the properties of all their links. It is also a warning if a file of the robot defines the link, but
-an argument disables it: the sensor is not needed, either.
+the properties of all their links. It is also a warning if only a colour is lost, and if a file of
+the robot defines the link, but an argument disables it: the sensor is not needed, either.
 
 A link that another `<gazebo>` adds as SDF is not part of the URDF: a warning, as the tags can be
 written in that link. A joint added in this way must refer to existing links.
@@ -117,6 +117,7 @@ def _unknown(
         defined = model.links_by_name.get(suggested) or model.joints_by_name.get(suggested)
         fix = corrected_definition(context, defined, reference.value)
         fix = fix or fix_value(reference, suggested)
+        severity = Severity.WARNING if set(tags) <= {"material"} else None
     elif _THINGS.isdisjoint(tags):
         severity = Severity.WARNING
     group_key = "" if suggested else "unknown"

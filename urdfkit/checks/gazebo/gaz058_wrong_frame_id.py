@@ -3,7 +3,8 @@
 TF has no transform from such a frame: RViz shows "no transform from", navigation drops the scans,
 and odometry is not found. tf2 rejects a frame that begins with a slash. Frames of the world, such
 as `map` and `odom`, are published by others; of these only a slash is reported, and none of plugins
-of ROS 1, which remove it.
+of ROS 1, which remove it. These also put the namespace, or the name of the model, in front: for
+the link `uav/camera/left`, `camera/left` is right.
 
 A sensor of gz-sim without a frame publishes a name of Gazebo's own, such as
 `robot/base_link/lidar`, which TF does not have. Write the link in `<gz_frame_id>`, which all
@@ -77,13 +78,13 @@ def _unknown(context: Context) -> Findings:
 
 def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
-    spaced = {link.rpartition("/")[2] for link in context.model.links_by_name if "/" in link}
+    links = context.model.links_by_name
     for use in context.plugins:
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
             if parameter is None or parameter.type != "frame" or item.text in parameter.words:
                 continue
-            if item.text in spaced and _is_of_ros1(use):
+            if _is_of_ros1(use) and any(link.endswith(f"/{item.text}") for link in links):
                 continue  # the plugin puts the namespace, perhaps the model's name, in front of it
             is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
             if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):

@@ -116,9 +116,9 @@ def _reason(text: str, length: int, better: str) -> str:
         return "is empty"
     if count > length == 1:
         return f"holds {count} numbers, not 1"
-    if has_break(text):
+    if has_break(text) and count > 1:
         return "has a tab or a line break between its numbers; parsers need spaces"
-    bad = next((part for part in text.split(" ") if part and not is_number(part)), "")
+    bad = next((part for part in text.split() if not is_number(part)), "")
     if not bad:
         return "has white space after the number"
     if "," in bad and better == " ".join(text.replace(",", " ").split()):

@@ -3,7 +3,8 @@
 The parser of ros2_control throws an exception and the controller manager does not start, if
 
 - the block contains an unknown element: "invalid tag name";
-- a name is missing ("no attribute name in tag"), or the `role` of a joint in a transmission;
+- a name is missing ("no attribute name in tag"), or the `role` of a joint in a transmission (an
+  empty name of the block is reported if it does not come from an argument);
 - `rw_rate`, or the `size` of an interface of a GPIO, is not a positive integer;
 - the type is missing or is not `system`, `actuator` or `sensor` (case-sensitive), or an `actuator`
   has more than one joint.
@@ -85,7 +86,9 @@ def _elements(block: Element) -> Findings:
             message += did_you_mean(child.tag, known)
             yield Finding(child, message, fix=fix_tag(child, nearest(child.tag, known, TYPO)))
     for element in _named(block):
-        if not element.get("name"):
+        name = element.attributes.get("name")
+        # The parser accepts an empty name, and a launch file may pass the argument that it is.
+        if name is None or (not name.value and (name.literal or element is not block)):
             yield Finding(element, f"<{element.tag}> has no name", "add a name")
     stack = [child for child in reversed(block.children) if child.tag in tags]
     while stack:

@@ -51,7 +51,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severi
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
@@ -79,7 +79,7 @@ def check(context: Context) -> Findings:
         known = srdf.known(kind)
         if kind != "group" and attribute.value in elsewhere:
             continue
-        if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
+        if attribute.value and attribute.value not in known and not is_free_flyer(attribute):
             yield _unknown(context, kind, attribute, known)
     links = srdf.known("link")
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
@@ -129,12 +129,6 @@ def _siblings(name: Attribute) -> set[str]:
     if parent is None or parent.tag not in ("group", "group_state"):
         return set()
     return {other.get(name.name) or "" for other in parent.all(name.element.tag)}
-
-
-def _is_free_flyer(attribute: Attribute) -> bool:
-    """True for Pinocchio's floating base, which is not in the URDF: position and quaternion."""
-    value = attribute.element.get("value") or ""
-    return attribute.value == "root_joint" and len(value.split()) == 7
 
 
 def _not_in_group(context: Context, srdf: Srdf) -> Findings:

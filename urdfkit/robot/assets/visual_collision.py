@@ -78,10 +78,14 @@ class VisualCollisionPair:
 
     @property
     def is_marker(self) -> bool:
-        """True if the collision or the visual is only a marker."""
+        """True if the collision or the visual is only a marker.
+
+        A tiny mesh of a part has the proportions of the other, unless it is a cube.
+        """
         return any(
-            max(solid.bounds.edges) <= MARKER and not _is_mesh(solid)
-            for solid in (self.collision, self.visual)
+            max(one.bounds.edges) <= MARKER
+            and (not _is_mesh(one) or (_is_cube(one) and not _is_cube(other)))
+            for one, other in permutations((self.collision, self.visual))
         )
 
     @cached_property
@@ -266,6 +270,10 @@ def _overlap(a: BoundingBox, b: BoundingBox) -> float:
 
 def _is_mesh(solid: LinkSolid) -> bool:
     return any(isinstance(part, MeshSolid) for part in solid.parts)
+
+
+def _is_cube(solid: LinkSolid) -> bool:
+    return max(solid.bounds.edges) < CUBE * min(solid.bounds.edges)
 
 
 def _geometry(shape: Shape) -> tuple[object, ...]:

@@ -86,7 +86,8 @@ class Srdf:
     def named(self) -> set[str]:
         """Names of all referenced links and joints, including the collision matrix."""
         pairs = (*self.root.all("disable_collisions"), *self.root.all("enable_collisions"))
-        names = {name.value for kind, name in self.references() if kind != "group"}
+        references = [name for kind, name in self.references() if kind != "group"]
+        names = {name.value for name in references if not is_free_flyer(name)}
         return names.union(*map(pair_of, pairs)) - {""}
 
     @cached_property
@@ -151,6 +152,12 @@ class Srdf:
             joints = self.joints_between(part.get("base_link") or "", part.get("tip_link") or "")
             return {joint.child_name for joint in joints or ()}
         return set()
+
+
+def is_free_flyer(attribute: Attribute) -> bool:
+    """True for Pinocchio's floating base, which is not in the URDF: position and quaternion."""
+    value = attribute.element.get("value") or ""
+    return attribute.value == "root_joint" and len(value.split()) == 7
 
 
 def pair_of(element: Element) -> frozenset[str]:
