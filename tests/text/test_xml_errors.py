@@ -333,3 +333,11 @@ def test_mistakes_are_found_exactly_where_expat_refuses(at: int, length: int, pi
     assert bool(found) == refused_by_expat(data)
     assert [mistake.start for mistake in found] == sorted({mistake.start for mistake in found})
     assert all(0 <= mistake.start <= mistake.end <= len(data) for mistake in found)
+
+
+def test_merge_conflicts() -> None:
+    """Nothing else is said of them: both sides may be valid."""
+    sides = '<<<<<<< HEAD\n<link name="a"/>\n=======\n<link name="b">\n>>>>>>> 24a2559\n'
+    message = "the file contains the markers of a merge conflict"
+    assert mistakes(inside(f"\n{sides}<link/>\n{sides}")) == [(2, 1, message), (8, 1, message)]
+    assert mistakes(sides + inside("")) == [(1, 1, message)]

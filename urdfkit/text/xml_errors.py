@@ -7,6 +7,7 @@ rejects a file that expat accepts.
 """
 
 import re
+from itertools import islice
 
 from urdfkit.text.tag_matching import MAX_ERRORS, SyntaxMistake, TagMatching, TagToken
 from urdfkit.text.xml_characters import (
@@ -40,6 +41,8 @@ _DECLARATION = re.compile(
     rb"""(?:\s+encoding\s*=\s*(?:"[\w.-]+"|'[\w.-]+'))?"""
     rb"""(?:\s+standalone\s*=\s*(?:"(?:yes|no)"|'(?:yes|no)'))?\s*\?>"""
 )
+#: The first line of the two sides of a merge conflict.
+_CONFLICT = re.compile(rb"^<{7}(?: .*)?$", re.MULTILINE)
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 
 _NOT_ROBOT_HELP = "name the URDF or xacro of the robot"
@@ -55,12 +58,22 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     if is_binary(data):
         message = f"not a text file: it contains {count} control characters"
         return [SyntaxMistake(*controls[0], message, help=_NOT_ROBOT_HELP)]
+    if b"\n>>>>>>>" in data and (conflicts := _conflicts(data)):
+        return conflicts  # the other errors follow from them
     scanner = _Scanner(data)
     scanner.run()
     first: dict[int, SyntaxMistake] = {}
     for mistake in scanner.mistakes:
         first.setdefault(mistake.start, mistake)  # others at the same offset follow from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
+
+
+def _conflicts(data: bytes) -> list[SyntaxMistake]:
+    """The merge conflicts that were left in a file."""
+    message = "the file contains the markers of a merge conflict"
+    help = "keep one side, and remove the lines of <<<<<<<, ======= and >>>>>>>"
+    found = islice(_CONFLICT.finditer(data), MAX_ERRORS)
+    return [SyntaxMistake(*match.span(), message, help=help) for match in found]
 
 
 def is_binary(data: bytes) -> bool:

@@ -92,6 +92,11 @@ IMU = "libgazebo_ros_imu.so"
             "<odometrySource>encoders</odometrySource>",
             "<odometrySource> is 'encoders', must be encoder or world; did you mean 'encoder'?",
         ),
+        (
+            "libgazebo_ros_range.so",
+            "<radiation>SONAR</radiation>",
+            "<radiation> is 'SONAR', must be ultrasound or infrared; it is read as infrared",
+        ),
         (IMU, "<xyzOffset>0 x 1</xyzOffset>", "<xyzOffset> is '0 x 1', not 3 numbers"),
         (IMU, "<xyzOffset>0,0,0</xyzOffset>", "<xyzOffset> is '0,0,0', not 3 numbers"),
         (IMU, "<xyzOffset>0 0</xyzOffset>", "<xyzOffset> is '0 0', not 3 numbers"),

@@ -67,6 +67,9 @@ XACRO = {
     "arm.xacro": '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:if value="1"/></robot>'
 }
 PLAIN = {"arm.xacro": "<robot><!-- <xacro:if/> --></robot>"}
+#: myCobot's URDFs: URDF parsers ignore the property, which nothing uses.
+UNUSED = {"arm.xacro": XACRO["arm.xacro"].replace('if value="1"', 'property name="w" value="1"')}
+USED = {"arm.xacro": UNUSED["arm.xacro"].replace("</robot>", '<link name="${w}"/></robot>')}
 READS = [
     "text = open('../arm.xacro').read()\n",
     "with open('../arm.xacro') as f:\n    text = f.read()\n",
@@ -75,7 +78,7 @@ READS = [
 
 
 @pytest.mark.parametrize("read", READS)
-@pytest.mark.parametrize(("files", "count"), [(XACRO, 1), (PLAIN, 0)])
+@pytest.mark.parametrize(("files", "count"), [(XACRO, 1), (PLAIN, 0), (UNUSED, 0), (USED, 1)])
 def test_unexpanded_xacro(tmp_path: Path, read: str, files: dict[str, str], count: int) -> None:
     text = read + NODE.format(", parameters=[{'robot_description': text}]")
     assert len(reported(tmp_path, "LAU015", "a.launch.py", text, files)) == count

@@ -165,3 +165,23 @@ def test_several_joints_of_one_block(tmp_path: Path) -> None:
     block = f'<ros2_control name="s" type="system">{joints}</ros2_control>'
     (found,) = broken(tmp_path, IF.format("${has}", arm) + block)
     assert found[1].endswith("but <joint> refers to it; 1 more in the same block")
+
+
+@pytest.mark.parametrize(("package", "count"), [("arm_moveit", 0), ("arm/control", 1)])
+def test_the_condition_of_another_package(tmp_path: Path, package: str, count: int) -> None:
+    """MIRTE's MoveIt configuration is for the robot with its arm."""
+    for directory in ("arm", "arm_moveit"):
+        (tmp_path / directory).mkdir()
+        manifest = f"<package><name>{directory}</name></package>"
+        (tmp_path / directory / "package.xml").write_text(manifest)
+    arm = '<xacro:arg name="with" default="true"/><link name="base"/>'
+    arm += IF.format("$(arg with)", CAMERA)
+    (tmp_path / "arm" / "arm.xacro").write_text(xacro_xml(arm))
+    block = '<ros2_control name="s" type="system"><joint name="c"/></ros2_control>'
+    robot = tmp_path / package / "r.urdf.xacro"
+    robot.parent.mkdir(exist_ok=True)
+    include = f'<xacro:include filename="{tmp_path}/arm/arm.xacro"/>'
+    robot.write_text(xacro_xml(include, block))
+    report = check(robot, select=["XAC024"])
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count

@@ -12,8 +12,8 @@ from urdfkit.ros.gazebo.values import corrected, leading, quoted
 _LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 3, "pose": 6}
 #: Words for booleans; the last two read as false, as intended.
 _BOOLEANS = ("true", "1", "false", "0", "no", "off")
-#: Ends a message about a value for which the plugin takes another one.
-_DEFAULT = "; it stays at "
+#: End messages about a value for which the plugin takes another one.
+_DEFAULT, _OTHER = "; it stays at ", "; it is read as "
 
 
 def invalid_in_plugins(plugins: Iterable[PluginUse]) -> Findings:
@@ -24,7 +24,8 @@ def invalid_in_plugins(plugins: Iterable[PluginUse]) -> Findings:
             parameter = parameters.get(item.path)
             if parameter and (problem := _problem(parameter, item.text)):
                 message = f"{use.title}: <{item.path}> is {quoted(item.text)}, {problem[0]}"
-                severity = Severity.WARNING if _DEFAULT in message else None
+                is_read = _DEFAULT in message or _OTHER in message
+                severity = Severity.WARNING if is_read else None
                 yield Finding(item.at, message, problem[1], severity=severity)
 
 
@@ -37,7 +38,9 @@ def _problem(parameter: Parameter, text: str) -> tuple[str, str] | None:
         return (f"which reads as {read}", f"write {corrected(text)}") if rest else None
     if parameter.words and parameter.type == "string" and text not in parameter.words:
         hint = did_you_mean(text, parameter.words)
-        if not hint and parameter.default:
+        if parameter.other_words:
+            hint = f"{_OTHER}{parameter.other_words}{hint}"
+        elif not hint and parameter.default:
             hint = f"{_DEFAULT}{parameter.default}"
         return f"must be {' or '.join(parameter.words)}{hint}", "write one of these words"
     if parameter.name == "ros/remapping" and ":=" not in text:

@@ -86,9 +86,9 @@ def _elements(block: Element) -> Findings:
             message += did_you_mean(child.tag, known)
             yield Finding(child, message, fix=fix_tag(child, nearest(child.tag, known, TYPO)))
     for element in _named(block):
-        name = element.attributes.get("name")
+        written = element.attributes.get("name")
         # The parser accepts an empty name, and a launch file may pass the argument that it is.
-        if name is None or (not name.value and (name.literal or element is not block)):
+        if not (written and (written.value or (element is block and not written.literal))):
             yield Finding(element, f"<{element.tag}> has no name", "add a name")
     stack = [child for child in reversed(block.children) if child.tag in tags]
     while stack:

@@ -27,7 +27,7 @@ def forgotten_conditions(context: Context) -> Findings:
     """References that break if an argument has its other boolean value."""
     booleans = _booleans(context)
     root = context.document.root
-    suspects = {attribute.value for attribute in _suspects(root)} if booleans else set()
+    suspects = {attribute.value for attribute in _suspects(context)} if booleans else set()
     for argument, value in booleans if suspects else ():
         values = {**context.arguments, argument: value}
         other = context.other_robot(context.source.path, values).reading.document
@@ -51,15 +51,25 @@ def _booleans(context: Context) -> list[tuple[str, str]]:
     return [(name, other) for name, other in others if other][:_MOST]
 
 
-def _suspects(root: Element) -> Iterator[Attribute]:
-    """References with fewer conditions than the definition of the same name."""
-    defined = {at.value: _conditions(at.element) for at in _definitions(root)}
+def _suspects(context: Context) -> Iterator[Attribute]:
+    """References with fewer conditions than the definition of the same name.
+
+    Those of another package are for one robot of several, as those of a MoveIt configuration.
+    """
+    root, package = context.document.root, context.resolver.packages.enclosing
+    definitions = {at.value: at.element for at in _definitions(root)}
+    defined = {name: _conditions(element) for name, element in definitions.items()}
     if not any(defined.values()):
         return
     for attribute in _references(root):
         needed = defined.get(attribute.value)
         if needed and _conditions(attribute.element) < needed:
-            yield attribute
+            paths = (
+                attribute.element.span.source.path,
+                definitions[attribute.value].span.source.path,
+            )
+            if len(set(paths)) == 1 or len(set(map(package, paths))) == 1:
+                yield attribute
 
 
 def _definitions(root: Element) -> Iterator[Attribute]:

@@ -7,7 +7,8 @@ expands the robot once more with a value for each empty argument, independent of
 
 The same is true for a link that `<xacro:if value="${with_camera}">` adds: if it is the parent of a
 joint outside of the condition, the robot breaks with `with_camera:=false`. A `<gazebo>` block
-outside of the condition is an info: Gazebo ignores the block.
+outside of the condition is an info: Gazebo ignores the block. A reference in another package than
+the condition is not reported: a MoveIt configuration is for the robot with its arm.
 
 Sources:
     ROS-Industrial, coordinate frames and prefixes: https://wiki.ros.org/Industrial/Tutorials/WorkingWithRosIndustrialRobotSupportPackages

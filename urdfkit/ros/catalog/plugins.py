@@ -48,6 +48,7 @@ class Parameter(Record):
     default: str | None  # as text; None if missing, or known only at run time
     #: Valid values, or names of links that are not looked up; empty if all values are valid.
     words: tuple[str, ...] = ()
+    other_words: str = ""  # what it reads another word as; empty if as the default
 
 
 class Drive(Record):
@@ -190,7 +191,7 @@ def _plugin(generation: str, number: int) -> Plugin:
     content = _content()[generation]
     entry = content["plugins"][number]
     types: dict[str, str] = (content["ros_block"] if entry.get("ros") else {}) | entry["parameters"]
-    words = entry.get("words", {})
+    words, others = entry.get("words", {}), entry.get("other_words", {})
     return record(
         Plugin,
         entry,
@@ -198,14 +199,20 @@ def _plugin(generation: str, number: int) -> Plugin:
         class_name=entry.get("class", ""),
         drive=record(Drive, entry["drive"]) if "drive" in entry else None,
         parameters={
-            name: _parameter(name, text, words.get(name, ())) for name, text in types.items()
+            name: _parameter(name, text, words.get(name, ()), others.get(name, ""))
+            for name, text in types.items()
         },
     )
 
 
-def _parameter(name: str, text: str, words: list[str]) -> Parameter:
+def _parameter(name: str, text: str, words: list[str], other_words: str) -> Parameter:
     """Read ``TYPE``, ``!`` if required, ``*`` if it may be repeated, ``= DEFAULT``."""
     kind, has_default, default = text.partition(" = ")
     return Parameter(
-        name, kind.rstrip("!*"), "!" in kind, default if has_default else None, tuple(words)
+        name,
+        kind.rstrip("!*"),
+        "!" in kind,
+        default if has_default else None,
+        tuple(words),
+        other_words,
     )

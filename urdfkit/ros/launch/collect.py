@@ -1,6 +1,7 @@
 """Collects packages, files and xacro command lines of launch files of all formats."""
 
 import os
+import re
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
@@ -36,6 +37,8 @@ UNKNOWN = "/package-not-found"
 _FORMER = "xacro.py"
 _XACRO = ("xacro", _FORMER)
 _EXPAND = "pass it through the xacro command, or write xacro.process_file(path).toxml() in Python"
+#: What only xacro reads: URDF parsers ignore a property, an argument and a macro that is not used.
+_NEEDS_XACRO = re.compile(rb"<xacro:(?!(?:property|arg|macro)\b)|\$[{(]").search
 #: Reads a launch file of any format.
 Reader: TypeAlias = "Callable[[Collector, LaunchedFile], None]"
 
@@ -160,7 +163,8 @@ class Collector:
         if not disk.exists(path) or not self.resolver.admits(path):
             return
         source = self.resolver.readable(path)
-        if source and b"<xacro:" in blank_comments(source.data):
+        text = blank_comments(source.data) if source else b""
+        if b"<xacro:" in text and _NEEDS_XACRO(text):
             message = f"'{os.path.basename(path)}' is a xacro file, but is used without expansion"
             self.problems.append(Problem("LAU015", span, message, _EXPAND, frame))
 
