@@ -2,6 +2,7 @@
 
 import json
 import struct
+from base64 import b64encode
 
 Triangle = tuple[tuple[float, ...], ...]
 
@@ -96,6 +97,24 @@ def binary_ply(order: str = "<", first: tuple[float, ...] = (0, 0, 0)) -> bytes:
 def gltf(**more: object) -> bytes:
     content = {"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {}}]}]}
     return json.dumps(content | more).encode()
+
+
+def whole_gltf() -> bytes:
+    """A glTF file with one triangle and embedded data."""
+    numbers = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+    uri = f"data:application/octet-stream;base64,{b64encode(numbers).decode()}"
+    places = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
+    content = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"uri": uri, "byteLength": len(numbers)}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(numbers)}],
+        "accessors": [{**places, "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0}],
+        "scenes": [{"nodes": [0]}],
+        "scene": 0,
+    }
+    return json.dumps(content).encode()
 
 
 def glb(text: bytes | None = None, binary: bytes = b"abcd") -> bytes:

@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.mesh import made
+from tests.mesh.made import whole_gltf
 from tests.meshed import link, mesh, reported
 from urdfkit.mesh import samples
 from urdfkit.mesh.geometry import Mesh
@@ -35,7 +36,7 @@ WHOLE: dict[str, bytes] = {
     "ascii.ply": made.ascii_ply(),
     "binary.ply": BOX.export(file_type="ply"),
     "binary.glb": BOX.export(file_type="glb"),
-    "text.gltf": samples.gltf(),
+    "text.gltf": whole_gltf(),
 }
 
 #: Offsets that are tried of the format that trimesh reads, which takes a millisecond each.

@@ -14,8 +14,9 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.mesh import made
+from tests.mesh.made import whole_gltf
 from urdfkit.core import cache_directory
-from urdfkit.mesh import measure_cache, samples
+from urdfkit.mesh import measure_cache
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.measure_cache import Store
 from urdfkit.mesh.measures import Measures
@@ -162,7 +163,7 @@ def test_materials_belong_to_an_obj_file(tmp_path: Path, cache: Path) -> None:
 
 
 def test_buffers_belong_to_a_gltf_file(tmp_path: Path, cache: Path) -> None:
-    content = json.loads(samples.gltf())
+    content = json.loads(whole_gltf())
     content["buffers"][0]["uri"] = "the%20numbers.bin"
     path = tmp_path / "part.gltf"
     path.write_text(json.dumps(content))

@@ -11,6 +11,7 @@ pytest.importorskip("PIL")
 pytest.importorskip("jinja2")
 
 from tests.mesh import made
+from tests.mesh.made import whole_gltf
 from urdfkit.lint.options import Options
 from urdfkit.mesh import samples
 from urdfkit.output.report.document import ReportInput, describe
@@ -29,7 +30,7 @@ def directory(tmp_path: Path) -> Path:
     (tmp_path / "a.dae").write_bytes(
         samples.collada(effect='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
     )
-    content = json.loads(samples.gltf())
+    content = json.loads(whole_gltf())
     (tmp_path / "numbers.bin").write_bytes(bytes(36))
     content["buffers"][0]["uri"] = "numbers.bin"
     (tmp_path / "a.gltf").write_text(json.dumps(content))

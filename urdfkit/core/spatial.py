@@ -129,6 +129,12 @@ def vector(values: Iterable[float]) -> Vector:
     return (x, y, z)
 
 
+def rotation(rows: Iterable[Iterable[float]]) -> Rotation:
+    """Three rows of numbers as a rotation."""
+    x, y, z = map(vector, rows)
+    return (x, y, z)
+
+
 def length(vector: Vector) -> float:
     """The Euclidean norm."""
     return hypot(*vector)  # does not overflow

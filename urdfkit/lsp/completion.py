@@ -38,6 +38,7 @@ _PACKAGE_NAME = re.compile(rb"(?:package|model)://[\w-]*\Z")
 _IN_FOUND = re.compile(rb"\$\(find\s+([\w-]+)\)/([^\"'<]*)\Z")
 _COMMANDS = ("arg", "dirname", "env", "eval", "find", "optenv")
 _BUILT_IN = ("pi", "radians", "degrees", "sin", "cos", "tan", "sqrt", "load_yaml", "True", "False")
+_BOOLEANS = ("true", "false")
 _WORD = re.compile(rb"[\w.:/-]*\Z")
 _MESHES = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf")
 _FILES = {
@@ -220,10 +221,9 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
     word = end - len(_last_word(before))
     packages = robot.resolver.packages.known(page.source.path)
     if _IN_EXPRESSION.search(before):
-        for name in robot.defined("property"):
-            yield CompletionItem(name, "name", "property", word)
+        yield from _items(robot.defined("property"), "name", "property", word)
         yield from _macro_parameters(page, end, word)
-        yield from (CompletionItem(name, "word", "built in", word) for name in _BUILT_IN)
+        yield from _items(_BUILT_IN, "word", "built in", word)
     elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
         directory = packages.get(match[1].decode("utf-8", "replace"))
         if directory:
@@ -243,11 +243,11 @@ def _command_arguments(
     robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
 ) -> Iterator[CompletionItem]:
     if match[2] is None:
-        yield from (CompletionItem(name, "word", "substitution", word) for name in _COMMANDS)
+        yield from _items(_COMMANDS, "word", "substitution", word)
     elif match[1] == b"arg":
-        yield from (CompletionItem(name, "name", "argument", word) for name in robot.defined("arg"))
+        yield from _items(robot.defined("arg"), "name", "argument", word)
     elif match[1] == b"find":
-        yield from (CompletionItem(name, "name", "package", word) for name in sorted(packages))
+        yield from _items(sorted(packages), "name", "package", word)
 
 
 def _macro_parameters(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
@@ -255,8 +255,7 @@ def _macro_parameters(page: Page, offset: int, word: int) -> Iterator[Completion
     node = page.node_at(offset)
     for macro in (node, *node.ancestors()) if node else ():
         if macro.name == "xacro:macro":
-            for name in parameters(macro):
-                yield CompletionItem(name, "name", "parameter", word)
+            yield from _items(parameters(macro), "name", "parameter", word)
 
 
 def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[CompletionItem]:
@@ -271,7 +270,7 @@ def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[Complet
     if plugin is None:
         extension = extensions.extensions().get(node.name)
         if extension and extension.type == "bool":
-            yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
+            yield from _items(_BOOLEANS, "word", "", start)
         return
     path = path_in(node, plugin)
     for entry in plugins.find(plugin.get("filename").strip()):
@@ -279,18 +278,16 @@ def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[Complet
         if parameter is None:
             continue
         if parameter.type in ("link", "frame"):
-            yield from (
-                CompletionItem(name, "name", "link", start) for name in robot.defined("link")
-            )
+            yield from _items(robot.defined("link"), "name", "link", start)
         elif parameter.type.startswith("joint"):
-            yield from (
-                CompletionItem(name, "name", "joint", start) for name in robot.defined("joint")
-            )
+            yield from _items(robot.defined("joint"), "name", "joint", start)
         elif parameter.type == "bool":
-            yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
-        yield from (
-            CompletionItem(word, "word", entry.generation, start) for word in parameter.words
-        )
+            yield from _items(_BOOLEANS, "word", "", start)
+        yield from _items(parameter.words, "word", entry.generation, start)
+
+
+def _items(names: Iterable[str], kind: str, detail: str, start: int) -> Iterator[CompletionItem]:
+    return (CompletionItem(name, kind, detail, start) for name in names)
 
 
 def _files(

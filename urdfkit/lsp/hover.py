@@ -258,8 +258,7 @@ def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterat
 
 
 def _place(span: Span) -> str:
-    line, column = span.source.position(span.start)
-    return f"`{_code(os.path.basename(span.source.path))}:{line}:{column}`"
+    return f"`{_code(os.path.basename(span.source.path))}:{span.line}:{span.column}`"
 
 
 def _code(text: str) -> str:

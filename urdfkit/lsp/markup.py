@@ -48,21 +48,6 @@ class TagNode:
         children: the child elements.
     """
 
-    __slots__ = (
-        "attributes",
-        "children",
-        "closed",
-        "depth",
-        "end",
-        "end_name",
-        "name",
-        "name_span",
-        "parent",
-        "source",
-        "start",
-        "tag_end",
-    )
-
     def __init__(self, token: Token, source: Source, parent: TagNode | None) -> None:
         self.name = token.name
         self.name_span = Span(source, *token.name_span)

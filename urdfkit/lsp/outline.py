@@ -31,8 +31,6 @@ _DEFINITIONS = {
 class OutlineEntry:
     """An entry of the outline."""
 
-    __slots__ = ("children", "detail", "kind", "name", "span")
-
     def __init__(self, name: str, detail: str, kind: str, span: Span) -> None:
         self.name = name or "?"
         self.detail = detail  # shown after the name

@@ -96,8 +96,7 @@ def hull_corners(points: Floats) -> Floats:
     """The points that are corners of their convex hull."""
     from scipy.spatial import ConvexHull
 
-    corners: Floats = points[ConvexHull(points).vertices]
-    return corners
+    return np.asarray(points[ConvexHull(points).vertices])
 
 
 def _normals(points: Floats, faces: Integers) -> Floats:
@@ -106,8 +105,7 @@ def _normals(points: Floats, faces: Integers) -> Floats:
     normals = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)
     order = np.argsort(-lengths[lengths > 0], kind="stable")
-    unit_normals: Floats = (normals[lengths > 0] / lengths[lengths > 0][:, None])[order]
-    return unit_normals
+    return np.asarray((normals[lengths > 0] / lengths[lengths > 0][:, None])[order])
 
 
 def _spread_out(normals: Floats, degrees: float) -> Floats:

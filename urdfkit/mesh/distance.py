@@ -147,8 +147,7 @@ class _Surface:
         near = self._owner[nearest.reshape(len(points), number)]
         repeated = np.repeat(points, near.shape[1], axis=0)
         distances = _to_triangles(repeated, self._triangles[near.reshape(-1)])
-        bounds: Floats = distances.reshape(near.shape).min(axis=1)
-        return bounds
+        return np.asarray(distances.reshape(near.shape).min(axis=1))
 
 
 def _to_triangles(points: Floats, triangles: Floats) -> Floats:
@@ -158,8 +157,7 @@ def _to_triangles(points: Floats, triangles: Floats) -> Floats:
     with np.errstate(invalid="ignore", divide="ignore"):
         to_faces = np.linalg.norm(closest_point(triangles, points) - points, axis=1)
     to_corners = np.linalg.norm(triangles - points[:, None], axis=2).min(axis=1)
-    distances: Floats = np.fmin(to_faces, to_corners)
-    return distances
+    return np.asarray(np.fmin(to_faces, to_corners))
 
 
 def sample_surface(triangles: Floats, number: int) -> tuple[Floats, Integers]:

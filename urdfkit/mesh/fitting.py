@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector, basis, vector
+from urdfkit.core.spatial import Transform, Vector, basis, rotation, vector
 from urdfkit.mesh import solids
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.convex_decomposition import cut
@@ -153,7 +153,7 @@ def _box(points: Floats) -> _Shape:
     to_box, extents = oriented_bounds(points)
     if np.prod(edges) > _ALONG_AXES * np.prod(extents):
         from_box = np.linalg.inv(to_box)
-        edges, frame = extents, Transform(_rows(from_box[:3, :3]), vector(from_box[:3, 3]))
+        edges, frame = extents, Transform(rotation(from_box[:3, :3]), vector(from_box[:3, 3]))
     size = vector(edges)
     return "box", size, frame, solids.as_mesh(solids.box(size))
 
@@ -174,7 +174,7 @@ def _cylinder(points: Floats) -> _Shape:
         volume = float(np.pi * radius**2 * (high - low))
         if best is None or volume < 0.999 * best[0]:
             middle = rows.T @ np.array([*center, (low + high) / 2])
-            frame = Transform(_rows(rows.T), vector(middle))
+            frame = Transform(rotation(rows.T), vector(middle))
             best = (volume, float(radius), float(high - low), frame)
     assert best is not None
     _, radius, length, frame = best
@@ -189,8 +189,3 @@ def _sphere(points: Floats) -> _Shape:
     radius = np.linalg.norm(points - center, axis=1).max()
     shape = solids.as_mesh(solids.ball(float(radius)))
     return "sphere", (float(radius), 0.0, 0.0), Transform(position=vector(center)), shape
-
-
-def _rows(matrix: Floats) -> Rotation:
-    a, b, c = (vector(row) for row in matrix)
-    return (a, b, c)

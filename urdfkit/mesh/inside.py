@@ -81,8 +81,7 @@ def points_inside(triangles: Floats, columns: int, seed: int) -> tuple[Floats, f
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    product: Floats = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return product
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
 
 
 def closed(mesh: Mesh) -> Mesh:

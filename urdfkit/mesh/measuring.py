@@ -147,8 +147,7 @@ def _extreme(points: Floats) -> Floats:
     across = np.sqrt(1 - z * z)
     spread = np.stack([across * np.cos(around), across * np.sin(around), z], axis=1)
     directions = np.concatenate([np.eye(3), -np.eye(3), spread])
-    chosen: Floats = points[np.unique(np.argmax(directions @ points.T, axis=1))]
-    return chosen
+    return np.asarray(points[np.unique(np.argmax(directions @ points.T, axis=1))])
 
 
 def _heights(places: Floats, faces: Integers) -> tuple[Floats, Floats]:

@@ -74,8 +74,7 @@ def _unit(vectors: Floats) -> Floats:
 def _corner_angles(edges: list[Floats]) -> Floats:
     """(m, 3), angles in rad at the corners of faces with these edge directions."""
     cosines = [-(edges[corner] * edges[corner - 1]).sum(axis=1) for corner in range(3)]
-    angles: Floats = np.arccos(np.clip(np.stack(cosines, axis=1), -1.0, 1.0))
-    return angles
+    return np.asarray(np.arccos(np.clip(np.stack(cosines, axis=1), -1.0, 1.0)))
 
 
 def _corner_groups(faces: Integers, normals: Floats, crease: float) -> Integers:

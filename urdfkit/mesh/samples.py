@@ -44,28 +44,6 @@ def stl(
     return header.ljust(80, b"\0") + pack("<I", copies * len(body)) + copies * b"".join(body)
 
 
-def gltf() -> bytes:
-    """A glTF file with one triangle and embedded data."""
-    from base64 import b64encode
-    from json import dumps
-    from struct import pack
-
-    numbers = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
-    uri = f"data:application/octet-stream;base64,{b64encode(numbers).decode()}"
-    places = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
-    content = {
-        "asset": {"version": "2.0"},
-        "buffers": [{"uri": uri, "byteLength": len(numbers)}],
-        "bufferViews": [{"buffer": 0, "byteLength": len(numbers)}],
-        "accessors": [{**places, "min": [0, 0, 0], "max": [1, 1, 0]}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-        "nodes": [{"mesh": 0}],
-        "scenes": [{"nodes": [0]}],
-        "scene": 0,
-    }
-    return dumps(content).encode()
-
-
 def collada(asset: str = "", effect: str = "", more: str = "") -> bytes:
     """A COLLADA file with one triangle.
 

@@ -22,8 +22,7 @@ def unit(vectors: Floats) -> Floats:
     """Unit vectors (n, 3); zero vectors stay 0."""
     norms = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
     np.maximum(norms, np.float32(1e-30), out=norms)
-    result: Floats = vectors / norms[:, None]
-    return result
+    return np.asarray(vectors / norms[:, None])
 
 
 def dot(left: Floats, right: Floats) -> Floats:

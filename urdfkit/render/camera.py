@@ -5,6 +5,7 @@ from typing import NamedTuple, TypedDict
 
 import numpy as np
 
+from urdfkit.core.spatial import vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.arrays import Floats, Integers, bounds, turned
 
@@ -157,12 +158,12 @@ def place_camera(
         wide, high, _ = highest - lowest
         extent = max(high, wide / aspect, reach / 50) / (1 - 2 * MARGIN)
         eye = middle + np.array((0, 0, 3 * reach))
-        return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
+        return Camera(vector(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
     eye = _eye(projected, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
     if distance is not None:
         eye = np.array((middle[0], middle[1], middle[2] + distance))
     near = max(reach / 1000, (eye[2] - highest[2]) / 2)
-    return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
+    return Camera(vector(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
 
 
 def size_error(size: tuple[int, int]) -> str:
@@ -205,11 +206,6 @@ def _eye(seen: Floats, slope: float, aspect: float) -> Floats:
         depths.append((first + second) / 2)
     eye[2] = max(*depths, float(np.max(z)) + 1e-3)
     return eye
-
-
-def _tuple(vector: Floats) -> tuple[float, float, float]:
-    x, y, z = (float(part) for part in vector)
-    return (x, y, z)
 
 
 def _rows(axes: Floats) -> tuple[tuple[float, ...], ...]:

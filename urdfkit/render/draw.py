@@ -329,8 +329,7 @@ class _Drawing:
         """Greatest depth difference within one surface across a lattice square."""
         pixel = np.float32(1 / self.camera.scale)
         step = pixel * depth if not self.camera.is_orthographic else np.full_like(depth, pixel)
-        near: Floats = np.float32(NEAR * self.size) + np.float32(LATTICE) * step
-        return near
+        return np.asarray(np.float32(NEAR * self.size) + np.float32(LATTICE) * step)
 
 
 def _kind(material: SurfaceMaterial) -> int:

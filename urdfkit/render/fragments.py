@@ -70,8 +70,7 @@ def surface(
     weights, nearness = _weights(some, corners, screen, camera)
 
     def blend(values: Floats) -> Floats:
-        result: Floats = sum(w * values[i] for w, i in zip(weights, corners, strict=True))
-        return result
+        return np.asarray(sum(w * values[i] for w, i in zip(weights, corners, strict=True)))
 
     position = camera.positions(some.x, some.y, nearness)
     towards = _towards(position, camera)

@@ -85,8 +85,7 @@ def _lines(coordinate: Floats, step: float) -> Floats:
     distance = np.abs(place - np.rint(place)) * np.float32(step) / pixel
     covered = np.clip(np.float32(WIDTH / 2 + 0.5) - distance, 0, 1)
     sparse = (np.float32(step) / pixel - DENSE) / np.float32(SPARSE - DENSE)
-    visible: Floats = covered * np.clip(sparse, 0, 1)
-    return visible
+    return np.asarray(covered * np.clip(sparse, 0, 1))
 
 
 def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Floats]]:
@@ -208,16 +207,14 @@ def _coarse(image: Floats) -> Floats:
     """The means of squares of pixels."""
     cells = len(image) // COARSE
     rows = image.reshape(cells, COARSE, -1).mean(axis=1)
-    mean: Floats = rows.reshape(cells, cells, COARSE).mean(axis=2)
-    return mean
+    return np.asarray(rows.reshape(cells, cells, COARSE).mean(axis=2))
 
 
 def _fade(column: Floats, row: Floats) -> Floats:
     """1 in the middle of the map, 0 at its edge."""
     distance = np.hypot(column / CELLS * 2 - 1, row / CELLS * 2 - 1)
     ramp = np.clip((1 - distance) / np.float32(0.35), 0, 1)
-    smooth: Floats = ramp * ramp * (3 - 2 * ramp)
-    return smooth
+    return np.asarray(ramp * ramp * (3 - 2 * ramp))
 
 
 def blurred(values: Floats, radius: float) -> Floats:

@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 
-from urdfkit.core.spatial import IDENTITY, Transform, Vector, basis, transposed
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, basis, transposed, vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
@@ -130,8 +130,7 @@ def middle(scene: Scene, link: str) -> Vector:
     if not vertices:
         return (0.0, 0.0, 0.0)
     points = np.concatenate(vertices)
-    x, y, z = ((points.min(axis=0) + points.max(axis=0)) / 2).tolist()
-    return (x, y, z)
+    return vector((points.min(axis=0) + points.max(axis=0)) / 2)
 
 
 def _joints(scene: Scene, context: Context, size: float, pose: Mapping[str, float]) -> Drawn:
@@ -253,8 +252,7 @@ def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneIte
         for of in (first, second)
     ]
     lowest, highest = np.maximum(ends[0][0], ends[1][0]), np.minimum(ends[0][1], ends[1][1])
-    x, y, z = ((lowest + highest) / 2).tolist()
-    return (x, y, z)
+    return vector((lowest + highest) / 2)
 
 
 #: Overlays by name.

@@ -116,8 +116,7 @@ def gradient(background: Background, first: int, last: int, size: tuple[int, int
     part = (row.astype(np.float32) + np.float32(0.5)) / np.float32(height)
     mixed = above + (below - above) * part[:, None, None]
     threshold = _THRESHOLDS[row[:, None] % len(_THRESHOLDS), column % len(_THRESHOLDS)]
-    dithered: Floats = LINEAR[(mixed + threshold[..., None]).astype(np.uint8)]
-    return dithered
+    return np.asarray(LINEAR[(mixed + threshold[..., None]).astype(np.uint8)])
 
 
 def encoded(light: Floats, alpha: Floats) -> Bytes:
@@ -146,8 +145,7 @@ def _table() -> Bytes:
     """sRGB values of linear light from 0 to 1 (IEC 61966-2-1)."""
     light = np.arange(1 << 14) / ((1 << 14) - 1)
     value = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-    table: Bytes = np.rint(value * 255).astype(np.uint8)
-    return table
+    return np.asarray(np.rint(value * 255).astype(np.uint8))
 
 
 _TABLE = _table()

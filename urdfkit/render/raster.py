@@ -129,9 +129,7 @@ class Spans(NamedTuple):
     number: Integers
 
     def some(self, few: slice) -> Spans:
-        return Spans(
-            self.place[few], self.length[few], self.nearness[few], self.step[few], self.number[few]
-        )
+        return Spans._make(column[few] for column in self)
 
 
 def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers, Integers]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, Vector, vector
 from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
 from urdfkit.mesh.geometry import Mesh, MeshPart
@@ -280,8 +280,7 @@ def _placeholder_box(
         ends = np.array([(0.0, 0.0, 0.0), *near])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
-    (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
-    return (x, y, z), Transform(position=(a, b, c))
+    return vector(edges), Transform(position=vector((lowest + highest) / 2))
 
 
 def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
@@ -310,8 +309,7 @@ def _filename(shape: Shape | None) -> str:
 
 def placed(points: Floats, frame: Transform) -> Floats:
     """Points (n, 3), transformed from a frame to its parent."""
-    moved: Floats = turned(points, frame) + arrays.single([frame.position])
-    return moved
+    return np.asarray(turned(points, frame) + arrays.single([frame.position]))
 
 
 def turned(vectors: Floats, frame: Transform) -> Floats:

@@ -41,8 +41,7 @@ class SurfaceColours:
         overlays = np.array([material.overlay for material in self._materials])
         item = self._soup.item[fragments.number]
         hidden = overlays[item] & (depth.reshape(-1)[fragments.pixel] < -surface.position[:, 2])
-        opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
-        return opacity
+        return np.asarray(rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1)))
 
     def light(self, fragments: Fragments, surface: FragmentSurface, lit: Illumination) -> Floats:
         """(k, 3), the light that fragments emit."""

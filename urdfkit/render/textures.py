@@ -51,8 +51,7 @@ def srgb_to_linear(values: Floats) -> Floats:
     """sRGB values as linear light (IEC 61966-2-1)."""
     low = values / np.float32(12.92)
     high = ((values + np.float32(0.055)) / np.float32(1.055)) ** np.float32(2.4)
-    linear: Floats = np.where(values <= 0.04045, low, high).astype(np.float32)
-    return linear
+    return np.asarray(np.where(values <= 0.04045, low, high).astype(np.float32))
 
 
 @lru_cache(maxsize=64)
@@ -112,8 +111,7 @@ def _bilinear(pixels: Bytes, uv: Floats) -> Floats:
     low, high = low % height, (low + 1) % height
     lower = _light(pixels, low, left) * (1 - across) + _light(pixels, low, right) * across
     upper = _light(pixels, high, left) * (1 - across) + _light(pixels, high, right) * across
-    mixed: Floats = lower * (1 - up) + upper * up
-    return mixed
+    return np.asarray(lower * (1 - up) + upper * up)
 
 
 def _light(pixels: Bytes, row: Integers, column: Integers) -> Floats:

@@ -42,7 +42,8 @@ class Journal:
             raise UnwritableFile(f"{path}: {error.strerror}") from error
         try:
             _lock(self._file, path)
-            self.done = {row["model"] for row in _whole_lines(self._file)}
+            self._file.seek(0)
+            self.done = {row["model"] for row in _lines(self._file, truncates=True)}
         except BaseException:
             self._file.close()
             raise
@@ -83,23 +84,16 @@ def rows(directory: str) -> Iterator[dict[str, Any]]:
         ) from error
 
 
-def _lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
-    for line in file:
-        if not line.endswith(b"\n"):
-            return  # a scan is writing it, or was killed
-        yield _row(line, file.name)
-
-
-def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
-    """The lines of a file; an incomplete last line is truncated."""
-    file.seek(0)
+def _lines(file: BinaryIO, *, truncates: bool = False) -> Iterator[dict[str, Any]]:
+    """The whole lines of a file; an incomplete last one is truncated if requested."""
     end = 0
     for line in file:
         if not line.endswith(b"\n"):
-            break
+            break  # a scan is writing it, or was killed
         end += len(line)
         yield _row(line, file.name)
-    file.truncate(end)
+    if truncates:
+        file.truncate(end)
 
 
 def _row(line: bytes, path: str) -> dict[str, Any]:

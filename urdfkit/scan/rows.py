@@ -184,15 +184,14 @@ def _file_digest(path: str, modified: int, size: int) -> bytes:
 
 
 def _finding(diagnostic: Diagnostic, model: Model) -> FindingRow:
-    line, column = diagnostic.span.source.position(diagnostic.span.start)
     return FindingRow(
         diagnostic.code,
         diagnostic.name,
         diagnostic.severity.value,
         _portable(diagnostic.message, model),
         _portable(shown(diagnostic.span.source.path), model),
-        line,
-        column,
+        diagnostic.span.line,
+        diagnostic.span.column,
         diagnostic.element,
         len(diagnostic.calls),
     )

@@ -7,6 +7,7 @@ import pytest
 
 from tests import meshed
 from tests.massive import link, shape
+from tests.mesh.made import whole_gltf
 from tests.reported import messages, places
 from urdfkit.mesh import samples
 
@@ -60,4 +61,4 @@ class TestMeshes:
         assert 'with rpy="0 0 0" for the visual it would be 100%' in message
 
     def test_programs_do_not_agree_on_the_axes_of_gltf(self, tmp_path: Path) -> None:
-        assert self.reported(tmp_path, "seen.gltf", samples.gltf(), f"{QUARTER!r} 0 0") == []
+        assert self.reported(tmp_path, "seen.gltf", whole_gltf(), f"{QUARTER!r} 0 0") == []

@@ -2,9 +2,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.mesh.made import glb
+from tests.mesh.made import glb, whole_gltf
 from tests.meshed import link, mesh, messages, reported
-from urdfkit.mesh.samples import collada, gltf
+from urdfkit.mesh.samples import collada
 
 INCH = collada('<unit name="inch" meter="0.0254"/>')
 TAIL = "RViz and Gazebo multiply by it, MoveIt, Pinocchio and coal do not"
@@ -59,7 +59,7 @@ def test_z_up(tmp_path: Path, asset: str) -> None:
 
 def test_gltf_is_reported_once(tmp_path: Path) -> None:
     robot = link(mesh("c.dae"), mesh("a.gltf"), mesh("b.glb"), mesh("a.gltf"))
-    files = {"a.gltf": gltf(), "b.glb": glb(), "c.dae": collada()}
+    files = {"a.gltf": whole_gltf(), "b.glb": glb(), "c.dae": collada()}
     (found,) = reported(tmp_path, "MSH013", robot, files)
     assert found.severity.value == "info"
     assert "'a.gltf' is glTF, where y is up (and 1 more like this): RViz" in found.message

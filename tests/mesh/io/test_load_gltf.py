@@ -18,9 +18,9 @@ import numpy as np
 
 from tests.mesh import made
 from tests.mesh.gltfs import CORNERS, Content, floats, tetrahedron, uri, volume_and_middle
+from tests.mesh.made import whole_gltf
 from urdfkit.mesh.io import load_gltf
 from urdfkit.mesh.io.load import UnloadableMesh, load_bytes
-from urdfkit.mesh.samples import gltf
 
 
 def test_floats() -> None:
@@ -333,7 +333,7 @@ def test_one_list_that_is_shown_over_and_over(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_numbers_in_a_file_beside_it(tmp_path: Path) -> None:
-    content = json.loads(gltf())
+    content = json.loads(whole_gltf())
     content["buffers"][0]["uri"] = "numbers.bin"
     data = json.dumps(content).encode()
     with pytest.raises(UnloadableMesh, match=r"numbers\.bin"):

@@ -50,8 +50,7 @@ class Accessors:
         if accessor.get("normalized") is not True or values.dtype.kind == "f":
             with np.errstate(invalid="ignore"):  # for values that are not finite
                 return values.astype(np.float64)
-        fractions: Floats = np.maximum(values / float(np.iinfo(values.dtype).max), -1.0)
-        return fractions
+        return np.asarray(np.maximum(values / float(np.iinfo(values.dtype).max), -1.0))
 
     def indices(self, index: int) -> Integers:
         """(n,), integers."""
@@ -94,8 +93,7 @@ class Accessors:
         if stride < row:
             raise NoTriangles("is not valid glTF: rows of numbers overlap")
         data, start = self.view(owner["bufferView"]), owner.get("byteOffset", 0)
-        table: _Numbers = np.ndarray((count, width), kind, data, start, (stride, kind.itemsize))
-        return table
+        return np.asarray(np.ndarray((count, width), kind, data, start, (stride, kind.itemsize)))
 
     def _buffer(self, index: int) -> bytes:
         if index not in self._buffers:

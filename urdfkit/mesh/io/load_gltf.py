@@ -189,8 +189,7 @@ class _GltfReader:
 def _matrix(node: GltfObject) -> Floats:
     """(4, 4), transform from a node to its parent."""
     if "matrix" in node:
-        by_column: Floats = np.array(node["matrix"], dtype=float).reshape(4, 4, order="F")
-        return by_column
+        return np.asarray(np.array(node["matrix"], dtype=float).reshape(4, 4, order="F"))
     matrix = np.eye(4)
     matrix[:3, :3] = _rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
     matrix[:3, :3] *= node.get("scale", (1.0, 1.0, 1.0))

@@ -96,9 +96,10 @@ class Bundle:
         def new_name(reference: Placed[str]) -> str:
             return prefix + names[self._paths[id(reference)]]
 
-        written = rewritten(self._robot, new_name, for_mujoco=self._consumer.name == "mujoco")
-        self.renamed, self.outside = written.renamed, written.outside
-        yield BundledFile(self.urdf, written.text, self._robot.source.path)
+        text, self.renamed, self.outside = rewritten(
+            self._robot, new_name, for_mujoco=self._consumer.name == "mujoco"
+        )
+        yield BundledFile(self.urdf, text, self._robot.source.path)
         if self._consumer.is_package:
             directories = {path.partition("/")[0] for path in (*names.values(), self.urdf)}
             yield from package_files(self.name, self._robot, sorted(directories))

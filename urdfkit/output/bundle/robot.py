@@ -30,16 +30,6 @@ class Renamed(Record):
     new: str  # reference in the bundle
 
 
-class BundledRobot(Record):
-    """The URDF of a bundle, and its changed references."""
-
-    text: bytes  # of the URDF
-    renamed: tuple[Renamed, ...]  # changed references
-    #: Values that still refer to other files, such as plugin parameters, after the paths of their
-    #: elements.
-    outside: tuple[tuple[str, str], ...]
-
-
 def mesh_references(model: RobotModel) -> list[Placed[str]]:
     """Mesh references of a model, in the order of its links."""
     return [shape.filename for shape in model.shapes if shape.filename]
@@ -59,12 +49,16 @@ def references(model: RobotModel) -> list[Placed[str]]:
 
 def rewritten(
     robot: Context, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
-) -> BundledRobot:
+) -> tuple[bytes, tuple[Renamed, ...], tuple[tuple[str, str], ...]]:
     """The expanded robot with new file references.
 
     Args:
         new_name: returns the new path for a reference.
         for_mujoco: make MuJoCo keep the directories of mesh files, which it drops by default.
+
+    Returns:
+        The URDF; the changed references; and values that still refer to other files, such as plugin
+        parameters, after the paths of their elements.
 
     Raises:
         UrdfkitError: the expanded text cannot be edited.
@@ -83,7 +77,7 @@ def rewritten(
         renamed.append(Renamed(old.at.path, old.span, old.value, new))
     if for_mujoco:
         edits += _compiler(model.root)
-    return BundledRobot(apply_edits(source.data, edits), tuple(renamed), tuple(_outside(model)))
+    return apply_edits(source.data, edits), tuple(renamed), tuple(_outside(model))
 
 
 def _compiler(root: Element) -> tuple[Edit, ...]:

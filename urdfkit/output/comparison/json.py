@@ -48,13 +48,12 @@ def _total(whole: CompositeBody) -> dict[str, Any]:
 
 
 def _finding(found: Diagnostic) -> dict[str, Any]:
-    line, column = found.span.source.position(found.span.start)
     return {
         "code": found.code,
         "severity": found.severity.value,
         "message": found.message,
         "element": found.element,
         "path": shown(found.span.source.path),
-        "line": line,
-        "column": column,
+        "line": found.span.line,
+        "column": found.span.column,
     }

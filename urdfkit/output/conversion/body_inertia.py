@@ -22,8 +22,7 @@ def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform
         [[second, mass * center[:, None]], [mass * center[None, :], np.array([[mass]])]]
     )
     transform = homogeneous(*frame)
-    result: Floats = transform @ matrix @ transform.T
-    return result
+    return np.asarray(transform @ matrix @ transform.T)
 
 
 def homogeneous(rotation: ArrayLike, position: ArrayLike) -> Floats:

@@ -198,5 +198,4 @@ def _vertices(model: Any, geom: int) -> Floats:
     mesh = model.geom_dataid[geom]
     first, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
     used = np.unique(model.mesh_face[first : first + count]) + model.mesh_vertadr[mesh]
-    vertices: Floats = model.mesh_vert[used].astype(float)
-    return vertices
+    return np.asarray(model.mesh_vert[used].astype(float))

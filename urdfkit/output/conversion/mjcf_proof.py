@@ -189,13 +189,11 @@ class _Coordinates:
         """MuJoCo's mass matrix in Pinocchio's coordinates, (n, n)."""
         full_matrix = np.zeros((self._model.nv, self._model.nv))
         mujoco.mj_fullM(self._model, data, full_matrix)
-        matrix: Floats = self._columns.T @ full_matrix @ self._columns
-        return matrix
+        return np.asarray(self._columns.T @ full_matrix @ self._columns)
 
     def gravity(self, data: Any) -> Floats:
         """Torque or force that holds each coordinate against gravity, (nv,), in N·m or N."""
-        torques: Floats = self._columns.T @ data.qfrc_bias
-        return torques
+        return np.asarray(self._columns.T @ data.qfrc_bias)
 
     def compared(self, ours: Floats) -> Floats:
         """Pinocchio's values of the compared coordinates; 0 for other coordinates."""

@@ -6,7 +6,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform, vector
+from urdfkit.core.spatial import Rotation, Transform, rotation
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
@@ -318,8 +318,7 @@ def _principal(tensor: Tensor) -> tuple[Any, Rotation]:
     """Principal moments, and their axes as a rotation."""
     moments, axes = np.linalg.eigh(tensor.rows)
     axes[:, 0] *= np.sign(np.linalg.det(axes))
-    first, second, third = (vector(row) for row in axes)
-    return moments, (first, second, third)
+    return moments, rotation(axes)
 
 
 def _empty(name: str, directory: str) -> Any:

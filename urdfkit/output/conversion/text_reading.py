@@ -56,8 +56,7 @@ class TextReading:
     def inertia(self, body: RigidBody) -> Floats:
         """Pseudo-inertia of links that are fixed together, (4, 4), in the topmost link's frame."""
         number = self._model.getJointId(body.joint.name) if body.joint else 0
-        matrix: Floats = self._model.inertias[number].toPseudoInertia().toMatrix()
-        return matrix
+        return np.asarray(self._model.inertias[number].toPseudoInertia().toMatrix())
 
 
 @contextmanager

@@ -125,8 +125,7 @@ class Stage:
         """Axis of a joint with a prim, a unit vector in the frame of the child."""
         prim = self.joints[joint.name]
         rotation = rotation_of(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get())
-        axis: Floats = rotation @ _AXES[_axis_token(prim)]
-        return axis
+        return np.asarray(rotation @ _AXES[_axis_token(prim)])
 
     def relative_rotation(self, prim: Any) -> Floats:
         """Rotation of the second body of a joint in the first body, (3, 3)."""
@@ -152,8 +151,7 @@ class Stage:
             bodies = [self._stage.GetPrimAtPath(path) for path in relation.GetTargets()]
             at = self._cache.GetLocalToWorldTransform(bodies[0]) if bodies else Gf.Matrix4d(1)
             placed.append(np.array(at).T)
-        pose: Floats = np.linalg.inv(placed[0]) @ placed[1]
-        return pose
+        return np.asarray(np.linalg.inv(placed[0]) @ placed[1])
 
 
 def _axis_token(prim: Any) -> str:
@@ -168,8 +166,7 @@ def _frame(position: Any, rotation: Any) -> Floats:
 
 def rotation_of(quaternion: Any) -> Floats:
     """Rotation matrix of a quaternion, (3, 3); `Gf.Rotation` loses small rotations."""
-    matrix: Floats = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
-    return matrix
+    return np.asarray(np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T)
 
 
 def _name(prim: Any) -> str:

@@ -70,8 +70,7 @@ def _shortest(before: Floats, after: Floats) -> Floats:
     """The shortest rotation from a unit vector to another one near it, (3, 3)."""
     x, y, z = np.cross(before, after)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    rotation: Floats = np.eye(3) + cross + cross @ cross / (1 + before @ after)
-    return rotation
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1 + before @ after))
 
 
 def _quaternion(rotation: Floats) -> Any:

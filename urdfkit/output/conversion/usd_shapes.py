@@ -93,10 +93,8 @@ def _vertices(prim: Any) -> Iterator[tuple[Floats, Floats]]:
 def _matrix(prim: Any, ancestor: Any) -> Floats:
     """Pose of a prim in an ancestor, (4, 4)."""
     transform, _ = UsdGeom.XformCache().ComputeRelativeTransform(prim, ancestor)
-    result: Floats = np.array(transform).T
-    return result
+    return np.asarray(np.array(transform).T)
 
 
 def _moved(points: Floats, at: Floats) -> Floats:
-    result: Floats = points @ at[:3, :3].T + at[:3, 3]
-    return result
+    return np.asarray(points @ at[:3, :3].T + at[:3, 3])

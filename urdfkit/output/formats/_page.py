@@ -152,12 +152,10 @@ class TextPage:
         """A location; without the path if the other location, shown before, has the same path."""
         if span.source.path != other.source.path:
             return self.place(span)
-        line, column = span.source.position(span.start)
-        return f"line {line}:{column}"
+        return f"line {span.line}:{span.column}"
 
     def place(self, span: Span) -> str:
-        line, column = span.source.position(span.start)
-        return f"{self.path(span.source.path)}:{line}:{column}"
+        return f"{self.path(span.source.path)}:{span.line}:{span.column}"
 
     def path(self, path: str) -> str:
         """A path as it is shown; cached, as many findings share a path."""

@@ -20,8 +20,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     for path in report.files:
         _file(root, files, path)
     for diagnostic in report.diagnostics:
-        line, column = diagnostic.span.source.position(diagnostic.span.start)
-        place = {"line": str(line), "column": str(column)}
+        place = {"line": str(diagnostic.span.line), "column": str(diagnostic.span.column)}
         _error(
             _file(root, files, diagnostic.span.source.path),
             place,

@@ -43,8 +43,7 @@ def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
     yield "| --- | --- | --- |"
     for diagnostic in diagnostics[:MAX_ROWS]:
         span = diagnostic.span
-        line, column = span.source.position(span.start)
-        where = f"{posix(span.source.path)}:{line}:{column}"
+        where = f"{posix(span.source.path)}:{span.line}:{span.column}"
         kind = f"{diagnostic.severity.value} **{diagnostic.code}**"
         yield f"| {kind} | <code>{escape(where)}</code> | {_what(diagnostic)} |"
     if len(diagnostics) > MAX_ROWS:

@@ -62,8 +62,7 @@ def _shape(shape: Shape | None) -> str:
 
 
 def _place(span: Span) -> Row:
-    line, column = span.source.position(span.start)
-    return {"path": shown(span.source.path), "line": line, "column": column}
+    return {"path": shown(span.source.path), "line": span.line, "column": span.column}
 
 
 def joints(context: Context) -> list[Row]:

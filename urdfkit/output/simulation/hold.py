@@ -99,8 +99,7 @@ def torques(model: Any, data: Any, target: Floats) -> Floats:
     acceleration = -(_STIFFNESS**2) * moved - 2 * _STIFFNESS * data.qvel
     inertial = np.zeros(model.nv)
     mujoco.mj_mulM(model, data, inertial, acceleration)
-    needed: Floats = inertial + data.qfrc_bias
-    return needed
+    return np.asarray(inertial + data.qfrc_bias)
 
 
 def _efforts(robot: SimulatedRobot) -> Floats:

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from urdfkit.core import temporary
-from urdfkit.core.spatial import Rotation, Transform, vector
+from urdfkit.core.spatial import Transform, rotation, vector
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle.consumers import CONSUMERS
@@ -190,7 +190,7 @@ class SimulatedRobot:
     def frames(self, data: Any) -> dict[str, Transform]:
         """Poses of the links in the world."""
         return {
-            name: Transform(_rotation(data.xmat[index]), vector(data.xpos[index]))
+            name: Transform(rotation(data.xmat[index].reshape(3, 3)), vector(data.xpos[index]))
             for name in self.robot.tree.below(self.robot.tree.roots[0].name)
             for index in [self.model.body(name).id]
         }
@@ -236,8 +236,3 @@ def _add_lock(made: MjcfRobot, joint: Joint) -> None:
         name1=joint.name,
         active=False,
     )
-
-
-def _rotation(matrix: Any) -> Rotation:
-    first, second, third = (vector(row) for row in matrix.reshape(3, 3))
-    return first, second, third
