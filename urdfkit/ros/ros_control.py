@@ -112,10 +112,7 @@ def control_plugins(model: RobotModel) -> list[ControlPlugin]:
 
 
 def parameter(element: Element, name: str) -> Element | None:
-    for found in element.all("param"):
-        if found.get("name") == name:
-            return found
-    return None
+    return next((found for found in element.all("param") if found.get("name") == name), None)
 
 
 def called(transmission: Element) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Iterator
+from itertools import chain
 
 from urdfkit.core.memo import Memo
 from urdfkit.core.static_typing import TYPE_CHECKING
@@ -53,10 +54,8 @@ class PackageFiles:
             path = self._directories.find(directory, spelling)
             if path:
                 return path
-        for spelling in spellings(relative):
-            for path in self.as_installed(name, directory, spelling):
-                return path
-        return None
+        places = (self.as_installed(name, directory, spelling) for spelling in spellings(relative))
+        return next(chain.from_iterable(places), None)
 
     def as_installed(self, name: str, directory: str, relative: str) -> Iterator[str]:
         """The files that a build would install at a path of the package."""

@@ -98,10 +98,8 @@ def control_plugin_libraries() -> dict[str, str]:
 def control_plugin(filename: str) -> str | None:
     """The control plugin of a ``filename``, with or without ``lib`` and ``.so``."""
     stem = filename.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
-    for name, entry in data("ros_control")["control"].items():
-        if stem in entry["files"]:
-            return str(name)
-    return None
+    known: dict[str, Any] = data("ros_control")["control"]
+    return next((name for name, entry in known.items() if stem in entry["files"]), None)
 
 
 @cache
