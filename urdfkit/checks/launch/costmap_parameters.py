@@ -7,46 +7,19 @@ import re
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")
-#: Lists of plugins, each with its default value, which needs no parameters.
-_PLUGINS = {
-    "plugins": ["static_layer", "obstacle_layer", "inflation_layer"],
-    "filters": [],
-    "controller_plugins": ["FollowPath"],
-    "planner_plugins": ["GridBased"],
-}
 _PACKAGE = "nav2_costmap_2d"
-_LAYERS = (
-    "BinaryFilter", "DenoiseLayer", "InflationLayer", "KeepoutFilter", "ObstacleLayer",
-    "PluginContainerLayer", "RangeSensorLayer", "SpeedFilter", "StaticLayer", "VoxelLayer",
-)  # fmt: skip
-#: Plugin classes of the servers, as C++ names.
-_SERVERS = {
-    "planner_server": (
-        "nav2_navfn_planner::NavfnPlanner", "nav2_smac_planner::SmacPlanner2D",
-        "nav2_smac_planner::SmacPlannerHybrid", "nav2_smac_planner::SmacPlannerLattice",
-        "nav2_theta_star_planner::ThetaStarPlanner",
-    ),
-    "controller_server": (
-        "dwb_core::DWBLocalPlanner", "nav2_controller::PoseProgressChecker",
-        "nav2_controller::PositionGoalChecker", "nav2_controller::SimpleGoalChecker",
-        "nav2_controller::SimpleProgressChecker", "nav2_controller::StoppedGoalChecker",
-        "nav2_graceful_controller::GracefulController", "nav2_mppi_controller::MPPIController",
-        "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController",
-        "nav2_rotation_shim_controller::RotationShimController",
-        "teb_local_planner::TebLocalPlannerROS",
-    ),
-}  # fmt: skip
 _KIND = r"(Layer|Filter)s?$"
 _DATA = ("LaserScan", "PointCloud2")
 
 
 def plugins(node: NodeParameters) -> Findings:
     """Listed plugins without parameters, unknown classes and unknown observation sources."""
-    for key, defaults in _PLUGINS.items():
+    for key, defaults in data("nodes")["lists"].items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
         plugin_names = scalars(node.values.get(key))
@@ -70,10 +43,11 @@ def plugins(node: NodeParameters) -> Findings:
 
 def misspelt_servers(node: NodeParameters) -> Findings:
     """Misspelt planners, controllers and checkers of Nav2; ``/`` and ``::`` are accepted."""
-    for section in node.values.values() if node.name in _SERVERS else ():
+    known: list[str] = data("nodes")["plugins"].get(node.name, [])
+    for section in node.values.values() if known else ():
         plugin = mapping(section).get("plugin")
         text = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
-        suggested = nearest(text, _SERVERS[node.name], 0.9)
+        suggested = nearest(text, known, 0.9)
         if suggested and suggested != text and isinstance(plugin, Value):
             suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
             hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
@@ -111,7 +85,7 @@ def _layer(layer: dict[str, Node]) -> Findings:
     if not isinstance(plugin, Value):
         return
     package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
-    kinds = {re.sub(_KIND, "", layer_class): layer_class for layer_class in _LAYERS}
+    kinds = {re.sub(_KIND, "", known): known for known in data("nodes")["layers"].split()}
     near = nearest(re.sub(_KIND, "", name), kinds, 0.75) or ""
     suggested = kinds.get(near) if nearest(package, (_PACKAGE,), 0.7) else None
     if suggested and plugin.text != f"{_PACKAGE}::{suggested}":

@@ -74,7 +74,7 @@ _OF_ROBOTS = (
 def check(context: Context) -> Findings:
     bridged = [
         (topic, started.frame)
-        for started in (*context.launch.started, *context.launch.included)
+        for started in context.launch.programs
         for topic in bridged_topics(started, context.resolver)
     ]
     for topic, frame in bridged:

@@ -58,7 +58,7 @@ _NEAR = 1e-3
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    started = [node for node in (*launch.started, *launch.included) if node.is_sure]
+    started = [node for node in launch.programs if node.is_sure]
     yield from _transforms(context, started)
     if not launch.has_scopes:  # which give them namespaces
         yield from _joint_states(context, started)

@@ -76,7 +76,7 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    started = (*launch.started, *launch.included)
+    started = launch.programs
     if not _is_whole(launch) or not all(node.is_sure for node in started):
         return
     if any(node.package == _PUBLISHER for node in started):

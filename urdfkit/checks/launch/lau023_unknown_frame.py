@@ -35,7 +35,7 @@ from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
@@ -89,7 +89,7 @@ def check(context: Context) -> Findings:
     known = _published_frames(context)
     if known:
         known |= _frames_of_filters(launch, frames)
-        overridden = {key for node in _started(launch) for key in node.parameters.values}
+        overridden = {key for node in launch.programs for key in node.parameters.values}
         last_words = {name.rpartition("/")[2] for name in known}
         frames_of_drivers = _frames_of_drivers(launch)
         unknown = [
@@ -129,7 +129,7 @@ def _frames_of_drivers(launch: Launch) -> frozenset[str]:
     """Values of frame parameters: nodes stamp messages with them, and RViz shows these."""
     return frozenset(
         value.lstrip("/")
-        for node in _started(launch)
+        for node in launch.programs
         for key, value in node.parameters.values.items()
         if value and "frame" in key
     )
@@ -137,7 +137,7 @@ def _frames_of_drivers(launch: Launch) -> frozenset[str]:
 
 def _may_have_other_publishers(context: Context) -> bool:
     """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
-    started = _started(context.launch)
+    started = context.launch.programs
     if any(_is_unavailable(context, node.package) for node in started if node.package):
         return True
     if any("bag" in (word.text for word in node.words) for node in started if not node.package):
@@ -215,7 +215,7 @@ def _links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozense
 
 def _renames_frames(launch: Launch) -> bool:
     """True if links may be published under other names, or without robot_state_publisher."""
-    started = _started(launch)
+    started = launch.programs
     publishers = [node for node in started if node.package == _PUBLISHER]
     renaming = (
         "frame_prefix" in node.parameters.values or node.parameters.every is None
@@ -225,23 +225,19 @@ def _renames_frames(launch: Launch) -> bool:
 
 
 def _starts_publisher(launch: Launch) -> bool:
-    return any(node.package == _PUBLISHER for node in _started(launch))
+    return any(node.package == _PUBLISHER for node in launch.programs)
 
 
 def _is_viewer(launch: Launch) -> bool:
     """True if the launch file starts only the publishers of a robot and RViz."""
-    started = _started(launch)
+    started = launch.programs
     is_whole = not launch.unread and all(node.package in _VIEWERS for node in started)
     packages = {node.package for node in started}
     return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
 
 
-def _started(launch: Launch) -> tuple[StartedProgram, ...]:
-    return (*launch.started, *launch.included)
-
-
 def _transforms(launch: Launch) -> Iterator[StaticTransform]:
-    for node in _started(launch):
+    for node in launch.programs:
         if transform := static_transform(node):
             yield transform
 

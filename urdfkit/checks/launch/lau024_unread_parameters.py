@@ -34,11 +34,10 @@ Sources:
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
 """
 
-import re
 from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_types
-from urdfkit.checks.launch.lifecycle import MANAGED, not_activated
+from urdfkit.checks.launch.lifecycle import not_activated
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
@@ -53,6 +52,7 @@ from urdfkit.lint.rules import (
     reported,
     rule,
 )
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
 from urdfkit.ros.launch.transforms import mistakes
@@ -79,8 +79,6 @@ FILES = {
 
 #: Values of a row of robot_localization: position, angles, velocities, rates, accelerations.
 _STATES = 15
-_CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
-#: Programs that contain nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
 
 
@@ -128,7 +126,7 @@ def _unknown_pipeline(started: StartedProgram) -> Findings:
 
 def _configurations(node: NodeParameters) -> Findings:
     for key, value in node.values.items():
-        if not isinstance(key, Key) or not _CONFIGURATION.fullmatch(key):
+        if not isinstance(key, Key) or not parameter_types.CONFIGURATION.fullmatch(key):
             continue
         if isinstance(value, list) and len(value) != _STATES:
             yield Finding(
@@ -141,7 +139,7 @@ def _configurations(node: NodeParameters) -> Findings:
 def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
     """Parameter files that a node loads, but whose sections belong to other nodes."""
     launch = context.launch
-    started = (*launch.started, *launch.included)
+    started = launch.programs
     for path, sections in files.items():
         users = [node for node in started if path in node.parameters.files]
         names = {section.name for section in sections}
@@ -155,13 +153,19 @@ def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Fi
             node = users[0]
             likely = node.executable if node.executable in names else nearest(node.name, names)
             section = next((each for each in sections if each.name == likely), sections[0])
-            yield Finding(
-                Location(section.at),
-                f"parameters of '{section.name}' are not read: the node is '{node.name}'",
-                f"write {node.name}, or name the node {section.name}",
-                related=(Related(node.span, "the node that loads the file"),),
-                severity=Severity.WARNING,
-            )
+            help = f"write {node.name}, or name the node {section.name}"
+            yield _of_other_name(section, node, node.name, help)
+
+
+def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
+    """Parameters of a section that the node with another name does not read."""
+    return Finding(
+        Location(section.at),
+        f"parameters of '{section.name}' are not read: the node is '{name}'",
+        help,
+        related=(Related(node.span, "the node that loads the file"),),
+        severity=Severity.WARNING,
+    )
 
 
 def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
@@ -175,15 +179,9 @@ def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgra
         owners = [user for user in users if _node_name(user) == section.name]
         written = namespaces[section.name]
         if owners and all(user.namespace and user.namespace not in written for user in owners):
-            node = owners[0]
-            yield Finding(
-                Location(section.at),
-                f"parameters of '{section.name}' are not read: the node is "
-                f"'/{node.namespace}/{section.name}'",
-                f"write the section below {node.namespace}:, or below /**:",
-                related=(Related(node.span, "the node that loads the file"),),
-                severity=Severity.WARNING,
-            )
+            namespace = owners[0].namespace
+            help = f"write the section below {namespace}:, or below /**:"
+            yield _of_other_name(section, owners[0], f"/{namespace}/{section.name}", help)
 
 
 def _node_name(started: StartedProgram) -> str:
@@ -194,20 +192,15 @@ def _node_name(started: StartedProgram) -> str:
 
 def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
     """Misspelt sections of servers of Nav2."""
+    managed = data("nodes")["lifecycle"].split()
     servers = {
-        user.executable: user for user in users if user.executable in MANAGED and not user.name
+        user.executable: user for user in users if user.executable in managed and not user.name
     }
     lacking = servers.keys() - {section.name for section in sections}
     for section in sections:
         suggested = nearest(section.name, lacking) if section.name not in servers else None
         if suggested and suggested.startswith(section.name.partition("_")[0]):
-            yield Finding(
-                Location(section.at),
-                f"parameters of '{section.name}' are not read: the node is '{suggested}'",
-                f"write {suggested}",
-                related=(Related(servers[suggested].span, "the node that loads the file"),),
-                severity=Severity.WARNING,
-            )
+            yield _of_other_name(section, servers[suggested], suggested, f"write {suggested}")
 
 
 def _has_known_name(started: StartedProgram) -> bool:

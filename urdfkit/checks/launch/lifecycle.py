@@ -2,22 +2,18 @@
 
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES = "node_names"
-#: Executables of Nav2 that are lifecycle nodes of the same name.
-MANAGED = frozenset(
-    "amcl behavior_server bt_navigator collision_monitor controller_server map_server "
-    "planner_server smoother_server velocity_smoother waypoint_follower".split()
-)
 _NAMED = 4
 
 
 def not_activated(context: Context) -> Findings:
     """Managed nodes that are not started, and started nodes that are not managed."""
     launch = context.launch
-    started = (*launch.started, *launch.included)
+    started = launch.programs
     managers = [node for node in started if node.package == _MANAGER]
     listed = [node.parameters.lists.get(_NAMES) for node in managers]
     is_whole = not launch.unread and all(node.is_sure for node in started)
@@ -27,7 +23,8 @@ def not_activated(context: Context) -> Findings:
         return
     names = {name for listed_names in listed for name in listed_names or () if name}
     nodes = {node.name or node.executable: node for node in started}
-    managed = {name: node for name, node in nodes.items() if node.executable in MANAGED}
+    executables = data("nodes")["lifecycle"].split()
+    managed = {name: node for name, node in nodes.items() if node.executable in executables}
     if names.isdisjoint(nodes) or is_included(context.source.path, context.resolver):
         return
     for name, node in managed.items():

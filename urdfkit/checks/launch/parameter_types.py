@@ -8,38 +8,21 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value
 
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
-#: Parameters that are declared as double, by node.
-_OF_COSTMAP = frozenset(
-    "cost_scaling_factor footprint_padding inflation_radius obstacle_max_range obstacle_min_range "
-    "publish_frequency raytrace_max_range raytrace_min_range resolution robot_radius "
-    "transform_tolerance update_frequency".split()
-)
-_FRACTIONS = {
-    "controller_server": frozenset(("controller_frequency",)),
-    "planner_server": frozenset(("expected_planner_frequency",)),
-    PUBLISHER: frozenset((FREQUENCY,)),
-    "local_costmap": _OF_COSTMAP,
-    "global_costmap": _OF_COSTMAP,
-}
-_OF_FILTER = frozenset(("frequency", "sensor_timeout"))
-#: Motion models of AMCL, by their names in ROS 1.
-_MODELS = {
-    "differential": "nav2_amcl::DifferentialMotionModel",
-    "omnidirectional": "nav2_amcl::OmniMotionModel",
-}
-_FILTERED = re.compile(r"(odom|imu|pose|twist)\d+_config")
+#: What a node of robot_localization reads of its inputs.
+CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 
 def wrong_types(node: NodeParameters) -> Findings:
     """Integers for doubles, which stop the node, and lists of lists."""
-    fractions = _FRACTIONS.get(node.name, frozenset())
-    if any(map(_FILTERED.fullmatch, node.values)):
-        fractions |= _OF_FILTER
+    fractions = data("nodes")["doubles"].get(node.name, "").split()
+    if any(map(CONFIGURATION.fullmatch, node.values)):
+        fractions += data("nodes")["filter_doubles"].split()
     for key, value in _nested_parameters(node.values):
         # The end of an inner list ends the outer list: a single inner list is read as flat.
         if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
@@ -80,8 +63,9 @@ def integer_frequency(started: StartedProgram) -> Findings:
 def outdated_motion_model(node: NodeParameters) -> Findings:
     """A motion model of AMCL with its name in ROS 1 and Foxy."""
     model = node.values.get("robot_model_type")
-    name = _MODELS.get(model.text) if isinstance(model, Value) and node.name == "amcl" else None
-    if name and isinstance(model, Value):
+    if not isinstance(model, Value) or node.name != "amcl":
+        return
+    if name := data("nodes")["motion_models"].get(model.text):
         yield Finding(
             Location(model.span),
             f"'amcl' of Humble and later stops: robot_model_type is a class, not '{model.text}'",

@@ -87,7 +87,7 @@ def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
     """True if another launch file publishes the topic for the same RViz configuration."""
     for launch in launches_of_workspace(context.source.path, context.resolver):
         names = any(file.path == path for file in launch.files)
-        for node in (*launch.started, *launch.included) if names else ():
+        for node in launch.programs if names else ():
             is_known = node.namespace is not None and not node.is_remapped and not launch.has_scopes
             published = resolve_name("robot_description", node.namespace)
             if node.package == "robot_state_publisher" and (published == topic or not is_known):

@@ -16,6 +16,7 @@ from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
@@ -35,25 +36,9 @@ _CONTROLLERS = "controller_manager"
 _FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _INPUT = re.compile(r"(odom|imu)\d+")
-#: Nodes with a parameter for one topic, and the message on it.
-_NAMED = {
-    ("amcl", "scan_topic"): "LaserScan",
-    ("bt_navigator", "odom_topic"): "Odometry",
-    ("slam_toolbox", "scan_topic"): "LaserScan",
-}
 _READ = {"odom": "Odometry", "imu": "Imu"}
 #: The displays of RViz that are named after their message.
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
-#: Message and topic that controllers publish, by class.
-_PUBLISHED = {
-    "DiffDriveController": ("Odometry", "odom"),
-    "MecanumDriveController": ("Odometry", "odometry"),
-    "IMUSensorBroadcaster": ("Imu", "imu"),
-    "AckermannSteeringController": ("Odometry", "odometry"),
-    "BicycleSteeringController": ("Odometry", "odometry"),
-    "TricycleSteeringController": ("Odometry", "odometry"),
-    "TricycleController": ("Odometry", "odom"),
-}
 
 
 class _ReadTopic(Record):
@@ -74,7 +59,7 @@ def unpublished_inputs(context: Context) -> Findings:
     for read in inputs:
         # If this launch file starts no publisher of such messages, another may.
         for launches in ((context.launch,), others):
-            started = [node for launch in launches for node in (*launch.started, *launch.included)]
+            started = [node for launch in launches for node in launch.programs]
             published = dict(_published(context, started, read.message))
             if published:
                 break
@@ -119,6 +104,7 @@ def _read_by_rviz(context: Context) -> Iterator[_ReadTopic]:
 
 
 def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
+    inputs: dict[str, str] = data("nodes")["inputs"]
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
@@ -126,7 +112,7 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
                 match = _INPUT.fullmatch(key)
                 if match and isinstance(value, Value) and f"{key}_config" in node.values:
                     yield _ReadTopic(value, _READ[match.group(1)], node.name)
-                elif (message := _NAMED.get((node.name, key))) and isinstance(value, Value):
+                elif (message := inputs.get(f"{node.name}/{key}")) and isinstance(value, Value):
                     yield _ReadTopic(value, message, node.name)
                 elif isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
@@ -151,5 +137,6 @@ def _published(
         for word in controllers(node):
             name = (word.text or "").strip("/")
             kind = types.get(name, "").rpartition("/")[2]
-            if _PUBLISHED.get(kind, ("", ""))[0] == message:
-                yield f"/{name}/{_PUBLISHED[kind][1]}", node
+            published, topic_name = data("nodes")["outputs"].get(kind, ("", ""))
+            if published == message:
+                yield f"/{name}/{topic_name}", node

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import are_all_known
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
@@ -25,12 +26,6 @@ from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers, topic_n
 from urdfkit.text.source import Span
 from urdfkit.workspace.ros_packages import comes_with_ros
 
-#: Topics on which nodes publish velocity commands, by package and executable.
-_PUBLISHED = {
-    ("twist_mux", "twist_mux"): "cmd_vel_out",
-    ("teleop_twist_joy", "teleop_node"): "cmd_vel",
-    ("teleop_twist_keyboard", "teleop_twist_keyboard"): "cmd_vel",
-}
 #: Packages whose nodes read no velocity commands, except on topics in their parameters.
 _OTHERS = re.compile(
     r"robot_state_publisher|joint_state_publisher(_gui)?|ros_gz_(sim|image|bridge)|rviz2|tf2_ros"
@@ -48,16 +43,17 @@ _COMMAND = re.compile(r"cmd_vel|reference")
 
 def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands nothing reads."""
+    published: dict[str, str] = data("nodes")["commands"]
     sources = [
         (node, topic)
         for node in started
-        if (name := _PUBLISHED.get((node.package, node.executable)))
+        if (name := published.get(f"{node.package}/{node.executable}"))
         and (topic := topic_name(name, node))
     ]
     if not sources or is_included(context.source.path, context.resolver):
         return
     launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
-    programs = [node for launch in launches for node in (*launch.started, *launch.included)]
+    programs = [node for launch in launches for node in launch.programs]
     if not all(map(_is_whole, launches)) or not all(map(_is_known, programs)):
         return
     defined = defined_controllers(context)

@@ -131,7 +131,7 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
     from urdfkit.ros.ros_control import control_plugins
 
     launch = context.launch
-    is_simulated = any(map(spawner_of, (*launch.started, *launch.included)))
+    is_simulated = any(map(spawner_of, launch.programs))
     for description, robot in context.described_robots if is_simulated else ():
         own = manifest_of(context.resolver, description.path)
         if own is None:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.moveit.config import (
     MANAGER,
     adapters,
@@ -22,54 +23,10 @@ from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
 from urdfkit.text.located_yaml import Value
 
-_SOLVERS = (
-    "bio_ik/BioIKKinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedKDLKinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedSrvKinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedTRACKinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedUR10KinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedUR3KinematicsPlugin",
-    "cached_ik_kinematics_plugin/CachedUR5KinematicsPlugin",
-    "kdl_kinematics_plugin/KDLKinematicsPlugin",
-    "lma_kinematics_plugin/LMAKinematicsPlugin",
-    "pick_ik/PickIkPlugin",
-    "prbt_manipulator/IKFastKinematicsPlugin",
-    "srv_kinematics_plugin/SrvKinematicsPlugin",
-    "trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin",
-    "ur_kinematics/UR10KinematicsPlugin",
-    "ur_kinematics/UR3KinematicsPlugin",
-    "ur_kinematics/UR5KinematicsPlugin",
-)
-_MANAGERS = (
-    "moveit_ros_control_interface/Ros2ControlManager",
-    "moveit_ros_control_interface/Ros2ControlMultiManager",
-    "moveit_simple_controller_manager/MoveItSimpleControllerManager",
-)
-_PLANNERS = (
-    "chomp_interface/CHOMPPlanner",
-    "ompl_interface/OMPLPlanner",
-    "pilz_industrial_motion_planner/CommandPlanner",
-    "stomp_moveit/StompPlanner",
-)
-#: The adapters of Jazzy and later: package and classes, by the key that lists them.
-_ADAPTERS = {
-    "request_adapters": ("default_planning_request_adapters", (
-        "CheckForStackedConstraints", "CheckStartStateBounds", "CheckStartStateCollision",
-        "ResolveConstraintFrames", "ValidateWorkspaceBounds",
-    )),
-    "response_adapters": ("default_planning_response_adapters", (
-        "AddRuckigTrajectorySmoothing", "AddTimeOptimalParameterization", "DisplayMotionPath",
-        "ValidateSolution",
-    )),
-}  # fmt: skip
-#: The planners of OMPL for which MoveIt has a configuration, NAMEkConfigDefault.
-_OF_OMPL = (
-    "BFMT", "BKPIECE", "BiEST", "BiTRRT", "EST", "FMT", "KPIECE", "LBKPIECE", "LBTRRT", "LazyPRM",
-    "LazyPRMstar", "PDST", "PRM", "PRMstar", "ProjEST", "RRT", "RRTConnect", "RRTstar", "SBL",
-    "SPARS", "SPARStwo", "STRIDE", "TRRT",
-)  # fmt: skip
-#: The plugins of IKFast are named after the robot, and are similar.
+#: The plugins of IKFast are named after the robot.
 _OF_ROBOTS = "IKFast"
+#: The controller manager whose settings are checked.
+_OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
 
 #: Most groups that a help names.
 _NAMED = 8
@@ -123,14 +80,15 @@ def _few(names: Iterable[str]) -> str:
 
 def _solvers(context: Context, srdf: Srdf) -> Findings:
     """Misspelt solvers; other unknown solvers are assumed to be in the workspace."""
+    solvers: list[str] = data("moveit")["solvers"]
     for entry in group_entries(srdf, context.resolver):
         solver = entry.values.get("kinematics_solver")
         if entry.name not in srdf.known("group") or not isinstance(solver, Value):
             continue
-        if solver.text in _SOLVERS or _OF_ROBOTS in solver.text:
+        if solver.text in solvers or _OF_ROBOTS in solver.text:
             continue
-        with_package = (known for known in _SOLVERS if known.endswith(f"/{solver.text}"))
-        suggested = next(with_package, None) or nearest(solver.text, _SOLVERS, CLOSE_TYPO)
+        with_package = (known for known in solvers if known.endswith(f"/{solver.text}"))
+        suggested = next(with_package, None) or nearest(solver.text, solvers, CLOSE_TYPO)
         if suggested:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
             message = f"group '{entry.name}': {hint}"
@@ -139,19 +97,20 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
 
 def _planners(context: Context, srdf: Srdf) -> Findings:
     """Misspelt planners of groups, plugins of planning pipelines, and adapters."""
+    of_ompl = [f"{planner}kConfigDefault" for planner in data("moveit")["ompl"].split()]
     for name, defined in planner_entries(srdf, context.resolver):
-        known = {*defined, *(f"{planner}kConfigDefault" for planner in _OF_OMPL)}
+        known = {*defined, *of_ompl}
         match = None if name.text in known else nearest(name.text, sorted(known), TYPO)
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(Location(name.span), message, f"write {match}", severity=Severity.WARNING)
     for plugin in planning_plugins(srdf, context.resolver):
-        match = nearest(plugin.text, _PLANNERS, TYPO)
+        match = nearest(plugin.text, data("moveit")["planners"], TYPO)
         if match and plugin.text != match:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
             yield Finding(Location(plugin.span), message, f"write {match}")
-    packages = [package for package, _ in _ADAPTERS.values()]
-    keys = {f"{path}/{name}": key for key, (path, names) in _ADAPTERS.items() for name in names}
+    keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
+    packages = {name.partition("/")[0] for name in keys}
     for key, adapter, place in adapters(srdf, context.resolver):
         package, _, class_name = adapter.partition("/")
         if package in packages and keys.get(adapter) != key:
@@ -187,11 +146,11 @@ def _manager(context: Context, srdf: Srdf) -> Findings:
     plugin = controller_manager(srdf, context.resolver)
     if plugin is None:
         return
-    match = nearest(plugin.text, _MANAGERS, CLOSE_TYPO)
+    match = nearest(plugin.text, data("moveit")["managers"], CLOSE_TYPO)
     if match and plugin.text != match:
         hint = f"unknown controller manager '{plugin.text}'; did you mean '{match}'?"
         yield Finding(Location(plugin.span), hint, f"write {match}")
-    if match != _MANAGERS[-1]:
+    if match != _OF_MOVEIT:
         return
     for key, section in misplaced_controllers(srdf, context.resolver):
         message = f"MoveIt reads its controllers below {section}, not below '{key}'"

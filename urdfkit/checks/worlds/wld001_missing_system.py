@@ -120,7 +120,7 @@ def _without_factory(context: Context, opened: OpenedWorld) -> Findings:
     """Gazebo Classic without the library that ``spawn_entity.py`` requires."""
     plugins = opened.world.plugins if opened.world is not None else []
     files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
-    spawners = (*context.launch.started, *context.launch.included)
+    spawners = context.launch.programs
     spawns = any(node.executable == "spawn_entity.py" and spawner_of(node) for node in spawners)
     if spawns and FACTORY not in files:
         yield Finding(
@@ -163,7 +163,7 @@ def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[s
 def _required_defaults(context: Context, opened: OpenedWorld) -> Iterator[str]:
     if any(True for _ in context.described_robots):
         yield "Physics"
-    if any(map(spawner_of, (*context.launch.started, *context.launch.included))):
+    if any(map(spawner_of, context.launch.programs)):
         yield "UserCommands"
     if opened.started.has_window:
         yield "SceneBroadcaster"

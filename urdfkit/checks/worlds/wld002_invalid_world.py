@@ -231,7 +231,7 @@ def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
     """Nodes that spawn the robot into a world of another name."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
-    for started in (*context.launch.started, *context.launch.included):
+    for started in context.launch.programs:
         spawner = spawner_of(started)
         word = options(started, spawner)[0].get("world") if spawner else None
         name = word.text if word else started.parameters.values.get("world")

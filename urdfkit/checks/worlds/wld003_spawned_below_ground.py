@@ -72,7 +72,7 @@ def check(context: Context) -> Findings:
     if not len(opened) == len(robots) == len(starts) == 1:
         return  # it is unknown which robot is spawned in which world
     (robot,) = robots
-    spawners = list(filter(spawner_of, (*context.launch.started, *context.launch.included)))
+    spawners = list(filter(spawner_of, context.launch.programs))
     if len(spawners) == 1:
         yield from _without_floor(opened[0], robot)
     ground = _ground(opened[0])

@@ -142,5 +142,10 @@ class Launch(Record):
     includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files
 
     @property
+    def programs(self) -> tuple[StartedProgram, ...]:
+        """The programs that it starts, and those that its included files start."""
+        return (*self.started, *self.included)
+
+    @property
     def parameters(self) -> tuple[FileUse, ...]:
         return tuple(file for file in self.files if file.purpose == PARAMETERS)

@@ -51,7 +51,7 @@ def worlds(launch: Launch) -> Iterator[StartedWorld]:
     for included in launch.includes:
         if world := _of_file(included):
             yield world
-    for started in (*launch.started, *launch.included):
+    for started in launch.programs:
         if world := _of_program(started):
             yield world
 
