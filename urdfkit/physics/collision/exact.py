@@ -1,5 +1,7 @@
 """Distances of bodies by coal, for pairs without a closed form."""
 
+from collections.abc import Callable
+from functools import cache
 from math import inf
 
 import numpy as np
@@ -40,7 +42,7 @@ class ExactDistances:
     def __init__(self, robot: Robot, *, unit: bool) -> None:
         self._robot = robot
         self._unit = unit
-        self._geometries: dict[tuple[str, int], CollisionGeometry | None] = {}
+        self._built: Callable[[str, int], CollisionGeometry | None] = cache(self._build)
 
     def distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
         """The signed distance of two bodies, in m; infinite if a body cannot be used.
@@ -100,11 +102,9 @@ class ExactDistances:
         return DistanceQuery(a, b) if a and b else None
 
     def _geometry(self, body: CollisionBody) -> CollisionGeometry | None:
-        key = (body.link, body.number)
-        if key not in self._geometries:
-            link = self._robot.model.links_by_name[body.link]
-            made = arrays(link, body.number, self._robot.meshes, unit=self._unit)
-            self._geometries[key] = (
-                None if isinstance(made, OmittedCollision) else build_geometry(made)
-            )
-        return self._geometries[key]
+        return self._built(body.link, body.number)
+
+    def _build(self, name: str, number: int) -> CollisionGeometry | None:
+        link = self._robot.model.links_by_name[name]
+        made = arrays(link, number, self._robot.meshes, unit=self._unit)
+        return None if isinstance(made, OmittedCollision) else build_geometry(made)
