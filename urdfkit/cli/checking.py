@@ -11,7 +11,6 @@ from urdfkit.cli import options, output
 from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import reader
-from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.lint.options import Options
@@ -144,19 +143,13 @@ def check_settings(values: Mapping[str, Any]) -> Options:
     """The options of the command line as options of ``urdfkit.check``."""
     files = options.files(values)
     added = options.add_rules(values)  # first: other options contain their codes
-    config = options.config(values, files[0])  # may also add rules
-    return Options(
-        arguments=options.arguments(values),
-        packages=options.packages(values),
+    base = options.check_options(values, files[0])  # may also add rules
+    return base._replace(
         select=options.selected(values),
         ignore=options.ignored(values),
-        targets=options.words(values, "target"),
-        trust=values["trust"],
-        config=config or Config(),
         rules=added,
         preview=values["preview"],
         min_confidence=values["min_confidence"] or "",
-        variant=values["variant"] or "",
         changed=values["changed"],
         jobs=options.jobs(values),
         cache=not values["no_cache"],

@@ -1,9 +1,7 @@
 """``urdfkit convert``: a robot in the format of another program, with the losses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -16,10 +14,8 @@ from urdfkit.output.conversion import convert
 from urdfkit.output.conversion.formats import FORMATS
 from urdfkit.output.conversion.losses import Result
 from urdfkit.output.conversion.options import BASES, COLLISIONS, EXCLUSIONS, FIXED
+from urdfkit.output.conversion.result import Conversion
 from urdfkit.text.source import shown
-
-if TYPE_CHECKING:
-    from urdfkit.output.conversion.result import Conversion
 
 
 @described("convert")

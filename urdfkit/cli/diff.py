@@ -9,7 +9,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import described, limited, option, to_file
 from urdfkit.cli.progress import progress_bar
-from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
+from urdfkit.cli.robot import last_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.comparison import KINDS, compare
 from urdfkit.output.comparison.differences import Tolerances
@@ -76,7 +76,7 @@ def command(
         comparison = compare(
             before,
             after,
-            check_options(values, last_file(files)),
+            options.check_options(values, last_file(files)),
             tolerances=_tolerances(tolerance),
             has_images=name == "html",
             progress=bar,

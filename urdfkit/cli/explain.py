@@ -64,8 +64,9 @@ def _find(word: str) -> Rule:
 
 def render(rule: Rule) -> str:
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
+    has_fix = "with a fix" if rule.fixable else "without a fix"
     parts = [
-        _fill(f"{rule.code} {rule.name} ({_reported(rule)})"),
+        _fill(f"{rule.code} {rule.name} ({severities(rule)}, {has_fix})"),
         *map(_fill, rule.explanation.split("\n\n")),
         _fill(f"Needs: {needs or 'the text of the file'}"),
     ]
@@ -83,11 +84,6 @@ def render(rule: Rule) -> str:
     if rule.sources:
         parts.append("\n".join(["Sources:", "", *(f"    {source}" for source in rule.sources)]))
     return "\n\n".join(parts) + "\n"
-
-
-def _reported(rule: Rule) -> str:
-    """The severities of a rule, and whether it has a fix."""
-    return f"{severities(rule)}, {'with' if rule.fixable else 'without'} a fix"
 
 
 def severities(rule: Rule) -> str:

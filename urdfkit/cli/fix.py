@@ -9,7 +9,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, check_settings, fail_on
-from urdfkit.cli.decorators import examples
+from urdfkit.cli.decorators import described, option
 from urdfkit.core.words import counted, few
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
@@ -24,7 +24,31 @@ _OPTIONS = (
 _MAX_LINES = 8
 
 
-def _fix(**values: Any) -> int:
+@described("fix")
+@click.argument(options.FILES, nargs=-1, metavar="FILE... [NAME:=VALUE]...")
+@option("--generate-meshes", "Generate meshes for files that are missing, empty or broken.")
+@option("--check", "Write nothing; exit with 1 if a file would change.")
+@option(
+    "--fail-on SEVERITY",
+    "Exit with 1 if findings of this severity or above are left.",
+    type=click.Choice(["error", "warning", "info"]),
+)
+def command(**values: Any) -> int:
+    """Apply auto-fixes to source files; keep layout and comments.
+
+    FILE is a URDF or xacro file, or a directory of them. Comments, quotes, indentation and line
+    ends are kept; files are written atomically. Without --unsafe-fixes, only fixes that cannot
+    change the behaviour of the robot are applied. Fixes of infos are applied only with
+    --select CODE.
+
+    Exit codes: 0 done, even if findings are left; 1 a file would change (--check, --diff), or
+    findings at or above --fail-on are left, if it is given; 2 usage or input error;
+    3 internal error (a bug in urdfkit).
+
+    Examples:
+        urdfkit fix . --unsafe-fixes --diff
+        urdfkit fix robot.urdf.xacro --select INE,URD --unsafe-fixes
+    """
     settings = check_settings(values)
     fixes = apply_fixes(values, settings, generate_meshes=values["generate_meshes"])
     if values["diff"]:
@@ -42,43 +66,7 @@ def _fix(**values: Any) -> int:
     return int(is_dry and bool(fixes.files or fixes.meshes))
 
 
-command = click.Command(
-    "fix",
-    callback=_fix,
-    params=[
-        click.Argument([options.FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
-        click.Option(
-            ["--generate-meshes"],
-            is_flag=True,
-            help="Generate meshes for files that are missing, empty or broken.",
-        ),
-        click.Option(
-            ["--check"], is_flag=True, help="Write nothing; exit with 1 if a file would change."
-        ),
-        click.Option(
-            ["--fail-on"],
-            type=click.Choice(["error", "warning", "info"]),
-            metavar="SEVERITY",
-            help="Exit with 1 if findings of this severity or above are left.",
-        ),
-        *(click_option(option) for option in options.CHECK if option.flag[2:] in _OPTIONS),
-    ],
-    help="""Apply auto-fixes to source files; keep layout and comments.
-
-    FILE is a URDF or xacro file, or a directory of them. Comments, quotes, indentation and line
-    ends are kept; files are written atomically. Without --unsafe-fixes, only fixes that cannot
-    change the behaviour of the robot are applied. Fixes of infos are applied only with
-    --select CODE.
-
-    Exit codes: 0 done, even if findings are left; 1 a file would change (--check, --diff), or
-    findings at or above --fail-on are left, if it is given; 2 usage or input error;
-    3 internal error (a bug in urdfkit).
-    """,
-    epilog=examples(
-        "urdfkit fix . --unsafe-fixes --diff",
-        "urdfkit fix robot.urdf.xacro --select INE,URD --unsafe-fixes",
-    ),
-)
+command.params += (click_option(each) for each in options.CHECK if each.flag[2:] in _OPTIONS)
 
 
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:

@@ -6,10 +6,9 @@ from io import StringIO
 from itertools import groupby
 from typing import Any
 
-from urdfkit.cli import gazebo, output
+from urdfkit.cli import gazebo, options, output
 from urdfkit.cli.decorators import described, in_formats, option
-from urdfkit.cli.options import UsageError, words
-from urdfkit.cli.robot import check_options, one_robot, only_file, robot
+from urdfkit.cli.robot import one_robot, only_file, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
@@ -45,14 +44,14 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
         urdfkit importers robot.urdf.xacro --for mujoco,pinocchio
         urdfkit importers robot.urdf.xacro --map isaac:mujoco
     """
-    programs = words({"for": names}, "for")
+    programs = options.words({"for": names}, "for")
     if pair is not None:
         return _map(inputs, programs, pair, format)
     if format == "csv" and not programs:
-        raise UsageError("--format csv needs --for or --map")
+        raise options.UsageError("--format csv needs --for or --map")
     if GAZEBO in programs:
         if len(set(programs)) > 1 or format == "csv":
-            raise UsageError("--for gazebo allows no other program, and only text or JSON")
+            raise options.UsageError("--for gazebo allows no other program, and only text or JSON")
         return gazebo.show(robot(inputs), format, old=False)
     facts = selected(programs or IMPORTERS)
     context = robot(inputs)
@@ -69,15 +68,17 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
 def _map(inputs: dict[str, Any], names: list[str], pair: str, format: str) -> int:
     source, colon, target = pair.partition(":")
     if names:
-        raise UsageError("--map and --for cannot be combined")
+        raise options.UsageError("--map and --for cannot be combined")
     if not (colon and source and target):
-        raise UsageError(f"--map {pair}: expected FROM:TO, such as isaac:mujoco")
+        raise options.UsageError(f"--map {pair}: expected FROM:TO, such as isaac:mujoco")
     if GAZEBO in (source, target):
-        raise UsageError(f"--map {pair}: gazebo has no joint order: it finds joints by name")
+        raise options.UsageError(
+            f"--map {pair}: gazebo has no joint order: it finds joints by name"
+        )
     try:
         selected((source, target))
     except UnknownImporter as error:
-        raise UsageError(f"--map {pair}: {error}") from error
+        raise options.UsageError(f"--map {pair}: {error}") from error
     context = robot(inputs)
     result = index_map(context.imported(source), context.imported(target))
     if format == "csv":
@@ -89,12 +90,12 @@ def _map(inputs: dict[str, Any], names: list[str], pair: str, format: str) -> in
 
 def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> list[Diagnostic]:
     """The errors of a check for a program; only those of the tree if it is not a target."""
-    options = check_options(inputs, only_file(inputs))
+    settings = options.check_options(inputs, only_file(inputs))
     if facts.target:
-        options = options._replace(targets=(facts.target,))
+        settings = settings._replace(targets=(facts.target,))
     else:
-        options = options._replace(select=STRUCTURE)
-    report = check(context.source, options=options)
+        settings = settings._replace(select=STRUCTURE)
+    report = check(context.source, options=settings)
     return [error for error in report.diagnostics if error.severity is Severity.ERROR]
 
 
@@ -128,11 +129,6 @@ def _total(imported: Imported) -> str:
     return f"{sum(known):.4g}" if len(known) == len(masses) else "?"
 
 
-def _kilograms(imported: Imported) -> str:
-    total = _total(imported)
-    return "of unknown mass" if total == "?" else f"{total} kg"
-
-
 def _root(imported: Imported) -> str:
     if imported.root_is_free is None:
         return "welded or free"
@@ -158,9 +154,11 @@ def _report(imported: Imported, errors: list[Diagnostic]) -> Iterator[str]:
         yield ""
     number = len(_moving(imported))
     bodies = "1 body" if number == 1 else f"{number} bodies"
+    total = _total(imported)
+    mass = "of unknown mass" if total == "?" else f"{total} kg"
     yield from output.wrapped(
         f"{facts.title}: {counted(len(imported.tree.model.links), 'link')} become "
-        f"{bodies}, {_kilograms(imported)}; {_about_root(imported)}"
+        f"{bodies}, {mass}; {_about_root(imported)}"
     )
     yield from _changes(imported)
     yield ""

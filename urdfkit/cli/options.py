@@ -19,6 +19,7 @@ from urdfkit.workspace.config_file import nearest
 
 if TYPE_CHECKING:
     from urdfkit.lint.config import Config
+    from urdfkit.lint.options import Options
 
 
 class Option(Record):
@@ -201,6 +202,21 @@ def _configured(values: Mapping[str, Any], near: str) -> Config | None:
     for warning in configured.warnings:
         warn(warning)
     return configured
+
+
+def check_options(values: Mapping[str, Any], file: str) -> Options:
+    """The options of a check that all commands with a robot have."""
+    from urdfkit.lint.config import Config
+    from urdfkit.lint.options import Options
+
+    return Options(
+        arguments=arguments(values),
+        packages=packages(values),
+        targets=words(values, "target") if "target" in values else (),
+        trust=values["trust"],
+        config=config(values, file) or Config(),
+        variant=values["variant"] or "",
+    )
 
 
 def add_rules(values: Mapping[str, Any]) -> list[str]:

@@ -12,7 +12,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
-from urdfkit.cli.robot import check_options, last_file, one_robot
+from urdfkit.cli.robot import last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
@@ -160,7 +160,7 @@ def _difference(files: Sequence[str], inputs: dict[str, Any], values: dict[str, 
 
     with scratch() as directory:
         scenes = []
-        read_settings = check_options(inputs, last_file(files))
+        read_settings = options.check_options(inputs, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
             path = os.path.join(os.path.realpath(directory), name)
             robot = RobotState(file, path, read_settings).context

@@ -5,10 +5,10 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import output, stdin
+from urdfkit.cli import options, output, stdin
 from urdfkit.cli.decorators import choice, described, limited, option, to_file
 from urdfkit.cli.progress import progress_bar
-from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
+from urdfkit.cli.robot import only_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.report.csv import COLUMNS
 from urdfkit.output.report.translations import LANGUAGES
@@ -47,7 +47,7 @@ def command(
         urdfkit report robot.urdf.xacro -o masses.csv --table links
     """
     file, counts = only_file(values), dict.fromkeys(Severity, 0)
-    settings, source = check_options(values, file), stdin.opened(file)
+    settings, source = options.check_options(values, file), stdin.opened(file)
     variants = settings.config.entries(file, settings.arguments, settings.variant)
     for variant in variants:
         with progress_bar() as bar:

@@ -1,11 +1,9 @@
 """Arguments and options of the commands for a single robot."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import click
 
@@ -20,7 +18,7 @@ from urdfkit.cli.decorators import (
     Command,
     with_options,
 )
-from urdfkit.core.record import Record
+from urdfkit.core.progress import Progress
 from urdfkit.core.words import counted, few
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
@@ -30,13 +28,9 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read, require_robot
 from urdfkit.lint.options import Options
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.text.diagnostic import Problem
 
 #: Most robots of a directory that an error lists.
 _NAMED = 5
@@ -88,18 +82,6 @@ def only_file(values: Mapping[str, Any]) -> str:
     return files[0]
 
 
-def check_options(values: Mapping[str, Any], file: str) -> Options:
-    """The options of a check for a command that takes one robot."""
-    return Options(
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        targets=options.words(values, "target") if "target" in values else (),
-        trust=values["trust"],
-        config=options.config(values, file) or Config(),
-        variant=values["variant"],
-    )
-
-
 def last_file(states: Sequence[str]) -> str:
     """The last state that is a file, whose configuration is used; else the current directory."""
     return next((file for file in reversed(states) if os.path.exists(file)), os.curdir)
@@ -114,16 +96,8 @@ def _robots_in(directory: str) -> str:
     return f"pass one of its robots: {few([shown(robot.file) for robot in robots], _NAMED)}"
 
 
-class ReadOptions(Record):
-    """Options for reading a robot, from the command line or else the configuration."""
-
-    arguments: dict[str, str]  # xacro arguments
-    packages: dict[str, str]  # directories of ROS packages by name
-    trust: bool  # let the model run any expression and read any file
-
-
-def reading(inputs: Mapping[str, Any], file: str) -> ReadOptions:
-    """The options for reading the robot in a file.
+def reading(inputs: Mapping[str, Any], file: str) -> Options:
+    """The options for reading the robot in a file, from the command line or the configuration.
 
     Args:
         inputs: the values of the arguments and options of `one_robot`.
@@ -134,7 +108,8 @@ def reading(inputs: Mapping[str, Any], file: str) -> ReadOptions:
     config = options.config(inputs, file) or Config()
     entry = config.entry(file, options.arguments(inputs), inputs["variant"])
     packages = {**config.packages, **options.packages(inputs)}
-    return ReadOptions(entry.arguments, packages, inputs["trust"] or config.trust)
+    trust = inputs["trust"] or config.trust
+    return Options(arguments=entry.arguments, packages=packages, trust=trust)
 
 
 def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Context:
@@ -174,7 +149,7 @@ def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Contex
 
 def first_error(error: UnreadableRobot, file: str) -> UnreadableRobot:
     """The error with its first reason only: a missing package is often missing in every file."""
-    problems = cast("tuple[Problem, ...]", error.problems)
+    problems = cast(tuple[Problem, ...], error.problems)
     # Findings that are not errors may not be the reason.
     problems = (
         tuple(p for p in problems if rule_index.get(p.code).severity is Severity.ERROR) or problems

@@ -1,22 +1,18 @@
 """``urdfkit simulate``: faults of a robot in MuJoCo."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import motion, simulate
+from urdfkit.output.simulation.verdicts import Simulation
 from urdfkit.text.source import shown
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.output.simulation.verdicts import Simulation
 
 #: Pixels of the image and of the animation.
 SIZE, MOVING = (1280, 720), (640, 400)

@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import options
 from urdfkit.cli.decorators import choice, described, option
-from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
+from urdfkit.cli.robot import only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
 
@@ -45,7 +45,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
             webbrowser.open(address)
 
     try:
-        serve(file, check_options(values, file), Translator(lang), port=port, opened=opened)
+        serve(file, options.check_options(values, file), Translator(lang), port=port, opened=opened)
     except KeyboardInterrupt:
         pass  # Ctrl-C ends the server
     return 0

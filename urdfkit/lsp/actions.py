@@ -27,13 +27,10 @@ def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
     """
     fix: Fix | None = diagnostic.fix
     if fix is not None:
-        yield QuickFix(_capital(fix.title), fix.edits, diagnostic, fix.safe)
+        title = fix.title[:1].upper() + fix.title[1:]
+        yield QuickFix(title, fix.edits, diagnostic, fix.safe)
     places = CommentPlaces(page.source)
     element = places.element(diagnostic.span.start)
     if element is not None:
         edit = places.edit(element, [diagnostic.code])
         yield QuickFix(f"Suppress {diagnostic.code} here with a comment", (edit,), diagnostic)
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

@@ -4,8 +4,6 @@ Signals, by which the system interrupts an expansion (`urdfkit.xacro.watchdog`),
 thread.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from queue import SimpleQueue

@@ -77,16 +77,14 @@ def examine_mesh(mesh: Mesh) -> Health:
     separate = _examine([(part.vertices, part.faces) for part in mesh.parts])
     if separate.defects >= joined.defects:
         return joined
-    return separate._replace(overlap=_overlap(*_weld_parts(mesh)) if not separate.defects else 0.0)
+    if separate.defects:
+        return separate
+    welded = _joined([weld(part.vertices, part.faces) for part in mesh.parts])
+    return separate._replace(overlap=_overlap(*welded))
 
 
 def _overlap(points: Floats, faces: Integers) -> float:
     return overlap(points, faces, split_pieces(points, Edges(faces))) if len(faces) else 0.0
-
-
-def _weld_parts(mesh: Mesh) -> tuple[Floats, Integers]:
-    """The triangles of all parts, each part welded separately."""
-    return _joined([weld(part.vertices, part.faces) for part in mesh.parts])
 
 
 def _joined(parts: list[tuple[Floats, Integers]]) -> tuple[Floats, Integers]:

@@ -59,43 +59,35 @@ def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
     outside = on[~are_inside(turned, on[:, [1, 2, 0]])]
     faces = np.arange(3 * len(triangles)).reshape(-1, 3)
     beyond = to_surface(outside, triangles.reshape(-1, 3), faces)
-    return _quality(
+    return SphereQuality(
         len(spheres.radii),
         volume,
         float(areas(triangles.reshape(-1, 3), faces).sum()),
         float((_to_spheres(inner, spheres) <= 0).mean()),
         float((gaps <= 0).mean()),
         max(0.0, float(gaps.max())),
-        beyond,
+        *_protrusions(beyond),
     )
 
 
 def total(parts: Sequence[SphereQuality]) -> SphereQuality:
     """The quality for all links: coverage by volume and by area, protrusion over all points."""
     volumes, surfaces = np.array([(part.volume, part.area) for part in parts]).T
-    return _quality(
+    return SphereQuality(
         sum(part.spheres for part in parts),
         float(volumes.sum()),
         float(surfaces.sum()),
         float(np.average([part.coverage for part in parts], weights=volumes)),
         float(np.average([part.surface_coverage for part in parts], weights=surfaces)),
         max(part.max_uncovered_gap for part in parts),
-        np.concatenate([part.protrusions for part in parts]),
+        *_protrusions(np.concatenate([part.protrusions for part in parts])),
     )
 
 
-def _quality(
-    number: int,
-    volume: float,
-    area: float,
-    coverage: float,
-    surface: float,
-    gap: float,
-    beyond: Floats,
-) -> SphereQuality:
+def _protrusions(beyond: Floats) -> tuple[float, float, float, Floats]:
+    """Mean, 95th percentile and greatest of some distances, and the distances."""
     values = beyond if len(beyond) else np.zeros(1)
-    mean, p95, most = float(values.mean()), float(np.quantile(values, 0.95)), float(values.max())
-    return SphereQuality(number, volume, area, coverage, surface, gap, mean, p95, most, beyond)
+    return float(values.mean()), float(np.quantile(values, 0.95)), float(values.max()), beyond
 
 
 def _to_spheres(points: Floats, spheres: Spheres) -> Floats:

@@ -7,7 +7,7 @@ a note.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
@@ -16,7 +16,7 @@ from urdfkit.robot.bounding_box import extent_of, without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Body, RobotModel, Shape
+from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.reach import Reach, reach
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.robot.tree import KinematicTree
@@ -177,14 +177,25 @@ def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, 
         if mesh.facts is None or mesh.facts.defect is not None
     ]
     skipped: tuple[str, ...] = ()
+    bodies = {
+        "visual": [body for link in model.links for body in link.visuals],
+        "collision": [body for link in model.links for body in link.collisions],
+    }
     try:
-        triangles: dict[str, int] | None = _triangles(context)
+        triangles: dict[str, int] | None = {
+            role: sum(_count(context, body.shape) for body in some if body.shape)
+            for role, some in bodies.items()
+        }
     except ImportError:
         triangles, skipped = None, (f"triangles: {without_meshes()}",)
+    kinds = {
+        role: dict(Counter(body.shape.kind for body in some if body.shape))
+        for role, some in bodies.items()
+    }
     extent = extent_of(context, placed)
     return Shapes(
-        _kinds(body for link in model.links for body in link.visuals),
-        _kinds(body for link in model.links for body in link.collisions),
+        kinds["visual"],
+        kinds["collision"],
         dict(Counter(facts.format for facts in usable)),
         sum(facts.size for facts in usable),
         tuple(dict.fromkeys(missing)),
@@ -193,26 +204,6 @@ def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, 
         extent.measured,
         extent.left_out,
     ), skipped
-
-
-def _kinds(bodies: Iterable[Body]) -> dict[str, int]:
-    return dict(Counter(body.shape.kind for body in bodies if body.shape))
-
-
-def _triangles(context: Context) -> dict[str, int]:
-    """Number of triangles of the meshes of visuals and collisions, counting each use.
-
-    Raises:
-        ImportError: a library that reads meshes is not installed.
-    """
-    roles: tuple[tuple[str, Iterable[Body]], ...] = (
-        ("visual", (body for link in context.model.links for body in link.visuals)),
-        ("collision", (body for link in context.model.links for body in link.collisions)),
-    )
-    return {
-        role: sum(_count(context, body.shape) for body in bodies if body.shape)
-        for role, bodies in roles
-    }
 
 
 def _count(context: Context, shape: Shape) -> int:

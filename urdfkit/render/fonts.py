@@ -38,10 +38,10 @@ _NO_LETTER = "\uffff"
 def writing(text: str, size: float) -> tuple[Font, str]:
     """A font of a size in pixels, and the text with missing letters escaped."""
     face, missing = _best(text)
-    written = "".join(_escape(letter) if letter in missing else letter for letter in text)
+    escapes = {ord(letter): letter.encode("unicode_escape").decode("ascii") for letter in missing}
     font = _font(face, size)
     assert font is not None
-    return font, written
+    return font, text.translate(escapes)
 
 
 def unwritable(texts: Iterable[str]) -> str:
@@ -84,7 +84,3 @@ def _font(face: tuple[str, int] | None, size: float) -> Font | None:
         return ImageFont.truetype(face[0], size, index=face[1])
     except OSError:
         return None
-
-
-def _escape(letter: str) -> str:
-    return letter.encode("unicode_escape").decode("ascii")

@@ -112,7 +112,7 @@ class ColladaMaterials:
         identity = text(child(parameters.get(surface), "surface", "init_from")) or surface
         instance = child(parameters.get(sampler), "sampler2D", "instance_image")  # COLLADA 1.5
         reference = instance.get("url", "")[1:] if instance is not None else identity
-        image = self._tree.with_id(reference, "image")
+        image = self._tree.named(f"#{reference}", "image")
         if image is None and reference != sampler:
             # If the library has no such image, assimp, the reader of RViz and Gazebo, uses the
             # reference as the name of a JPEG file.

@@ -36,10 +36,6 @@ class ColladaTree:
             element = self._by_id.get(unquote(identity))
         return element if element is not None and tag(element) in tags else None
 
-    def with_id(self, identity: str | None, *tags: str) -> Element | None:
-        """The element with an id, if it has one of the tags."""
-        return self.named(f"#{identity}", *tags) if identity else None
-
 
 def parse(data: bytes, *, recover: bool = False) -> Element:
     """The root element of XML.

@@ -164,7 +164,7 @@ def _summed(steps: list[RepairStep]) -> list[RepairStep]:
 
 
 def _do(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
-    result = act(soup)
+    result = act(soup) if len(soup.faces) else soup
     if result is soup:
         return soup
     change = len(result.faces) - len(soup.faces)

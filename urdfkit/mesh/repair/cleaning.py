@@ -26,15 +26,13 @@ def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
 
     Of triangles with opposite orientation, the one that agrees with its neighbours is kept.
     """
-    if not len(soup.faces):
-        return soup
     _, same, count = distinct(np.sort(soup.faces, axis=1))
     if (count[same] == 2).all() and _sides_cancel(soup, same):
         return soup
     if (count == 1).all():
         return soup
     single = soup.select(count[same] == 1)
-    agreeing = _directed_sides(single)
+    agreeing = {side for face in single.faces.tolist() for side in _sides(face)}
     order = np.array(
         [
             -sum((b, a) in agreeing for a, b in _sides(face)) if count[group] > 1 else 0
@@ -50,8 +48,6 @@ def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
 
 def drop_back_sides(soup: TriangleSoup) -> TriangleSoup:
     """Remove one side of each two-sided sheet."""
-    if not len(soup.faces):
-        return soup
     pieces = split_pieces(soup.points, Edges(soup.faces))
     first, _, _ = distinct(np.sort(soup.faces, axis=1))
     keep = ~pieces.is_hollow[pieces.of_face]
@@ -67,10 +63,6 @@ def _sides_cancel(soup: TriangleSoup, same: Integers) -> bool:
     return bool((turns == 0).all())
 
 
-def _directed_sides(soup: TriangleSoup) -> set[tuple[int, int]]:
-    return {side for face in soup.faces.tolist() for side in _sides(face)}
-
-
 def _sides(face: list[int]) -> tuple[tuple[int, int], ...]:
     a, b, c = face
     return ((a, b), (b, c), (c, a))
@@ -79,8 +71,6 @@ def _sides(face: list[int]) -> tuple[tuple[int, int], ...]:
 def drop_fins(soup: TriangleSoup) -> TriangleSoup:
     """Remove triangles between a non-manifold edge and an open edge."""
     for _ in range(_ROUNDS):
-        if not len(soup.faces):
-            break
         edges = Edges(soup.faces)
         count = edges.count[edges.of_face]
         fins = (count > 2).any(axis=1) & (count == 1).any(axis=1)
@@ -92,8 +82,6 @@ def drop_fins(soup: TriangleSoup) -> TriangleSoup:
 
 def drop_walls(soup: TriangleSoup) -> TriangleSoup:
     """Remove sheets inside a body: pieces bounded by non-manifold edges only."""
-    if not len(soup.faces):
-        return soup
     edges = Edges(soup.faces)
     if not edges.is_non_manifold.any():
         return soup
@@ -117,8 +105,6 @@ def drop_walls(soup: TriangleSoup) -> TriangleSoup:
 
 def drop_scraps(soup: TriangleSoup) -> TriangleSoup:
     """Remove small open pieces, unless these are most of the mesh."""
-    if not len(soup.faces):
-        return soup
     edges = Edges(soup.faces)
     sizes = np.bincount(edges.bodies)
     area = np.bincount(edges.bodies, weights=areas(soup.points, soup.faces))

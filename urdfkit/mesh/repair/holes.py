@@ -16,8 +16,6 @@ _LONGEST = 120
 
 def fill(soup: TriangleSoup) -> TriangleSoup:
     """Close all holes."""
-    if not len(soup.faces):
-        return soup
     faces: list[Integers] = []
     parts: list[int] = []
     existing = set(map(tuple, np.sort(soup.faces, axis=1).tolist()))

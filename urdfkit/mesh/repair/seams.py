@@ -10,8 +10,6 @@ from urdfkit.mesh.repair.soup import TriangleSoup
 
 def weld_rims(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
     """Merge points of open edges within a tolerance; closed parts of the surface do not change."""
-    if not len(soup.faces):
-        return soup
     edges = Edges(soup.faces)
     rim = np.unique(edges.ends[edges.is_open])
     pairs = cKDTree(soup.points[rim]).query_pairs(tolerance, output_type="ndarray")

@@ -20,8 +20,6 @@ def unite(soup: TriangleSoup) -> TriangleSoup:
 
     Faces keep their part, but lose the reference to their original vertices.
     """
-    if not len(soup.faces):
-        return soup
     points, faces = soup.points, soup.faces
     pieces = split_pieces(points, Edges(faces))
     if overlap(points, faces, pieces) <= _ROUNDING:

@@ -13,8 +13,6 @@ from urdfkit.mesh.repair.soup import TriangleSoup
 
 def agree(soup: TriangleSoup) -> TriangleSoup:
     """Orient adjacent faces consistently; flips the smaller part of the area of each piece."""
-    if not len(soup.faces):
-        return soup
     edges = Edges(soup.faces)
     if not edges.is_inconsistent.any():
         return soup
@@ -54,8 +52,6 @@ def face_outwards(soup: TriangleSoup) -> TriangleSoup:
 
     A body inside another may be a cavity, and keeps its orientation relative to the outer body.
     """
-    if not len(soup.faces):
-        return soup
     pieces = split_pieces(soup.points, Edges(soup.faces))
     inverted = inside_out(soup.points, soup.faces, pieces)
     if not inverted.any():

@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Mapping
 from typing import Any
 
 from urdfkit import __version__
@@ -113,14 +113,9 @@ class Bundle:
             for body in link.visuals
             if body.shape and body.shape.filename
         }
-        for reference in mesh_references(model):
-            path = self._paths[id(reference)]
-            if path not in names:
-                files = mesh_files(self._robot, reference, path, self._consumer, stems, visuals)
-                mesh = next(files)  # its materials and images follow
-                names[path] = mesh.path
-                yield mesh
-                yield from files
+        yield from bundled_meshes(
+            self._robot, mesh_references(model), self._paths, names, self._consumer, stems, visuals
+        )
 
     def _textures(self, names: dict[str, str], stems: FreeNames) -> Iterator[BundledFile]:
         """The images; their names in the bundle are added to ``names``."""
@@ -130,6 +125,12 @@ class Bundle:
                 suffix = os.path.splitext(path)[1]
                 names[path] = f"textures/{stems.take_stem(path)}{suffix}"
                 yield BundledFile(names[path], disk.read(path), path)
+
+    @property
+    def new_references(self) -> dict[int, str]:
+        """The references in the bundle by ``id`` of the original ones; complete then, too."""
+        pairs = zip(references(self._robot.model), self.renamed, strict=True)
+        return {id(reference): renamed.new for reference, renamed in pairs}
 
     def _manifest(self) -> dict[str, Any]:
         return {
@@ -169,7 +170,36 @@ class Bundle:
         return os.path.basename(path) if relative.startswith("../") else relative
 
 
-def mesh_files(
+def bundled_meshes(
+    robot: Context,
+    references: Iterable[Placed[str]],
+    paths: Mapping[int, str],
+    names: dict[str, str],
+    consumer: Consumer,
+    stems: FreeNames,
+    visuals: Container[str],
+) -> Iterator[BundledFile]:
+    """The bundled files of mesh references, each once.
+
+    Args:
+        paths: of the files, by ``id`` of their reference.
+        names: receives the names in the bundle, by path.
+        visuals: paths of the files that visuals use.
+
+    Raises:
+        UrdfkitError: a mesh is broken, or cannot be converted to a supported format.
+    """
+    for reference in references:
+        path = paths[id(reference)]
+        if path not in names:
+            files = _mesh_files(robot, reference, path, consumer, stems, visuals)
+            mesh = next(files)  # its materials and images follow
+            names[path] = mesh.path
+            yield mesh
+            yield from files
+
+
+def _mesh_files(
     robot: Context,
     reference: Placed[str],
     path: str,
@@ -177,14 +207,6 @@ def mesh_files(
     stems: FreeNames,
     visuals: Container[str],
 ) -> Iterator[BundledFile]:
-    """The bundled files of a mesh reference.
-
-    Args:
-        visuals: paths of the files that visuals use.
-
-    Raises:
-        UrdfkitError: the mesh is broken, or cannot be converted to a supported format.
-    """
     mesh, stem = robot.files.facts(path), stems.take_stem(path)
     try:
         if mesh.defect:

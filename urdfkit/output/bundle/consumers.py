@@ -16,7 +16,8 @@ class Consumer(Record):
     visual: str  # suffix to which other visual meshes are converted; collision meshes become STL
     #: True if it finds meshes by ``package://``, not by paths relative to the robot.
     is_package: bool = False
-    #: The target that a bundle is checked for: the program, or one that reads the same robots.
+    #: The target that a bundle is checked for if it is not the program, but one that reads the same
+    #: robots.
     target: str = ""
     loads_first_object: bool = False  # True if only the first object or group of an OBJ is loaded
 
@@ -49,16 +50,9 @@ CONSUMERS = {
             _MUJOCO.title,
             _MUJOCO.meshes,
             ".obj",
-            target=_MUJOCO.name,
             loads_first_object=_MUJOCO.loads_first_object,
         ),
-        Consumer(
-            "pybullet",
-            "PyBullet",
-            (BINARY_STL, ASCII_STL, COLLADA, OBJ),
-            ".obj",
-            target="pybullet",
-        ),
+        Consumer("pybullet", "PyBullet", (BINARY_STL, ASCII_STL, COLLADA, OBJ), ".obj"),
         Consumer(
             "web",
             "urdf-loader for three.js",
@@ -74,8 +68,6 @@ CONSUMERS = {
             is_package=True,
             target=_URDFDOM,
         ),
-        Consumer(
-            "isaac", "Isaac Sim and Isaac Lab", (BINARY_STL, COLLADA, OBJ), ".obj", target="isaac"
-        ),
+        Consumer("isaac", "Isaac Sim and Isaac Lab", (BINARY_STL, COLLADA, OBJ), ".obj"),
     )
 }

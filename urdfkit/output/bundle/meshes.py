@@ -76,7 +76,7 @@ def bundled(
     if not is_readable:
         suffix = consumer.visual if is_visual else ".stl"
         change = f"{info.format} written as {suffix[1:].upper()}"
-    elif consumer.loads_first_object and info.format == facts.OBJ and _has_objects(path):
+    elif consumer.loads_first_object and info.format == facts.OBJ and objects(disk.read(path)) > 1:
         change = "its objects are joined"
     elif all(_is_below(path, file) for file in mesh.files):
         yield from _with_its_files(path, mesh, stem)
@@ -85,10 +85,6 @@ def bundled(
         suffix = ".glb" if info.format == facts.GLTF else suffix
         change = "referenced files from other directories are written next to it"
     yield from _written(path, info, mesh, f"{stem}{suffix}", change)
-
-
-def _has_objects(path: str) -> bool:
-    return objects(disk.read(path)) > 1
 
 
 def _loaded(path: str) -> Mesh:

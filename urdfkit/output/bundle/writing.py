@@ -17,7 +17,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Need
-from urdfkit.output.bundle import MANIFEST, Bundle, located_files, mesh_files
+from urdfkit.output.bundle import MANIFEST, Bundle, bundled_meshes, located_files
 from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
 from urdfkit.output.bundle.meshes import BundledFile, FreeNames
 from urdfkit.text.diagnostic import Severity
@@ -65,7 +65,8 @@ def bundle(
     context = robot if isinstance(robot, Context) else read(robot)
     result = Bundle(context, CONSUMERS[consumer])
     with staged(result.files(), os.path.abspath(out), force=force) as directory:
-        rejected = tuple(_errors(result, directory, context, CONSUMERS[consumer].target))
+        target = CONSUMERS[consumer].target or consumer
+        rejected = tuple(_errors(result, directory, context, target))
     return result, rejected
 
 
@@ -192,13 +193,9 @@ def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict
     shapes = [body.shape for link in robot.model.links for body in link.collisions]
     references = [shape.filename for shape in shapes if shape and shape.filename]
     paths = located_files(robot, references)
-    stems, names = FreeNames(), dict[str, str]()
-    for reference in references:
-        path = paths[id(reference)]
-        if path not in names:
-            files = [*mesh_files(robot, reference, path, consumer, stems, frozenset())]
-            names[path] = files[0].path
-            write_files(files, directory)
+    names: dict[str, str] = {}
+    meshes = bundled_meshes(robot, references, paths, names, consumer, FreeNames(), frozenset())
+    write_files(meshes, directory)
     return {key: names[path] for key, path in paths.items()}
 
 

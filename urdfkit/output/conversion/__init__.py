@@ -1,10 +1,7 @@
 """Conversion of a robot to another format, with a list of losses and a proof."""
 
-from __future__ import annotations
-
 import os
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from urdfkit.core.installation import needing
 from urdfkit.core.suggest import did_you_mean
@@ -13,9 +10,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.conversion.formats import FORMATS
 from urdfkit.output.conversion.options import ConversionOptions
-
-if TYPE_CHECKING:
-    from urdfkit.output.conversion.result import Conversion
+from urdfkit.output.conversion.result import Conversion
 
 
 def convert(

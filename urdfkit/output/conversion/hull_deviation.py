@@ -1,7 +1,5 @@
 """Distance of convex hulls from the collision meshes that they replace."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.lint.context import Context

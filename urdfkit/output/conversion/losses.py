@@ -69,9 +69,16 @@ class LossTable:
     def __init__(self) -> None:
         self._marks: dict[int, tuple[Result, str]] = {}
 
-    def keep(self, part: Element | Attribute | None, note: str) -> None:
-        """Record that an element with its own attributes, or an attribute, is kept."""
+    def keep(self, part: Element | Attribute | None, note: str, *children: str) -> None:
+        """Record that an element with its own attributes, or an attribute, is kept.
+
+        Args:
+            children: tags of children of the element, which are kept, too.
+        """
         self._mark(part, Result.KEPT, note)
+        for tag in children:
+            assert isinstance(part, Element)
+            self._mark(part.child(tag), Result.KEPT, note)
 
     def approximate(self, part: Element | Attribute | None, note: str) -> None:
         """Like `keep`, for a part that is only approximated."""

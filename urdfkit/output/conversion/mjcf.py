@@ -13,7 +13,6 @@ from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.meshes import BundledFile
-from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, rejections
@@ -44,7 +43,7 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
     with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
-        mjcf = assembled(robot, _files(robot, bundle), directory, options, is_free=is_free)
+        mjcf = assembled(robot, bundle.new_references, directory, options, is_free=is_free)
         add_options(mjcf, robot)
         exclude_neighbours(mjcf, robot)
         if options.exclude == "computed":
@@ -67,14 +66,6 @@ def _assets(bundle: Bundle) -> Iterator[BundledFile]:
     for file in bundle.files():
         if "/" in file.path:
             yield file
-
-
-def _files(robot: Context, bundle: Bundle) -> dict[int, str]:
-    """Paths of the files of a bundle, by the ``id`` of their references."""
-    return {
-        id(reference): renamed.new
-        for reference, renamed in zip(references(robot.model), bundle.renamed, strict=True)
-    }
 
 
 def _remove_unused(mjcf: MjcfRobot, directory: str) -> None:

@@ -1,7 +1,5 @@
 """Differences of inertia, limits and shapes between MuJoCo's model and the robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 

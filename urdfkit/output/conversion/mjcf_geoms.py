@@ -113,9 +113,7 @@ class Geoms:
                 continue
             place = frame @ geometry.origin
             note = "visual geom" if is_visual else "collision geom"
-            self._losses.keep(geometry.at, note)
-            for tag in ("origin", "geometry"):
-                self._losses.keep(geometry.at.child(tag), note)
+            self._losses.keep(geometry.at, note, "origin", "geometry")
             self._losses.keep(shape.at, note)
             before = len(body.geoms)
             if is_visual:

@@ -1,7 +1,5 @@
 """MuJoCo settings in a URDF: ``<mujoco>``, and settings of mujoco_ros2_control."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 from xml.etree.ElementTree import tostring

@@ -1,7 +1,5 @@
 """Compares MuJoCo's model of a converted robot with Pinocchio's model of the robot."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from copy import copy
 from typing import Any

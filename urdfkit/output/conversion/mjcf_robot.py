@@ -116,9 +116,7 @@ class MjcfRobot:
             name=self.devices.take(link.name), pos=frame.position, quat=quaternion(frame.rotation)
         )
         note = f"merged into body '{self.bodies[parent].name}'"
-        self.losses.keep(joint.at, note)
-        for tag in ("origin", "parent", "child"):
-            self.losses.keep(joint.at.child(tag), note)
+        self.losses.keep(joint.at, note, "origin", "parent", "child")
 
     def _body(self, link: Link, joint: Joint | None) -> Any:
         parent, frame = self.spec.worldbody, Transform()
@@ -226,9 +224,7 @@ class MjcfRobot:
             return
         note = f"part of the inertial of body '{self._top(link.name)}'"
         note = "inertial" if inertial else note
-        self.losses.keep(link.inertial.at, note)
-        for tag in ("mass", "inertia", "origin"):
-            self.losses.keep(link.inertial.at.child(tag), note)
+        self.losses.keep(link.inertial.at, note, "mass", "inertia", "origin")
 
     def _top(self, link: str) -> str:
         """The link that has the inertia of another link."""

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.core.record import Record
-
-if TYPE_CHECKING:
-    from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf import Srdf
 
 #: Base of the robot: welded to the world, or floating.
 BASES = ("auto", "fixed", "free")

@@ -1,7 +1,5 @@
 """Requirements of every conversion: each joint and number of the robot is valid."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError

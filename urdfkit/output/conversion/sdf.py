@@ -16,7 +16,6 @@ from urdfkit.lint.runner import run_rules
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS, Consumer
 from urdfkit.output.bundle.meshes import BundledFile
-from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.bundle.writing import staged, write_files
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
@@ -54,12 +53,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
         # SDF does not support the textures of a URDF.
         meshes = (file for file in bundle.files() if file.path.startswith("meshes/"))
         write_files(meshes, directory)
-        references = mesh_references(robot.model)
-        names = {
-            id(reference): renamed.new
-            for reference, renamed in zip(references, bundle.renamed, strict=False)
-        }
-        model = SdfModel(conversion, names)
+        model = SdfModel(conversion, bundle.new_references)
         write_files(_files(robot, model), directory)
         sdf = Sdf(Source.read(os.path.join(directory, MODEL)))
         proof = proven(prove(sdf, robot, conversion), robot)

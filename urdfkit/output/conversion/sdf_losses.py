@@ -86,8 +86,7 @@ def _link(losses: LossTable, link: Link, conversion: SdfConversion) -> None:
     inertial = link.inertial
     if inertial is not None and link.name in conversion.survivor:
         note = f"part of the mass of '{into}'" if into else "mass"
-        for tag in (inertial.at, *map(inertial.at.child, ("mass", "inertia"))):
-            losses.keep(tag, note)
+        losses.keep(inertial.at, note, "mass", "inertia")
         _origin(losses, inertial.at, inertial.origin, note, is_turned=bool(into))
 
 
@@ -115,10 +114,9 @@ def _colour(losses: LossTable, body: Body, defined: Material | None, model: SdfM
 
 
 def _shape(losses: LossTable, body: Body, name: str, frame: Transform) -> None:
-    losses.keep(body.at, name)
+    losses.keep(body.at, name, "geometry")
     losses.keep(body.at.attributes.get("name"), name)
     _origin(losses, body.at, frame @ body.origin, name, is_turned=True)
-    losses.keep(body.at.child("geometry"), name)
     if body.shape is not None:
         losses.keep(body.shape.at, name)
 

@@ -1,7 +1,5 @@
 """Compares an SDF model with the robot that it was converted from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform, length, minus

@@ -48,9 +48,7 @@ def _link(losses: LossTable, link: Link, stage: Stage) -> None:
         losses.lose(inertial.at, _NO_BODY)
         return
     note = "part of the mass of the parent" if prim is None else "mass"
-    losses.keep(inertial.at, note)
-    for tag in ("mass", "inertia", "origin"):
-        losses.keep(inertial.at.child(tag), note)
+    losses.keep(inertial.at, note, "mass", "inertia", "origin")
 
 
 def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual: bool) -> None:
@@ -58,17 +56,14 @@ def _geometry(losses: LossTable, geometry: Body, colours: Colours, *, is_visual:
     if shape is None or shape.kind not in _SHAPES:
         return
     note = "geometry" if is_visual else "collider"
-    losses.keep(geometry.at, note)
+    losses.keep(geometry.at, note, "origin", "geometry")
     losses.keep(geometry.at.attributes.get("name"), "name")
-    for tag in ("origin", "geometry"):
-        losses.keep(geometry.at.child(tag), note)
     losses.keep(shape.at, note)
     material = colours.of(geometry) if is_visual else None
     if material is None or geometry.material is None:
         return
     losses.keep(geometry.material.at, "material")
-    losses.keep(material.at, "material")
-    losses.keep(material.at.child("color"), "material")
+    losses.keep(material.at, "material", "color")
     texture = material.at.child("texture")
     if shape.kind == "mesh":
         losses.keep(texture, "texture, if the mesh has texture coordinates")

@@ -4,8 +4,6 @@ The converter and USD compute the arc cosine of a number in single precision, wi
 rotations up to 5e-4 rad.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Compares visuals and collisions of a USD stage with the robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import product
 from typing import Any

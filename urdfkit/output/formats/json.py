@@ -100,11 +100,8 @@ def _call(call: Call) -> dict[str, Any]:
 
 
 def _step(step: Step) -> dict[str, Any]:
-    return {"kind": step.kind, "name": _name(step), **_place(step.span)}
-
-
-def _name(step: Step) -> str:
-    return step.name if step.kind == "macro" else posix(step.name)
+    name = step.name if step.kind == "macro" else posix(step.name)
+    return {"kind": step.kind, "name": name, **_place(step.span)}
 
 
 def _fix(fix: Fix) -> dict[str, Any]:

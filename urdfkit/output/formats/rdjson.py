@@ -9,10 +9,8 @@ from typing import Any
 
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Source, Span
-
-_SEVERITIES = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
@@ -30,7 +28,7 @@ def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
     entry: dict[str, Any] = {
         "message": text,
         "location": {"path": posix(span.source.path), "range": _range(span)},
-        "severity": _SEVERITIES[diagnostic.severity],
+        "severity": diagnostic.severity.value.upper(),
         "code": {"value": diagnostic.code},
     }
     if suggestions := _suggestions(diagnostic):

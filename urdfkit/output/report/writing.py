@@ -44,8 +44,8 @@ def report(
         UnreadableFile: the file is missing or cannot be read.
         UrdfkitError: the format needs a library that is not installed, or lacks the table.
     """
-    is_quick = quick or not _shows_all(form, table)
-    reported = describe(file, options, quick=is_quick, progress=progress)
+    shows_all = form in ("html", "json") or (form == "csv" and table in LONG)
+    reported = describe(file, options, quick=quick or not shows_all, progress=progress)
     document = reported.document
     if form == "json":
         return dumped(document), document
@@ -58,11 +58,6 @@ def report(
 
         return markdown.render(document, Translator(language)), document
     return _page(reported, Translator(language), has_images=not quick)
-
-
-def _shows_all(form: str, table: str) -> bool:
-    """True if a format shows the slow parts."""
-    return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
 def _page(

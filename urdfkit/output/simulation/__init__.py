@@ -1,18 +1,13 @@
 """Short simulations of a robot in MuJoCo, each with a verdict."""
 
-from __future__ import annotations
-
 import os
-from typing import TYPE_CHECKING
 
 from urdfkit.core.installation import needing
+from urdfkit.core.progress import Progress
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.core.spatial import Transform
-    from urdfkit.output.simulation.verdicts import Simulation
+from urdfkit.output.simulation.verdicts import Simulation
 
 
 def simulate(

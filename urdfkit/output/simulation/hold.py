@@ -10,7 +10,6 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, unit_of
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.physics.overloads import overloads, worst_pose
-from urdfkit.robot.model import Joint
 
 #: Most deviation of a joint that holds, in rad or m.
 SAG = 0.02
@@ -68,7 +67,8 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
         mujoco.mj_step(model, data)
     sags = {}
     for joint in robot.robot.model.joints:
-        if (joint.name in robot.followers or joint in robot.leaders) and _is_limited(joint):
+        moves = joint.name in robot.followers or joint in robot.leaders
+        if moves and joint.limit and joint.limit.effort:
             at = model.jnt_qposadr[model.joint(joint.name).id]
             sag = abs(float(data.qpos[at] - start[at]))
             if sag > SAG:
@@ -86,10 +86,6 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
         )
         place = robot.joint(joint.name)
         yield Verdict("hold", False, text, sags[joint], SAG, (joint.name,), place)
-
-
-def _is_limited(joint: Joint) -> bool:
-    return bool(joint.limit and joint.limit.effort)
 
 
 def torques(model: Any, data: Any, target: Floats) -> Floats:

@@ -79,10 +79,10 @@ class SimulatedRobot:
             for joint in self.leaders:
                 _add_lock(made, joint)
             self.model = compiled(made, self.robot)
-            height = self._lowest()
-            if height is not None:
+            heights = [float(low[2]) for low, _ in self._boxes(self.started())]
+            if heights:
                 plane = mujoco.mjtGeom.mjGEOM_PLANE
-                made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
+                made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, min(heights)))
             return compiled(made, self.robot)
 
     @property
@@ -153,10 +153,6 @@ class SimulatedRobot:
             return None
         lower, upper = self.model.jnt_range[index]
         return float(lower), float(upper)
-
-    def _lowest(self) -> float | None:
-        """Height of the lowest colliding point at the start; None without collisions."""
-        return min((float(low[2]) for low, _ in self._boxes(self.started())), default=None)
 
     def extent(self) -> float:
         """Diagonal in m of the bounding box of all collisions and link frames at the start."""
