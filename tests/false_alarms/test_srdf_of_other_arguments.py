@@ -7,6 +7,7 @@ import pytest
 from tests.launched import reported
 from tests.xacros import xacro
 from urdfkit import check
+from urdfkit.workspace.launch_files import MAX_FILES
 
 ROBOT = xacro(
     """<xacro:arg name="model" default="short"/><link name="base"/><link name="tool"/>
@@ -87,3 +88,24 @@ def test_a_name_that_whoever_expands_the_srdf_passes(tmp_path: Path, name: str, 
     (tmp_path / "r.srdf.xacro").write_text(xacro(group))
     report = check(tmp_path / "r.urdf.xacro", select=["SRD017"])
     assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("tip", 0), ("tipp", 2)])
+def test_the_robot_of_moveit_in_a_large_repository(tmp_path: Path, name: str, count: int) -> None:
+    """myCobot: MoveIt's launch file names the parameter by an argument, and is one of hundreds."""
+    (tmp_path / ".git").mkdir()
+    other = tmp_path / "a_demos" / "launch"
+    other.mkdir(parents=True)
+    for number in range(MAX_FILES):
+        (other / f"{number}.launch").write_text("<launch/>")
+    launch = '<arg name="robot_description" default="robot_description"/>'
+    launch += '<param name="$(arg robot_description)" textfile="$(find arm)/long.urdf"/>'
+    base = '<robot name="r"><link name="base"/><link name="tool"/>{}</robot>'
+    files = {
+        "r.urdf": base.format(""),
+        "long.urdf": base.format('<link name="tip"/>'),
+        "r.srdf": SRDF.replace("NAME", name),
+    }
+    reported(tmp_path / "arm", "SRD001", "a.launch", launch, files)
+    found = check(tmp_path / "arm" / "r.urdf", select=["SRD001"]).diagnostics
+    assert len(found) == count

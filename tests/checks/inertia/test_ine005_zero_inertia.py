@@ -30,6 +30,16 @@ def test_without_a_shape_the_help_is_the_rule_s() -> None:
     assert found.help.startswith("compute the tensor from mass and size")
 
 
+@pytest.mark.parametrize(("size", "is_real"), [("0.01", True), ("0.000001", False)])
+def test_a_placeholder_shape_gives_no_tensor(size: str, is_real: bool) -> None:
+    """UUV Simulator's thrusters: Gazebo drops a link without collision."""
+    tiny = f'<cylinder length="{size}" radius="{size}"/>'
+    robot = BASE + part("arm", 0.001, ZERO, tiny) + joint("base", "arm", "revolute")
+    (found,) = reported("INE005", robot)
+    assert (found.fix is not None) is is_real
+    assert found.help.startswith("a solid cylinder" if is_real else "write the tensor of the real")
+
+
 def test_a_fixed_link_may_be_a_point() -> None:
     robot = BASE + link("arm", inertial(0.5, ZERO)) + joint("base", "arm")
     assert messages("INE005", robot) == []

@@ -58,6 +58,9 @@ STAND_IN = 0.001
 #: In kg/m³: the density of air is 1.2.
 MIN_DENSITY = 1.0
 
+#: In kg/m³: five times that of osmium. The collision of a thruster is a cylinder of a micrometre.
+MAX_DENSITY = 1e5
+
 #: In m.
 MILLIMETRE = 0.001
 
@@ -137,6 +140,11 @@ def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
         if LIGHTEST < inertia.mass / (inertia.solid.volume * MILLIMETRE**3) < HEAVIEST:
             help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
         return help, None
+    if inertia.mass > MAX_DENSITY * inertia.solid.volume:  # a placeholder shape
+        return (
+            f"write the tensor of the real part: the shape has {inertia.solid.volume:.1g} m³",
+            None,
+        )
     is_unplaced = not any(
         inertia.inertial.origin.position
     )  # a failed export writes zeros here, too

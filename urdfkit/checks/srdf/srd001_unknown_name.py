@@ -41,7 +41,7 @@ Sources:
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
-from itertools import islice
+from itertools import chain, islice
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
@@ -49,7 +49,7 @@ from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
 from urdfkit.text.document import Attribute
@@ -97,7 +97,8 @@ def check(context: Context) -> Findings:
 
 def _names_with_other_arguments(context: Context, srdf: Srdf) -> set[str]:
     """Links and joints of robots of the same name in launch files of the workspace."""
-    launches = launches_of_workspace(context.source.path, context.resolver)
+    place = (srdf.path, context.resolver)
+    launches = chain(launches_of_package(*place), launches_of_workspace(*place))
     descriptions = (description for launch in launches for description in launch.descriptions)
     names: set[str] = set()
     for description in islice(descriptions, _MAX_STARTED):

@@ -108,6 +108,12 @@ def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
     return _launches(resolver.packages.workspace(path), resolver)
 
 
+def launches_of_package(path: str, resolver: Resolver) -> tuple[Launch, ...]:
+    """The contents of all launch files in the package of a file; in a large workspace some lack."""
+    package = resolver.packages.enclosing(path)
+    return _launches(package[1], resolver) if package else ()
+
+
 def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
     """True for a file that a launch file of its workspace expands with xacro."""
     real, launches = disk.real(source.path), launches_of_workspace(source.path, resolver)

@@ -83,7 +83,9 @@ def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
 
 def read_param(file: XmlLaunchFile, element: Element) -> None:
     """Read a ``<param>``: a robot description, a parameter file, or the type of a controller."""
-    name = (element.get("name") or "").strip()
+    written = element.attributes.get("name")
+    # MoveIt's files have it in an argument.
+    name = (file.text(written) or written.value).strip() if written else ""
     frame = frame_at(file.source, element.tag_at, file.frame)
     if name.endswith("/type"):  # of a controller, in ROS 1
         file.collector.names_parameters = True
