@@ -19,6 +19,8 @@ from urdfkit.text.document import Element
 ROS1 = ("ros1", "classic-ros1")
 ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 
+#: Hardware that gazebo_ros_control simulates unless ``<robotSimType>`` names another class.
+DEFAULT_SIM = "gazebo_ros_control/DefaultRobotHWSim"
 #: Children of ``<ros2_control>`` that have interfaces.
 _PARTS = ("joint", "sensor", "gpio")
 

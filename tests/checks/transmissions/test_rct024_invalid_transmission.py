@@ -220,3 +220,18 @@ def test_duplicate_name() -> None:
 def test_joint_with_two_interfaces() -> None:
     other = transmission("swing", "hardware_interface/PositionJointInterface")
     assert reported("RCT024", ROBOT + FIRST + other.replace('name="t"', 'name="u"')) == []
+
+
+@pytest.mark.parametrize(
+    ("simulation", "joint", "count"),
+    [
+        ("franka_gazebo/FrankaHWSim", "swing", 0),
+        ("franka_gazebo/FrankaHWSim", "slide", 1),
+        ("gazebo_ros_control/DefaultRobotHWSim", "swing", 1),
+    ],
+)
+def test_one_name_for_the_interfaces_of_a_joint(simulation: str, joint: str, count: int) -> None:
+    """Franka's hardware simulation reads them all."""
+    other = transmission(joint, "hardware_interface/PositionJointInterface")
+    gazebo = plugin("libgazebo_ros_control.so", f"<robotSimType>{simulation}</robotSimType>")
+    assert len(messages("RCT024", ROBOT + FIRST + other + gazebo)) == count

@@ -6,6 +6,7 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.ros_control import (
+    DEFAULT_SIM,
     Component,
     ControlPart,
     Interface,
@@ -111,7 +112,7 @@ def _has_default_simulation(context: Context) -> bool:
 
 
 def _is_default(kind: Element) -> bool:
-    return kind.text.strip() in ("", "gazebo_ros_control/DefaultRobotHWSim")
+    return kind.text.strip() in ("", DEFAULT_SIM)
 
 
 def _typo(name: str, standard: Sequence[str]) -> str:

@@ -15,7 +15,13 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, ru
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
 from urdfkit.ros.gazebo.samples import ARM, control_xml, driven_xml, gazebo_xml, plugin_xml
-from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
+from urdfkit.ros.ros_control import (
+    DEFAULT_SIM,
+    ControlPlugin,
+    components,
+    control_plugins,
+    is_of_pr2,
+)
 from urdfkit.text.document import Element
 
 BAD = ARM + control_xml("gazebo_ros2_control/GazeboSystem", driven_xml("shoulder"))
@@ -24,9 +30,6 @@ GOOD = robot_xml(BAD, gazebo_xml(plugin_xml("control", "libgazebo_ros2_control.s
 FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
 }
-
-#: The hardware simulation of gazebo_ros_control.
-_DEFAULT = "gazebo_ros_control/DefaultRobotHWSim"
 
 
 @rule(
@@ -95,9 +98,9 @@ def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
     """A misspelt class of the hardware simulation."""
     kind = plugin.at.child("robotSimType")
     text = kind.text.strip() if kind else ""
-    if kind is not None and text != _DEFAULT and nearest(text, (_DEFAULT,), CLOSE_TYPO):
-        message = f"plugin {plugin.filename}: no class '{text}'; did you mean '{_DEFAULT}'?"
-        yield Finding(kind, message, f"write {_DEFAULT}")
+    if kind is not None and text != DEFAULT_SIM and nearest(text, (DEFAULT_SIM,), CLOSE_TYPO):
+        message = f"plugin {plugin.filename}: no class '{text}'; did you mean '{DEFAULT_SIM}'?"
+        yield Finding(kind, message, f"write {DEFAULT_SIM}")
 
 
 def _without_transmission(context: Context, plugin: ControlPlugin) -> Findings:

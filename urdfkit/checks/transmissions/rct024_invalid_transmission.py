@@ -11,7 +11,8 @@ resource". Reported are
 - a `mechanicalReduction` that is 0 or not a number, and misspelt elements, whose default is used;
   Gazebo's own hardware does not read the type, the actuators and the ratio (warning);
 - two transmissions with the same name, of which the second is used, or for the same joint, usually
-  a copy in which a name was not changed (warning);
+  a copy in which a name was not changed (warning). The class that a `<robotSimType>` names may
+  read several of one name, one for each interface of a joint;
 - transmissions in a robot of ROS 2, which does not read them: ros2_control has its own
   `<transmission>` inside `<ros2_control>` (info).
 
@@ -32,7 +33,14 @@ from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import words
 from urdfkit.ros.gazebo.samples import SHOULDER
-from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
+from urdfkit.ros.ros_control import (
+    DEFAULT_SIM,
+    ROS1,
+    called,
+    control_plugins,
+    is_of_pr2,
+    reads_transmissions,
+)
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_tag, fix_value
 
@@ -88,7 +96,7 @@ def check(context: Context) -> Findings:
         yield from _count(transmission, unread)
         for element in (transmission, *transmission.children):
             yield from _children(element, called(transmission), unread)
-    yield from _duplicates(read)
+    yield from _duplicates(read, is_simulated=_is_simulated_otherwise(context))
 
 
 def _unread(first: Element, *others: Element) -> Finding:
@@ -189,12 +197,24 @@ def _children(element: Element, who: str, unread: Severity | None) -> Findings:
             yield Finding(child, message, help, severity=unread)
 
 
-def _duplicates(transmissions: Iterable[Element]) -> Findings:
+def _is_simulated_otherwise(context: Context) -> bool:
+    """True if a class other than Gazebo's default simulates the hardware."""
+    kinds = (plugin.at.child("robotSimType") for plugin in control_plugins(context.model))
+    return any(kind is not None and kind.text.strip() not in ("", DEFAULT_SIM) for kind in kinds)
+
+
+def _duplicates(transmissions: Iterable[Element], *, is_simulated: bool) -> Findings:
+    """Names and joints of several transmissions.
+
+    Args:
+        is_simulated: True if transmissions of one joint may have one name.
+    """
     names: dict[str, Attribute] = {}
     driven: dict[tuple[str, str], Attribute] = {}
     for transmission in transmissions:
         own = transmission.attributes.get("name")
-        if own and (first := names.setdefault(own.value, own)) is not own:
+        first = names.setdefault(own.value, own) if own else None
+        if own and first and first is not own and not (is_simulated and _is_for_same(own, first)):
             message = f"duplicate transmission name '{own.value}'"
             yield _duplicate(own, message, "give it a unique name", first)
         for joint in transmission.all("joint"):
@@ -206,6 +226,12 @@ def _duplicates(transmissions: Iterable[Element]) -> Findings:
                 message = f"joint '{name.value}' already has a transmission"
                 help = "name the joint that this transmission drives, or delete one of the two"
                 yield _duplicate(name, message, help, others[0])
+
+
+def _is_for_same(name: Attribute, first: Attribute) -> bool:
+    """True if two transmissions are for the same joints."""
+    joints = ([one.get("name") for one in at.element.all("joint")] for at in (name, first))
+    return next(joints) == next(joints)
 
 
 def _duplicate(at: Attribute, message: str, help: str, first: Attribute) -> Finding:
