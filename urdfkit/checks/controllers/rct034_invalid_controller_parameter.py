@@ -35,6 +35,7 @@ from collections.abc import Iterator
 from urdfkit.checks.controllers.trajectory_interfaces import invalid_interfaces, without_gains
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.controllers import (
     ControllerParameters,
     classes,
@@ -69,16 +70,6 @@ _TYPES = {
     "int_array": "a list of integers",
     "double_array": "a list of numbers with a decimal point",
     "string_array": "a list of strings",
-}
-#: The lengths of covariance lists.
-_LENGTHS = {
-    "pose_covariance_diagonal": 6,
-    "static_covariance": 9,
-    "static_covariance_angular_velocity": 9,
-    "static_covariance_linear_acceleration": 9,
-    "static_covariance_orientation": 9,
-    "static_position_covariance": 9,
-    "twist_covariance_diagonal": 6,
 }
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
@@ -192,6 +183,7 @@ def _missing(
 
 
 def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
+    lengths: dict[str, int] = data("controllers")["lengths"]
     for name, node in section.given.items():
         expected, actual = known.type_of(name), type_of(node)
         span = section.places[name] if isinstance(node, list) else node.span
@@ -200,9 +192,9 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
             yield span, message, _correction(node, expected)
         elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
             yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
-        elif isinstance(node, list) and len(node) != _LENGTHS.get(name, len(node)):
-            message = f"{name} has {len(node)} numbers, must have {_LENGTHS[name]}"
-            yield span, message, f"write {_LENGTHS[name]} numbers"
+        elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
+            message = f"{name} has {len(node)} numbers, must have {lengths[name]}"
+            yield span, message, f"write {lengths[name]} numbers"
 
 
 def _wrong_axles(controller: Controller) -> Iterator[_Problem]:

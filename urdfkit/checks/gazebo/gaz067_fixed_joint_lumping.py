@@ -37,6 +37,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, S
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import collision_xml, robot_xml
+from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.document import Element
@@ -57,14 +58,6 @@ _DEFAULTS = {
     "self_collide": ("false", "0"),
 }
 
-#: The tags that go to each collision and to each visual.
-_TAGS = {
-    "collision": (
-        *("mu1", "mu2", "kp", "kd", "fdir1", "minDepth", "maxVel", "maxContacts", "laserRetro"),
-        "collision",
-    ),
-    "visual": ("material", "visual"),
-}
 _MERGED = "_fixed_joint_lump__"
 
 
@@ -155,12 +148,13 @@ def _lost_on_shapes(context: Context) -> Findings:
         for kind, name, shape in (*collisions, *visuals):
             link = (shape.parent and shape.parent.get("name")) or ""
             is_lost = not _gets_tags(name, link, kind, is_merged=link != simulated.name)
-            if is_lost and (tags := _tags(context.model, link, _TAGS[kind])):
+            if is_lost and (tags := _tags(context.model, link, kind)):
                 yield _lost(shape, link, simulated.name, tags)
 
 
-def _tags(model: RobotModel, link: str, known: tuple[str, ...]) -> list[Element]:
-    """The tags of a link that its shapes should have."""
+def _tags(model: RobotModel, link: str, kind: str) -> list[Element]:
+    """The tags of a link that its collisions, or its visuals, should have."""
+    known = {kind, *(tag for tag, one in extensions().items() if one.sdf.startswith(f"{kind}/"))}
     blocks = (block for block in model.gazebo if block.get("reference") == link)
     return [child for block in blocks for child in block.children if child.tag in known]
 

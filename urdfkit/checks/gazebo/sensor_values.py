@@ -6,7 +6,7 @@ from math import isnan
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog.sensors import Setting
+from urdfkit.ros.catalog.sensors import Setting, settings
 from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, value
@@ -21,14 +21,6 @@ _POSITIVE = ("width", "height", "samples")
 _BOUNDED_ELSEWHERE = ("horizontal_fov", "near", "far")
 _LENGTHS = {"vector2": 2, "vector3": 3, "pose": 6}
 _BOOLEANS = ("true", "false", "1", "0")
-#: Children of every sensor.
-_COMMON = {
-    "update_rate": Setting("float"),
-    "always_on": Setting("bool"),
-    "visualize": Setting("bool"),
-    "enable_metrics": Setting("bool"),
-    "pose": Setting("pose"),
-}
 #: Words of a setting that a message lists.
 _MAX_WORDS = 7
 
@@ -54,7 +46,7 @@ def _severity(context: Context, problem: str) -> Severity | None:
 def _settings(sensor: Sensor) -> Iterator[tuple[Element | Attribute, str, str, Setting]]:
     """Where a value is written, its name, the value, and what SDF accepts there."""
     for child in sensor.at.children:
-        if setting := _COMMON.get(child.tag):
+        if setting := settings("sensor").get(child.tag):
             yield child, child.tag, child.text.strip(), setting
     for inner in written(sensor):
         if inner.setting is not None:

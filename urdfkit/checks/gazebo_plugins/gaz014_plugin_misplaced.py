@@ -19,6 +19,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 
@@ -37,18 +38,7 @@ _WHERE = {
     "actor": "in an actor, not in a robot",
 }
 
-#: Other names of a type in SDF, and the sensors that are cameras, too.
-_SAME = {
-    "lidar": "ray",
-    "gpu_lidar": "gpu_ray",
-    "depth_camera": "depth",
-    "navsat": "gps",
-    "wideanglecamera": "wide_angle_camera",
-    "thermal": "thermal_camera",
-    "rgbd": "rgbd_camera",
-    "segmentation": "segmentation_camera",
-    "boundingbox": "boundingbox_camera",
-}
+#: The sensors that are cameras, too.
 _CAMERAS = ("depth", "wide_angle_camera")
 
 
@@ -94,8 +84,9 @@ def _in_wrong_sensor(use: PluginUse) -> Findings:
     attribute = use.at.parent.attributes.get("type")
     if attribute is None:
         return
-    accepted = {_SAME.get(kind, kind) for kind in use.plugin.sensors}
-    kind = _SAME.get(attribute.value, attribute.value)
+    same: dict[str, str] = data("sensors")["same"]
+    accepted = {same.get(kind, kind) for kind in use.plugin.sensors}
+    kind = same.get(attribute.value, attribute.value)
     if kind in accepted or (kind in _CAMERAS and "camera" in accepted):
         return
     wanted = " or ".join(f"'{one}'" for one in use.plugin.sensors)

@@ -20,6 +20,7 @@ from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.ros.catalog import data
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -47,25 +48,6 @@ _CYCLE = (
     "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
     "or this one to '{0}'"
 )
-
-
-#: Packages of ROS 2 that are there to bring others, and these.
-_BROUGHT = {
-    "desktop": "rviz* robot_state_publisher joint_state_publisher* tf2* launch* ros2*",
-    "desktop_full": "rviz* robot_state_publisher joint_state_publisher* tf2* xacro ros* launch*",
-    "gazebo_ros_pkgs": "gazebo_*",
-    "moveit": "moveit_*",
-    "nav2_bringup": "nav2_* slam_toolbox",
-    "navigation2": "nav2_*",
-    "ros2_control": "controller_manager",
-    "ros2_controllers": "controller_manager ackermann* diff_drive* effort_c* force_t* forward_c* "
-    "gripper_* imu_s* joint_* mecanum* position_c* range_s* tricycle* velocity_c*",
-    "ros_base": "robot_state_publisher tf2* launch* ros2*",
-    "ros_gz": "ros_gz_*",
-    "ros_ign": "ros_ign_*",
-    "urdf_launch": "robot_state_publisher joint_state_publisher* rviz2 xacro",
-    "urdf_tutorial": "robot_state_publisher joint_state_publisher* rviz2 xacro urdf_launch",
-}
 
 
 @rule(Severity.WARNING)
@@ -148,7 +130,7 @@ def _is_brought(name: str, declared: frozenset[str]) -> bool:
     """True if a package is declared, or a metapackage that depends on it."""
     return name in declared or any(
         name.startswith(prefix.rstrip("*")) if prefix.endswith("*") else name == prefix
-        for bringer, brought in _BROUGHT.items()
+        for bringer, brought in data("packages")["brought"].items()
         if bringer in declared
         for prefix in brought.split()
     )

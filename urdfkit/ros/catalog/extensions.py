@@ -14,6 +14,7 @@ class Extension(Record):
     tag: str  # its name
     on: str  # reference of the block: ``link``, ``joint``, ``model`` (none) or ``any``
     type: str  # ``float``, ``int``, ``bool``, ``vector3``, ``string``, ``container`` or ``any``
+    sdf: str  # the path of what it becomes
     unit: str = ""  # of a number; empty without a unit
     #: Of a bool: ``yes`` if only true, yes and 1 are true, ``no`` if only false, no and 0 are
     #: false; empty for other types.
