@@ -134,7 +134,7 @@ def test_several_processes_give_the_same_rows(tmp_path: Path) -> None:
 def test_two_sources_name_a_model_once(tmp_path: Path) -> None:
     zoo = write(tmp_path / "zoo", 3)
     sources = [str(zoo), str(zoo / "0002.urdf")]
-    assert scan(sources, str(tmp_path / "out"), Settings(Options())).models == 3
+    assert scan(sources, str(tmp_path / "out"), Settings(Options()))[0] == 3
 
 
 def test_a_run_goes_on_behind_the_last_whole_line(tmp_path: Path) -> None:
@@ -143,9 +143,9 @@ def test_a_run_goes_on_behind_the_last_whole_line(tmp_path: Path) -> None:
     results = out / journal.RESULTS
     lines = results.read_bytes().splitlines(keepends=True)
     results.write_bytes(b"".join(lines[:2]) + lines[2][:40])
-    assert scan([str(zoo)], str(out), Settings(Options())).models == 3
+    assert scan([str(zoo)], str(out), Settings(Options()))[0] == 3
     assert rows(out) == expected
-    assert scan([str(zoo)], str(out), Settings(Options())).models == 0
+    assert scan([str(zoo)], str(out), Settings(Options()))[0] == 0
 
 
 @pytest.mark.parametrize("line", ["x", "[1]", "[" * 100_000, '{"model": "a"}'])

@@ -89,7 +89,7 @@ def command(
     if address and engine != "dask":
         raise options.UsageError("--address needs --engine dask")
     with progress_bar("models", rated=True) as bar:
-        scanned = scan(
+        checked, unreadable = scan(
             sources,
             directory,
             Settings(settings, timeout, int(memory * 2**30)),
@@ -106,11 +106,11 @@ def command(
         options.warn(f"no Parquet files without pyarrow: {install_command('scan')}")
     output.page(
         output.indented(
-            f"{counted(scanned.models, 'model')} checked; {directory} has {', '.join(files)}", ""
+            f"{counted(checked, 'model')} checked; {directory} has {', '.join(files)}", ""
         )
     )
-    if scanned.unreadable:
-        raise UnreadableFile("; ".join(scanned.unreadable.values()))
+    if unreadable:
+        raise UnreadableFile("; ".join(unreadable.values()))
     return 0
 
 

@@ -145,10 +145,8 @@ def _inlay_hints(server: Server, params: lsp.InlayHintParams) -> list[lsp.InlayH
     robot, page, start = server.at(params.text_document.uri, params.range.start)
     end = server.encoding.offset(page.source, params.range.end)
     return [
-        lsp.InlayHint(
-            server.encoding.position(page.source, hint.offset), hint.text, padding_left=True
-        )
-        for hint in inlay_hints(robot, page, start, end)
+        lsp.InlayHint(server.encoding.position(page.source, offset), text, padding_left=True)
+        for offset, text in inlay_hints(robot, page, start, end)
     ]
 
 

@@ -1,10 +1,7 @@
 """Inlay hints: the values of expressions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
-from urdfkit.core.record import Record
 from urdfkit.core.words import few
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
@@ -14,19 +11,15 @@ from urdfkit.text.terminal import printable
 MAX_VALUES, MAX_LETTERS = 3, 40
 
 
-class InlayHint(Record):
-    """A text that an editor shows in addition to the file."""
-
-    offset: int  # of the byte after the hint
-    text: str
-
-
-def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[InlayHint]:
+def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[tuple[int, str]]:
     """The values of attributes with expressions, one for each call of a macro.
 
     Args:
         start: first byte of the requested range.
         end: offset after its last byte.
+
+    Yields:
+        The offset of the byte after a hint, and its text.
     """
     for node in page.nodes:
         if node.tag_end < start or end < node.start:
@@ -39,7 +32,7 @@ def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[
             if values:
                 text = printable(few(values, MAX_VALUES))
                 dots = "..." * (len(text) > MAX_LETTERS)
-                yield InlayHint(span.end + 1, text[:MAX_LETTERS] + dots)
+                yield span.end + 1, text[:MAX_LETTERS] + dots
 
 
 def _short(value: str) -> str:

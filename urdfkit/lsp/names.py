@@ -159,10 +159,10 @@ class NameIndex:
     def _in_node(self, node: TagNode) -> Iterator[NameUse]:
         own = node.name.removeprefix("xacro:")
         if node.name == "xacro:macro":
-            yield from self._definition(node, "macro", "name", prefix="xacro:")
+            yield from self._value(node, "macro", "name", is_definition=True, prefix="xacro:")
             yield from self._parameters(node)
         elif node.name in ("xacro:property", "xacro:arg"):
-            yield from self._definition(node, own if own == "arg" else "property", "name")
+            yield from self._value(node, own, "name", is_definition=True)
         elif node.name == "xacro:insert_block":
             yield from self._inserted_block(node)
         elif node.name.startswith("xacro:") and own not in _OWN_TAGS:
@@ -173,16 +173,6 @@ class NameIndex:
             if written.value_span and not (node.name == "xacro:macro" and written.name == "name"):
                 yield from self._in_text(node, written.value_span)
         yield from self._in_text(node, node.text_span)
-
-    def _definition(
-        self, node: TagNode, kind: str, attribute: str, prefix: str = ""
-    ) -> Iterator[NameUse]:
-        written = node.attribute(attribute)
-        if written and written.value_span and written.value:
-            text = written.value.removeprefix(prefix)
-            source, _, end = written.value_span
-            span = Span(source, end - len(text.encode()), end)
-            yield NameUse(kind, text, span, True, node, attribute)
 
     def _parameters(self, macro: TagNode) -> Iterator[NameUse]:
         written = macro.attribute("params")
@@ -227,11 +217,15 @@ class NameIndex:
         yield from self._in_plugin(node)
 
     def _value(
-        self, node: TagNode, kind: str, attribute: str, *, is_definition: bool
+        self, node: TagNode, kind: str, attribute: str, *, is_definition: bool, prefix: str = ""
     ) -> Iterator[NameUse]:
+        """The value of an attribute as a name, without a prefix."""
         written = node.attribute(attribute)
         if written and written.value_span and written.value:
-            yield NameUse(kind, written.value, written.value_span, is_definition, node, attribute)
+            text = written.value.removeprefix(prefix)
+            source, start, end = written.value_span
+            span = Span(source, start + len(written.value) - len(text), end)
+            yield NameUse(kind, text, span, is_definition, node, attribute)
 
     def _in_plugin(self, node: TagNode) -> Iterator[NameUse]:
         """The links and joints that a Gazebo plugin refers to."""

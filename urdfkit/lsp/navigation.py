@@ -5,11 +5,10 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute, cursor
+from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute
 from urdfkit.lsp.names import NameUse
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.references import package_references, reference_at
-from urdfkit.ros.launch.contents import FileUse
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -73,46 +72,23 @@ def _file(robot: OpenRobot, page: Page, offset: int) -> Source | None:
     name = robot.names.at(page.source, offset)
     if name is not None and name.kind == "package":
         return None  # the cursor is on the package
-    find = _file_in_launch if is_launch(page.source.path) else _file_in_description
-    path = find(robot, page, offset)
+    around = [link for link in links(robot, page) if link[0].start <= offset <= link[0].end]
+    _, path = min(around, key=lambda link: link[0].end - link[0].start, default=(None, ""))
     return Source(path, b"") if path else None  # the editor opens it; only the path matters
 
 
 def links(robot: OpenRobot, page: Page) -> Iterator[tuple[Span, str]]:
     """References to existing files, each with the path."""
     if is_launch(page.source.path):
-        yield from ((file.span, file.path) for file in _launch_files(robot, page))
+        for file in robot.context.launch.files:
+            if file.exists and file.span.source.path == page.source.path:
+                yield file.span, file.path
         return
     for node in page.nodes:
         for written in node.attributes:
             path = _referenced_file(robot, node, written) if written.value_span else None
             if path and written.value_span:
                 yield written.value_span, path
-
-
-def _launch_files(robot: OpenRobot, page: Page) -> list[FileUse]:
-    """The existing files that a launch file references directly."""
-    return [
-        file
-        for file in robot.context.launch.files
-        if file.exists and file.span.source.path == page.source.path
-    ]
-
-
-def _file_in_launch(robot: OpenRobot, page: Page, offset: int) -> str | None:
-    """The file of the innermost reference at an offset in a launch file."""
-    files = _launch_files(robot, page)
-    around = [file for file in files if file.span.start <= offset <= file.span.end]
-    nearest = min(around, key=lambda file: file.span.end - file.span.start, default=None)
-    return nearest.path if nearest else None
-
-
-def _file_in_description(robot: OpenRobot, page: Page, offset: int) -> str | None:
-    """The file that a tag of a description references at an offset."""
-    here = cursor(page, offset)
-    if here.place != "value" or here.node is None or here.attribute is None:
-        return None
-    return _referenced_file(robot, here.node, here.attribute)
 
 
 def _referenced_file(robot: OpenRobot, node: TagNode, written: WrittenAttribute) -> str | None:

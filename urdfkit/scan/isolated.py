@@ -33,18 +33,12 @@ class Settings(Record):
 
 
 class Isolated:
-    """Checks models in a separate process; a context manager."""
+    """Checks models in a separate process, until `end`."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._process: ChildProcess | None = None
         self._left = 0
-
-    def __enter__(self) -> Isolated:  # noqa: PYI034 - Self is not in Python 3.10
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.end()
 
     def check(self, model: Model) -> ModelRow:
         """The row of a model, even if the process dies.

@@ -7,20 +7,11 @@ from threading import Thread
 from typing import Any
 
 from urdfkit.core.progress import Progress
-from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.scan.engines import dask, local
 from urdfkit.scan.isolated import Settings
 from urdfkit.scan.journal import Journal
 from urdfkit.scan.models import Extraction, Model, models, require_sources
-
-
-class Scanned(Record):
-    """The outcome of a run."""
-
-    models: int  # number of models that were checked in this run
-    #: Unreadable sources with the reasons; they have a row in the results, too.
-    unreadable: dict[str, str]
 
 
 def scan(
@@ -32,7 +23,7 @@ def scan(
     address: str = "",
     jobs: int = 1,
     progress: Progress | None = None,
-) -> Scanned:
+) -> tuple[int, dict[str, str]]:
     """Check the models of sources that are not yet in a results directory.
 
     Args:
@@ -42,6 +33,10 @@ def scan(
         address: of a Dask scheduler; empty for a cluster on this machine.
         progress: called with the number of models finished in this run and the total number; 0
             until the models are counted.
+
+    Returns:
+        The number of models that were checked in this run, and the unreadable sources with the
+        reasons; these have a row in the results, too.
 
     Raises:
         UrdfkitError: a source does not exist, no source contains a model, the results cannot be
@@ -67,7 +62,7 @@ def scan(
                 progress(count, total[0] - finished if total else 0)
         if not journal.done:
             raise UnreadableFile(f"there is no model in {', '.join(map(repr, sources))}")
-    return Scanned(checked, unreadable)
+    return checked, unreadable
 
 
 def _pending(

@@ -55,9 +55,8 @@ def _sections(comparison: Comparison) -> Iterator[str]:
 
 def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
     for found in findings:
-        place = str(found.span)
         what = f"{found.severity.value} {found.code}"
-        yield [what, code(place), escape(found.message)]
+        yield [what, code(str(found.span)), escape(found.message)]
 
 
 def _section(title: str, body: str) -> str:

@@ -52,14 +52,14 @@ def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     """A table of links that moved relative to their parents, and the number of links carried."""
     own = [one for one in moved if not one.carried]
     carried = [one for one in moved if one.carried]
-    rows = [(printable(one.link), one) for one in own[:MAX_LINES]]
-    size = max((columns(name) for name, _ in rows), default=4)
+    names = [printable(one.link) for one in own]
+    size = max(map(columns, names[:MAX_LINES]), default=4)
     yield f"  {'link':<{size}}  {'mm':>9}  {'deg':>8}"
-    for name, one in rows:
-        space = " " * (size - columns(name))
-        yield f"  {name}{space}  {1000 * one.distance:>9.3f}  {degrees(one.angle):>8.3f}"
-    if len(own) > MAX_LINES:
-        yield f"  and {len(own) - MAX_LINES} more"
+    yield from _some(
+        f"{name}{' ' * (size - columns(name))}  {1000 * one.distance:>9.3f}"
+        f"  {degrees(one.angle):>8.3f}"
+        for name, one in zip(names, own, strict=True)
+    )
     if carried:
         yield f"  and {counted(len(carried), 'child link')} with them"
 
@@ -80,6 +80,5 @@ def _total(comparison: Comparison, width: int) -> Iterator[str]:
 
 def _findings(sign: str, findings: Iterable[Diagnostic], width: int) -> Iterator[str]:
     for found in findings:
-        place = str(found.span)
-        words = f"{place}: {found.severity.value} {found.code} {found.message}"
+        words = f"{found.span}: {found.severity.value} {found.code} {found.message}"
         yield f"{sign} {wrap(printable(words), width - 4, indent=6)}"

@@ -8,11 +8,12 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion, Proof, proven
-from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Element
 
 
 def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Conversion:
@@ -33,8 +34,7 @@ def write(robot: Context, out: str, _: ConversionOptions, *, force: bool) -> Con
 
 def prove(written: Context, robot: Context) -> Proof:
     """Compare the written URDF with the robot."""
-    names = {id(shape.filename.at) for shape in robot.model.shapes if shape.filename}
-    names |= {id(attribute) for attribute in _texture_names(robot)}
+    names = {id(reference.at) for reference in references(robot.model)}
     ours, theirs = ([*context.document.root.walk()] for context in (robot, written))
     different = abs(len(ours) - len(theirs)) + sum(
         _content(before, names) != _content(after, names, like=before)
@@ -48,11 +48,6 @@ def prove(written: Context, robot: Context) -> Proof:
         f"{missing} files are missing",
         {"elements": len(ours), "different": different, "missing": missing},
     )
-
-
-def _texture_names(robot: Context) -> list[Attribute]:
-    elements = (part for part in robot.document.root.walk() if part.tag == "texture")
-    return [part.attributes["filename"] for part in elements if "filename" in part.attributes]
 
 
 def _content(

@@ -5,11 +5,10 @@ Each link has a row, so that trees of any shape are readable and printable.
 
 from collections.abc import Iterator
 from html import escape
-from unicodedata import east_asian_width
 
 from urdfkit.output.diagrams.rows import TreeRow, caption, rows
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.terminal import printable
+from urdfkit.text.terminal import columns, printable
 
 #: Sizes in pixels: height of a row, indentation of a level, margin, and width of a letter.
 ROW, LEVEL, MARGIN, LETTER = 30, 26, 16, 7.8
@@ -113,4 +112,4 @@ def _right(row: TreeRow) -> float:
 
 def _width(text: str) -> float:
     """Width of a text in pixels; East Asian characters are twice as wide."""
-    return LETTER * sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+    return LETTER * columns(text)
