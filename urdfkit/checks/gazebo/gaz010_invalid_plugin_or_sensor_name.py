@@ -29,6 +29,7 @@ Sources:
 
 import re
 
+from urdfkit.core.repeats import repeated
 from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
@@ -80,21 +81,16 @@ def _missing(context: Context, use: PluginUse) -> Findings:
 
 def _duplicate_plugins(context: Context) -> Findings:
     """The ROS nodes of one name in one namespace."""
-    first: dict[tuple[str, str], PluginUse] = {}
-    for use in context.plugins:
-        if use.plugin is None or not use.plugin.node or not use.name:
-            continue
-        namespaces = use.values("ros/namespace")
-        namespace = namespaces[0].text.strip("/") if namespaces else ""
-        other = first.setdefault((namespace, use.name), use)
-        if other is not use:
-            yield Finding(
-                use.at.attributes["name"],
-                f"{use.title} and {other.title} are ROS nodes of the same name",
-                "give each plugin a unique name, or another <ros><namespace>",
-                related=(Related(other.at.span, "first defined here"),),
-                severity=Severity.WARNING,
-            )
+    nodes = (use for use in context.plugins if use.plugin and use.plugin.node and use.name)
+    keyed = (((use.value("ros/namespace").strip("/"), use.name), use) for use in nodes)
+    for use, other in repeated(keyed):
+        yield Finding(
+            use.at.attributes["name"],
+            f"{use.title} and {other.title} are ROS nodes of the same name",
+            "give each plugin a unique name, or another <ros><namespace>",
+            related=(Related(other.at.span, "first defined here"),),
+            severity=Severity.WARNING,
+        )
 
 
 def _duplicate_sensors(context: Context) -> Findings:

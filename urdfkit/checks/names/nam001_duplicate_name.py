@@ -20,6 +20,7 @@ Sources:
 
 from collections.abc import Iterable
 
+from urdfkit.core.repeats import repeated
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Material
@@ -50,27 +51,23 @@ def _duplicates(
     context: Context, elements: Iterable[Element], help: str, group_key: str = ""
 ) -> Findings:
     given = context.given_facts
-    first: dict[str, Element] = {}
-    for element in elements:
-        name = element.attributes.get("name")
-        if name is None or not name.value:
-            continue
-        if name.value in first:
-            is_taken = (
-                bool(given)
-                and all(element.tag in one.repeatable_names for one in given)
-                # An element that is there twice gives its child two parents.
-                and (element.tag != "joint" or _child(element) != _child(first[name.value]))
-            )
-            yield Finding(
-                name,
-                f"duplicate {element.tag} '{name.value}'",
-                help,
-                related=(Related(first[name.value].span, "first defined here"),),
-                group_key=group_key,
-                severity=Severity.WARNING if is_taken else None,
-            )
-        first.setdefault(name.value, element)
+    keyed = ((element.get("name"), element) for element in elements)
+    for element, first in repeated(one for one in keyed if one[0]):
+        name = element.attributes["name"]
+        is_taken = (
+            bool(given)
+            and all(element.tag in one.repeatable_names for one in given)
+            # An element that is there twice gives its child two parents.
+            and (element.tag != "joint" or _child(element) != _child(first))
+        )
+        yield Finding(
+            name,
+            f"duplicate {element.tag} '{name.value}'",
+            help,
+            related=(Related(first.span, "first defined here"),),
+            group_key=group_key,
+            severity=Severity.WARNING if is_taken else None,
+        )
 
 
 def _child(joint: Element) -> str | None:

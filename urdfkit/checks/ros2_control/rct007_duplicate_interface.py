@@ -16,6 +16,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.record import Record
+from urdfkit.core.repeats import repeated
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
@@ -42,19 +43,15 @@ def check(context: Context) -> Findings:
 
 
 def _duplicate_names(blocks: list[Component]) -> Findings:
-    first: dict[str, Component] = {}
-    for component in blocks:
-        name = component.name
-        if not name or is_expression(name):
-            continue
-        if first.setdefault(name, component) is not component:
-            yield Finding(
-                component.at.attributes["name"],
-                f"duplicate <ros2_control> name '{name}'",
-                "give each <ros2_control> a unique name",
-                related=(Related(first[name].at.span, "first defined here"),),
-                severity=Severity.WARNING,
-            )
+    keyed = ((block.name, block) for block in blocks)
+    for block, first in repeated(one for one in keyed if one[0] and not is_expression(one[0])):
+        yield Finding(
+            block.at.attributes["name"],
+            f"duplicate <ros2_control> name '{block.name}'",
+            "give each <ros2_control> a unique name",
+            related=(Related(first.at.span, "first defined here"),),
+            severity=Severity.WARNING,
+        )
 
 
 def _duplicate_interfaces(blocks: list[Component]) -> Findings:

@@ -10,6 +10,7 @@ Sources:
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
+from urdfkit.core.repeats import repeated
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
@@ -51,16 +52,11 @@ def check(context: Context) -> Findings:
 
 
 def _duplicates(plugins: list[ControlPlugin]) -> Findings:
-    seen: dict[tuple[str, str], ControlPlugin] = {}
-    for plugin in plugins:
-        key = (plugin.kind, _namespace(plugin.at))
-        if key in seen:
-            yield Finding(
-                plugin.at,
-                f"plugin {plugin.filename} is used twice in one namespace",
-                related=(Related(seen[key].at.span, "first used here"),),
-            )
-        seen.setdefault(key, plugin)
+    keyed = (((plugin.kind, _namespace(plugin.at)), plugin) for plugin in plugins)
+    for plugin, first in repeated(keyed):
+        message = f"plugin {plugin.filename} is used twice in one namespace"
+        related = (Related(first.at.span, "first used here"),)
+        yield Finding(plugin.at, message, related=related)
 
 
 def _namespace(plugin: Element) -> str:

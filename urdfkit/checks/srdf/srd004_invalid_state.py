@@ -14,6 +14,7 @@ Sources:
 
 from collections.abc import Iterable
 
+from urdfkit.core.repeats import repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import unit
 from urdfkit.robot.model import Joint
@@ -61,15 +62,13 @@ def _value(state: str, element: Element, joint: Joint) -> Findings:
 
 
 def _duplicates(states: Iterable[Element]) -> Findings:
-    first: dict[tuple[str | None, str | None], Element] = {}
-    for state in states:
-        name, group = state.get("name"), state.get("group")
-        before = first.setdefault((name, group), state)
-        if before is not state and name:
-            yield Finding(
-                state,
-                f"duplicate state '{name}' of group '{group}': MoveIt keeps the last",
-                "give each state a unique name",
-                related=(Related(before.span, "first defined here"),),
-                severity=Severity.WARNING,
-            )
+    named = (((state.get("name"), state.get("group")), state) for state in states)
+    for state, before in repeated(entry for entry in named if entry[0][0]):
+        yield Finding(
+            state,
+            f"duplicate state '{state.get('name')}' of group '{state.get('group')}': MoveIt keeps "
+            "the last",
+            "give each state a unique name",
+            related=(Related(before.span, "first defined here"),),
+            severity=Severity.WARNING,
+        )
