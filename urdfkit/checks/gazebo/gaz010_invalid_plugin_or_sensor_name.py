@@ -38,10 +38,8 @@ from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.targets import CLASSIC, GZ
-from urdfkit.text.diagnostic import Edit
-from urdfkit.text.editing.edits import fix_value, rename_attribute
+from urdfkit.text.editing.edits import first_attribute, fix_value, rename_attribute
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.source import Span
 
 BAD = robot_xml(solid_xml("base"), gazebo_xml('<plugin filename="libgazebo_ros_planar_move.so"/>'))
 GOOD = BAD.replace("<plugin", '<plugin name="drive"')
@@ -155,8 +153,7 @@ def _named(context: Context, use: PluginUse) -> Fix | None:
     taken = {other.name for other in context.plugins}
     if "name" in use.at.attributes or not re.fullmatch(r"[a-z]\w*", name) or name in taken:
         return None
-    source, _, end = use.at.tag_at.name_span
-    return Fix(f'add name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))
+    return Fix(f'add name="{name}"', first_attribute(use.at, "name", name))
 
 
 def _invalid_node_name(use: PluginUse) -> Findings:

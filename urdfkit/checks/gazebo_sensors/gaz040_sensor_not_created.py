@@ -32,10 +32,8 @@ from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets
-from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import fix_value
-from urdfkit.text.source import Span
+from urdfkit.text.editing.edits import first_attribute, fix_value
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -115,12 +113,9 @@ def _of_wrong_element(context: Context, sensor: Sensor) -> Findings:
 def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
     child = noise.child("type")
     type = child.text.strip() if child else "gaussian"
-    source, _, end = noise.tag_at.name_span
     title = f'write <noise type="{type}">'
     message = f"{sensor.who}: <noise> has no type: {REJECTED}"
-    return Finding(
-        noise, message, title, Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),))
-    )
+    return Finding(noise, message, title, Fix(title, first_attribute(noise, "type", type)))
 
 
 def _is_made(type: SensorType, targets: Targets) -> bool:

@@ -21,11 +21,9 @@ import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import link_xml, visual_xml
-from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_attribute
+from urdfkit.text.editing.edits import first_attribute, rename_attribute
 from urdfkit.text.grammar import owner
-from urdfkit.text.source import Span
 
 BAD = link_xml("wheel", visual_xml('<cylinder radus="0.1" length="0.05"/>'))
 FIXED = GOOD = BAD.replace("radus", "radius")
@@ -69,8 +67,7 @@ def _as_attribute(element: Element, missing: str) -> str:
 
 def _named_for_file(element: Element) -> Fix | None:
     """The name of the file without its suffixes, if that is a valid name."""
-    source, _, end = element.tag_at.name_span
-    name = os.path.basename(source.path).partition(".")[0]
+    name = os.path.basename(element.tag_at.source.path).partition(".")[0]
     if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         return None
-    return Fix(f'write name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))
+    return Fix(f'write name="{name}"', first_attribute(element, "name", name))

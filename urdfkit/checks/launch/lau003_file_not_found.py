@@ -21,7 +21,6 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -50,9 +49,7 @@ def check(context: Context) -> Findings:
         if file.is_outside:
             yield _outside_workspace(f"{file.purpose} {file.path}", file.span)
         elif not file.exists and not _may_exist_elsewhere(context, file.path):
-            suggested = nearest_file(file.path)
-            hint = f"did you mean '{suggested}'?" if suggested else ""
-            yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
+            yield _not_found(file.purpose, file.path, file.span)
         elif file.exists and file.purpose == MAP:
             yield from _missing_image(context, file)
     yield from _worlds(context)
@@ -61,10 +58,8 @@ def check(context: Context) -> Findings:
 
 def _missing_image(context: Context, file: FileUse) -> Findings:
     """A missing image of a map, at which map_server stops."""
-    try:
-        image = mapping(load(context.resolver.read(file.path))).get("image")
-    except UnreadableFile:
-        return
+    source = context.resolver.readable(file.path)
+    image = mapping(load(source)).get("image") if source else None
     if isinstance(image, Value) and image.text:
         path = os.path.join(os.path.dirname(file.path), image.text)
         if not disk.exists(path) and not _may_exist_elsewhere(context, path):
@@ -72,6 +67,12 @@ def _missing_image(context: Context, file: FileUse) -> Findings:
             suggested = next((kind for kind in _IMAGES if disk.is_file(stem + kind)), None)
             hint = f"write {os.path.splitext(image.text)[0]}{suggested}" if suggested else ""
             yield Finding(Location(image.span), f"image of the map not found: {path}", hint)
+
+
+def _not_found(what: str, path: str, span: Span) -> Finding:
+    suggested = nearest_file(path)
+    help = f"did you mean '{suggested}'?" if suggested else ""
+    return Finding(Location(span), f"{what} not found: {path}", help)
 
 
 def _outside_workspace(subject: str, span: Span) -> Finding:
@@ -95,9 +96,7 @@ def _worlds(context: Context) -> Findings:
             if disk.is_file(name) and not context.resolver.admits(name):
                 yield _outside_workspace(f"world {name}", started.span)
             elif not exists and not _may_exist_elsewhere(context, name):
-                suggested = nearest_file(name)
-                hint = f"did you mean '{suggested}'?" if suggested else ""
-                yield Finding(Location(started.span), f"world not found: {name}", hint)
+                yield _not_found("world", name, started.span)
         elif started.generation == GZ and name and not started.is_shipped:
             other = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
             suggested = next(

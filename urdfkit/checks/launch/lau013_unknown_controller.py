@@ -15,7 +15,6 @@ from collections.abc import Iterator
 from itertools import islice
 
 from urdfkit.core.suggest import Suggester, is_typo
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
@@ -95,8 +94,5 @@ def _package_files(context: Context) -> Iterator[str]:
 
 
 def _defined(context: Context, path: str) -> set[str]:
-    try:
-        source = context.resolver.read(path)
-    except UrdfkitError:
-        return set()
-    return {controller.name for controller in read(source)}
+    source = context.resolver.readable(path)
+    return {controller.name for controller in read(source)} if source else set()

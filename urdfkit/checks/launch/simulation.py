@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
@@ -158,10 +157,5 @@ def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:
 
 
 def _is_in_file(paths: Iterable[str], resolver: Resolver) -> bool:
-    for path in paths:
-        try:
-            if _SIM_TIME.encode() in resolver.read(path).data:
-                return True
-        except UnreadableFile:
-            return True
-    return False
+    sources = map(resolver.readable, paths)
+    return any(source is None or _SIM_TIME.encode() in source.data for source in sources)

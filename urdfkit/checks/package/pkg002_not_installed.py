@@ -68,14 +68,12 @@ def _uninstalled(
         if top in reported or not is_there:
             continue
         misplaced = rules.misplaced(relative) if span.start or span.end else ""
+        message = f"'{relative}' is not installed by {rules.file}"
         if misplaced:
-            reported.add(top)
             message = f"{rules.file} installs '{relative}' as {misplaced}"
             message += f", not as share/{name}/{relative}"
-            yield Finding(Location(span), message, rules.advice(top), severity=severity)
-        elif not rules.installs(relative):
+        if misplaced or not rules.installs(relative):
             reported.add(top)
-            message = f"'{relative}' is not installed by {rules.file}"
             yield Finding(Location(span), message, rules.advice(top), severity=severity)
 
 

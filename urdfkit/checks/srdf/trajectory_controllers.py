@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from itertools import chain, islice
 
 from urdfkit.core.words import few
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.controllers import Controller, read
@@ -139,9 +138,6 @@ def _defined(context: Context, srdf: Srdf) -> Iterator[Controller]:
         files = resolver.directories.files_below(workspace, _MAX_DIRECTORIES)
         yaml_files = (path for path in files if path.endswith((".yaml", ".yml")))
         for path in islice(yaml_files, _MAX_FILES):
-            try:
-                source = resolver.read(path)
-            except UrdfkitError:
-                continue
-            if b"controller_manager" in source.data:
+            source = resolver.readable(path)
+            if source and b"controller_manager" in source.data:
                 yield from (controller for controller in read(source) if controller.ros == 2)

@@ -23,8 +23,7 @@ from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import insert_before, replace_value
-from urdfkit.text.source import Span
+from urdfkit.text.editing.edits import first_attribute, insert_before, replace_value
 
 BAD = robot_xml(
     link_xml("base_footprint"),
@@ -98,8 +97,7 @@ def _raised(joint: Element, height: float) -> tuple[Edit, ...] | None:
         return insert_before(joint.children[0], (line,)) if joint.children else None
     written = origin.attributes.get("xyz")
     if written is None:
-        at = origin.tag_at.name_span
-        return (Edit(Span(at.source, at.end, at.end), f' xyz="0 0 {height:.6g}"'),)
+        return first_attribute(origin, "xyz", f"0 0 {height:.6g}")
     parts = written.value.split()
     z = number(parts[2]) if len(parts) == 3 else None
     return None if z is None else replace_value(written, f"{parts[0]} {parts[1]} {z + height:.6g}")

@@ -90,6 +90,12 @@ def add_attribute(after: Attribute, name: str, value: str) -> tuple[Edit, ...] |
     return (Edit(Span(source, end + 1, end + 1), f' {name}="{value}"'),)
 
 
+def first_attribute(element: Element, name: str, value: str) -> tuple[Edit, ...]:
+    """Add an attribute to an element, before all others in its tag."""
+    source, _, end = element.tag_at.name_span
+    return (Edit(Span(source, end, end), f' {name}="{value}"'),)
+
+
 def escaped(text: str) -> str:
     """A text, escaped for an attribute with either quotes, or between tags."""
     return text.translate(_ESCAPES)
