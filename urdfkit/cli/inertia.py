@@ -10,6 +10,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import COLOR, DIFF, choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.grouping import by_key
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
 from urdfkit.robot.inertials.shape_mass import SOURCES
@@ -125,10 +126,8 @@ def _row(label: str, values: MassProperties | None) -> str:
 
 def proposed(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     """The suggested values; links with the same values share a line."""
-    groups: dict[str, list[InertiaProposal]] = {}
-    for proposal in proposals:
-        if proposal.computed is not None:
-            groups.setdefault("\n".join(proposal.lines()), []).append(proposal)
+    computed = (proposal for proposal in proposals if proposal.computed is not None)
+    groups = by_key(("\n".join(proposal.lines()), proposal) for proposal in computed)
     for text, links in groups.items():
         yield ""
         yield from output.indented(", ".join(map(_name, links)) + ":", first="", rest="")

@@ -10,6 +10,7 @@ from urdfkit.cli.decorators import described, in_formats, limited
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import counted
 from urdfkit.output.overview import Overview, Shapes, Structure, summarise
 from urdfkit.robot.inertia import principal_moments
@@ -158,10 +159,7 @@ def _sensors(sensors_: Sequence[Sensor]) -> Iterator[str]:
 
 def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
     """Names by their common key; a missing name becomes ``(no name)``."""
-    groups: dict[str, list[str]] = {}
-    for key, name in pairs:
-        groups.setdefault(key, []).append(name or "(no name)")
-    return groups
+    return by_key((key, name or "(no name)") for key, name in pairs)
 
 
 def _sensor(sensor: Sensor) -> str:

@@ -8,6 +8,7 @@ from urdfkit.cli import output
 from urdfkit.cli.decorators import described, in_formats, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform, to_rpy
 from urdfkit.lint.context import Context
 from urdfkit.robot.kinematics import frames, transform
@@ -106,9 +107,7 @@ def _frames(
     if not frames_by_link:
         yield "no frames: no link is a root"
         return
-    trees: dict[str, list[str]] = {}
-    for name in frames_by_link:
-        trees.setdefault(root_of[name], []).append(name)
+    trees = by_key((root_of[name], name) for name in frames_by_link)
     for root, names in trees.items():
         head = f"frames in {root}, {pose_note}: x y z in m, roll pitch yaw in degrees"
         yield from output.wrapped(head)

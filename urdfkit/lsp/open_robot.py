@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from functools import cached_property
 
+from urdfkit.core.grouping import by_key
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.context import Context
 from urdfkit.lsp.markup import Page
@@ -90,15 +91,14 @@ class OpenRobot:
 
     @cached_property
     def _written(self) -> dict[tuple[str, int, str], list[Attribute]]:
-        attributes: dict[tuple[str, int, str], list[Attribute]] = {}
         xacro = self.traced
         document = xacro.document if xacro else self.document
-        for element in document.root.walk() if document else ():
-            at = element.tag_at
-            for attribute in element.attributes.values():
-                key = (os.path.realpath(at.source.path), at.start, attribute.name)
-                attributes.setdefault(key, []).append(attribute)
-        return attributes
+        return by_key(
+            ((os.path.realpath(at.source.path), at.start, attribute.name), attribute)
+            for element in (document.root.walk() if document else ())
+            for at in (element.tag_at,)
+            for attribute in element.attributes.values()
+        )
 
     @cached_property
     def traced(self) -> Xacro | None:

@@ -24,6 +24,7 @@ from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
 
 from urdfkit import __version__
+from urdfkit.core.grouping import by_key
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.main_thread import MainThreadExecutor
 from urdfkit.lsp.markup import Page
@@ -269,11 +270,10 @@ class Server(LanguageServer):
 
     def edit(self, edits: tuple[Edit, ...] | list[Edit]) -> lsp.WorkspaceEdit:
         """Text edits for the client."""
-        changes: dict[str, list[lsp.TextEdit]] = {}
-        for span, text in edits:
-            location = self.encoding.location(span, self.uris)
-            changes.setdefault(location.uri, []).append(lsp.TextEdit(location.range, text))
-        return lsp.WorkspaceEdit(changes)
+        places = ((self.encoding.location(span, self.uris), text) for span, text in edits)
+        return lsp.WorkspaceEdit(
+            by_key((place.uri, lsp.TextEdit(place.range, text)) for place, text in places)
+        )
 
 
 def _prepare() -> None:

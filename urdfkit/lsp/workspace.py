@@ -11,6 +11,7 @@ from functools import cache
 from typing import Any
 
 from urdfkit.core import expansion_limits
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
@@ -202,11 +203,9 @@ class Workspace:
                 raise
             except UrdfkitError as error:
                 failure, diagnostics = failure or str(error), []
-            by_file: dict[str, list[Diagnostic]] = {}
-            for diagnostic in diagnostics:
-                file = os.path.realpath(diagnostic.span.source.path)
-                by_file.setdefault(file, []).append(diagnostic)
-            self._diagnostics[root] = by_file
+            self._diagnostics[root] = by_key(
+                (os.path.realpath(each.span.source.path), each) for each in diagnostics
+            )
         files = files_before | set(self._files()) | {path}
         return CheckResult({file: list(self._findings(file)) for file in sorted(files)}, failure)
 

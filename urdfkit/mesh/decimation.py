@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from urdfkit.core.grouping import by_key
 from urdfkit.mesh.edges import have_distinct_corners
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.grouping import distinct
@@ -120,9 +121,8 @@ def _runs(mesh: Any) -> list[_Piece]:
     points = np.asarray(mesh.vert_properties[:, :3], dtype=np.float64)
     corners = np.asarray(mesh.tri_verts, dtype=np.int64)
     bounds = np.asarray(mesh.run_index, dtype=np.int64) // 3
-    runs: dict[int, list[Integers]] = {}
-    for run, start, end in zip(mesh.run_original_id, bounds[:-1], bounds[1:], strict=True):
-        runs.setdefault(int(run), []).append(corners[start:end])
+    starts = zip(mesh.run_original_id, bounds[:-1], bounds[1:], strict=True)
+    runs = by_key((int(run), corners[start:end]) for run, start, end in starts)
     return [(run, points, np.concatenate(faces)) for run, faces in runs.items()]
 
 

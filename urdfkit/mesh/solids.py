@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, OpType
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.convex_hull import arrays_of
 from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
@@ -45,9 +46,7 @@ def disjoint(solids: Iterable[Coloured]) -> list[Coloured]:
 
 def assembled(solids: Iterable[Coloured]) -> Mesh:
     """A mesh of the disjoint solids, one part for each material, with normals."""
-    by_material: dict[MeshMaterial, list[Manifold]] = {}
-    for material, solid in disjoint(solids):
-        by_material.setdefault(material, []).append(solid)
+    by_material = by_key(disjoint(solids))
     # Booleans leave slivers, which simplification removes.
     unions = (Manifold.batch_boolean(group, OpType.Add) for group in by_material.values())
     parts = zip((union.simplify(_SLIVER) for union in unions), by_material, strict=True)

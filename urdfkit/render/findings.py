@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.render import primitives
@@ -43,10 +44,9 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
         for link, reported in findings.items()
         if link in drawn
     ]
-    bare: dict[str, list[str]] = {}
-    for link, reported in findings.items():
-        if link not in drawn:
-            bare.setdefault(_text(reported), []).append(link)
+    bare = by_key(
+        (_text(reported), link) for link, reported in findings.items() if link not in drawn
+    )
     for text, (link, *others) in bare.items():
         many = f"{len(others) + 1} links, " * bool(others)
         labels.append(Label(f"{text} ({many}no geometry)", link, (0.0, 0.0, 0.0)))

@@ -8,6 +8,7 @@ from math import pi
 
 import numpy as np
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, basis, transposed, vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
@@ -223,9 +224,8 @@ def _boxes(scene: Scene, context: Context, size: float, _pose: Mapping[str, floa
 
 def _contacts(scene: Scene, context: Context, size: float, pose: Mapping[str, float]) -> Drawn:
     """The collision shapes and depths of overlapping links; red unless they are adjacent."""
-    shapes: dict[str, list[SceneItem]] = {}
-    for item in build(context, pose, ("collision",)).items:
-        shapes.setdefault(item.link, []).append(item)
+    items = build(context, pose, ("collision",)).items
+    shapes = by_key((item.link, item) for item in items)
     root = context.tree.roots[0].name
     colours: dict[str, Colour] = {}
     for pair in overlaps(context, pose):

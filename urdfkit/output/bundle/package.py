@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator
 
+from urdfkit.core.grouping import by_key
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.workspace.manifest import manifest_of
@@ -23,9 +24,8 @@ def package_files(name: str, robot: Context, directories: Iterable[str]) -> Iter
         robot: the version, maintainers and licences of its package are copied.
     """
     manifest = manifest_of(robot.resolver, robot.source.path)
-    copied: dict[str, list[str]] = {}
-    for match in re.finditer(_KEPT, manifest.data if manifest else b""):
-        copied.setdefault(match[1].decode(), []).append(match[0].decode("utf-8", "replace"))
+    matches = re.finditer(_KEPT, manifest.data if manifest else b"")
+    copied = by_key((match[1].decode(), match[0].decode("utf-8", "replace")) for match in matches)
     lines = [line for tag, default in _DEFAULT.items() for line in copied.get(tag, [default])]
     version, *others = lines
     body = "\n  ".join(

@@ -11,6 +11,7 @@ from math import inf, isinf
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform, from_rpy
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
@@ -84,9 +85,7 @@ class GazeboBlocks:
 
     def __init__(self, blocks: tuple[Element, ...]) -> None:
         self.all = [GazeboBlock(block) for block in blocks]
-        self._by_name: dict[str, list[GazeboBlock]] = {}
-        for block in self.all:
-            self._by_name.setdefault(block.block.get("reference") or "", []).append(block)
+        self._by_name = by_key((block.block.get("reference") or "", block) for block in self.all)
 
     def merge(self, link: str, into: str, frame: Transform) -> None:
         """Move the blocks of a link to the link that it is merged into.

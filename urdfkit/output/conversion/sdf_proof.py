@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform, length, minus
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.random_poses import random_poses
@@ -39,9 +40,7 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Proof:
         root = ours[tree.roots[0].name]
         for name in names:
             worst = max(worst, (difference(root.inverse @ ours[name], theirs[name]), name))
-    groups: dict[str, list[str]] = {}
-    for name in names:
-        groups.setdefault(sdf.link_of(name), []).append(name)
+    groups = by_key((sdf.link_of(name), name) for name in names)
     masses = [*_masses(sdf, tree, groups)]
     mass, center, tensor = (max((row[i] for row in masses), default=0.0) for i in range(3))
     shapes = [*_shapes(sdf, tree, groups)]

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise, takewhile
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import counted, few
 from urdfkit.lint.grouping import without_search
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
@@ -84,9 +85,7 @@ class TextPage:
 
     def _notes(self, diagnostic: Diagnostic) -> Iterator[str]:
         """Notes on related locations; locations with the same message share a note."""
-        by_message: dict[str, list[Span]] = {}
-        for related in diagnostic.related:
-            by_message.setdefault(related.message, []).append(related.span)
+        by_message = by_key((related.message, related.span) for related in diagnostic.related)
         for message, spans in by_message.items():
             first = spans[0]
             places = [self._near(first, diagnostic.span)]

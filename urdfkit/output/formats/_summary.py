@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator
 from itertools import islice
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import counted, few
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rule_index import NOT_CHECKED, external
@@ -97,9 +98,7 @@ def _fixable(report: Report) -> Iterator[str]:
 
 def _crashed(report: Report) -> Iterator[tuple[Crashed, list[str]]]:
     """The first crash of each error and file, with the codes of all rules that failed with it."""
-    by_error: dict[tuple[str, str], list[Crashed]] = {}
-    for crash in report.crashed:
-        by_error.setdefault((crash.path, crash.error), []).append(crash)
+    by_error = by_key(((crash.path, crash.error), crash) for crash in report.crashed)
     for crashes in by_error.values():
         yield crashes[0], [crash.code for crash in crashes]
 

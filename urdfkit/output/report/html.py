@@ -16,6 +16,7 @@ from math import degrees, log10
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
+from urdfkit.core.grouping import by_key
 from urdfkit.core.installation import needing
 from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import PLURALS, Translator
@@ -197,18 +198,12 @@ def _rejections(
 
 def _by_reason(missing: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
     """Names of missing parts, by reason."""
-    names: dict[str, list[str]] = {}
-    for name, reason in missing:
-        names.setdefault(reason, []).append(name)
-    return names
+    return by_key((reason, name) for name, reason in missing)
 
 
 def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[int, Any]]]]:
     """The findings by rule family, each with a number; the worst first."""
-    groups: dict[str, list[tuple[int, Any]]] = {}
-    for number, finding in enumerate(findings):
-        groups.setdefault(finding["family"], []).append((number, finding))
-    return list(groups.items())
+    return list(by_key((each[1]["family"], each) for each in enumerate(findings)).items())
 
 
 @cache
