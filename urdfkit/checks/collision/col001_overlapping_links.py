@@ -101,16 +101,12 @@ def check(context: Context) -> Findings:
             if not pair.is_adjacent:
                 reported.add(pair.names)
             small, large = contact.small, contact.large
+            other = context.model.collision(large.link, large.number)
             yield Finding(
                 context.model.collision(small.link, small.number),
                 message,
                 help,
-                related=(
-                    Related(
-                        context.model.collision(large.link, large.number).span,
-                        f"link '{large.link}'",
-                    ),
-                ),
+                related=(Related(other.span, f"link '{large.link}'"),),
                 weight=contact.depth,
                 group_key="overlap",
                 severity=severity,
@@ -211,15 +207,9 @@ def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
         return None
     # The depth of a body that is moved out sideways exceeds its thickness.
     part = "all" if contact.part >= 1 else f"{contact.part:.0%}"
-    return (
-        contact,
-        (
-            f"link '{contact.small.link}' overlaps adjacent link '{contact.large.link}' by "
-            f"{_depth(contact)}, {part} of its thickness"
-        ),
-        "make one of the two smaller, or move it",
-        Severity.INFO,
-    )
+    message = f"link '{contact.small.link}' overlaps adjacent link '{contact.large.link}' by "
+    message += f"{_depth(contact)}, {part} of its thickness"
+    return contact, message, "make one of the two smaller, or move it", Severity.INFO
 
 
 def _apart(
@@ -233,19 +223,15 @@ def _apart(
     if pair.is_permanent:
         if pair.is_contained:
             return None  # COL004
-        return (
-            contact,
-            f"{links} in every pose" + (f",{by} {beginning}" if (by := _by(contact)) else ""),
-            "make the collision geometry smaller, or disable the pair in the SRDF",
-            Severity.INFO,
-        )
+        message = f"{links} in every pose"
+        if by := _by(contact):
+            message += f",{by} {beginning}"
+        help = "make the collision geometry smaller, or disable the pair in the SRDF"
+        return contact, message, help, Severity.INFO
     if contact.depth > depth and pair.is_at_zero and pair.is_deeper(depth):
-        return (
-            contact,
-            f"{links}{_by(contact)} where all joints are at zero",
-            "correct an origin or the collision geometry, or begin in another pose",
-            Severity.WARNING,
-        )
+        message = f"{links}{_by(contact)} where all joints are at zero"
+        help = "correct an origin or the collision geometry, or begin in another pose"
+        return contact, message, help, Severity.WARNING
     return None
 
 

@@ -25,12 +25,9 @@ from urdfkit.text.editing.edits import fix_value
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
 GOOD = FIXED = BAD.replace("90<", "1.5708<")
 
-_ANGLES = (
-    "scan/horizontal/min_angle",
-    "scan/horizontal/max_angle",
-    "scan/vertical/min_angle",
-    "scan/vertical/max_angle",
-)
+_ANGLES = [
+    f"scan/{way}/{end}_angle" for way in ("horizontal", "vertical") for end in ("min", "max")
+]
 
 
 @rule(Severity.WARNING, help="write the angle in radians")

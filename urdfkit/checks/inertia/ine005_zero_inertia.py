@@ -91,11 +91,9 @@ def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
             if inertia := masses.by_name.get(link.name):
                 finding = _finding(inertia, body.joint, context)
                 is_stand_in = body.mass <= STAND_IN or masses.moments_of(body)[2] > 0
-                is_warning = is_stand_in and not is_rejected
-                yield (
-                    inertia,
-                    finding._replace(severity=Severity.WARNING) if is_warning else finding,
-                )
+                if is_stand_in and not is_rejected:
+                    finding = finding._replace(severity=Severity.WARNING)
+                yield inertia, finding
 
 
 def _finding(inertia: LinkInertia, joint: Joint, context: Context) -> Finding:
@@ -132,22 +130,18 @@ def _matches_shape(inertia: LinkInertia, other: LinkInertia) -> bool:
 def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
     if not inertia.is_measured or inertia.solid is None or inertia.expected is None:
         return "", None
-    if (
-        inertia.mass < MIN_DENSITY * inertia.solid.volume
-    ):  # a placeholder mass: no tensor follows from it
+    # No tensor follows from a placeholder mass.
+    if inertia.mass < MIN_DENSITY * inertia.solid.volume:
         size = f"{inertia.solid.volume:.3g} m³"
         help = f"write the mass of the link, which has {size}, and its tensor"
         if LIGHTEST < inertia.mass / (inertia.solid.volume * MILLIMETRE**3) < HEAVIEST:
             help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
         return help, None
     if inertia.mass > MAX_DENSITY * inertia.solid.volume:  # a placeholder shape
-        return (
-            f"write the tensor of the real part: the shape has {inertia.solid.volume:.1g} m³",
-            None,
-        )
-    is_unplaced = not any(
-        inertia.inertial.origin.position
-    )  # a failed export writes zeros here, too
+        size = f"{inertia.solid.volume:.1g} m³"
+        return f"write the tensor of the real part: the shape has {size}", None
+    # A failed export writes zeros here, too.
+    is_unplaced = not any(inertia.inertial.origin.position)
     center = inertia.solid.properties(inertia.mass).center
     edits = center_edits(inertia, center) if is_unplaced else ()
     return as_solid(inertia), _fix(inertia, inertia.expected, edits or ())

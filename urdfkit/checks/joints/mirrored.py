@@ -42,11 +42,8 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     reported = set()
     for correct, wrong, reason in _on_one_link(context.model):
         reported |= {correct.name, wrong.name}
-        yield (
-            correct,
-            wrong,
-            f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}",
-        )
+        places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
+        yield correct, wrong, places
     for pair in _asymmetric(list(_pairs(context))):
         if pair.right.name in reported:
             continue

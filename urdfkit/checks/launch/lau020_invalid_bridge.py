@@ -92,18 +92,16 @@ def check(context: Context) -> Findings:
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
     """Reasons why the bridge does not forward a topic: key, message and help."""
     if not topic.ros_type or not topic.gz_type:
+        lacking = "Gazebo" if topic.ros_type else "ROS"
         yield (
             "ros_type_name" if topic.ros_type else "gz_type_name",
-            f"the bridge of '{topic.topic}' lacks the message type of {_lacking(topic)}",
+            f"the bridge of '{topic.topic}' lacks the message type of {lacking}",
             "write topic@package/msg/Name[gz.msgs.Name, or ros_type_name and gz_type_name",
         )
     if topic.direction not in DIRECTIONS:
         hint = did_you_mean(topic.direction, DIRECTIONS)
-        yield (
-            "direction",
-            f"unknown direction '{topic.direction}'{hint}",
-            f"write one of {', '.join(DIRECTIONS)}",
-        )
+        help = f"write one of {', '.join(DIRECTIONS)}"
+        yield "direction", f"unknown direction '{topic.direction}'{hint}", help
     part = next((part for part in topic.ros_topic.split("/") if re.match(r"\d", part)), "")
     if part:
         yield (
@@ -114,11 +112,8 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
     package, _, name = topic.ros_type.partition("/")
     if "/msg/" not in topic.ros_type and gazebo_messages(f"{package}/msg/{name}"):
         right = f"{package}/msg/{name}"
-        yield (
-            "ros_type_name",
-            f"unknown message type '{topic.ros_type}'; did you mean '{right}'?",
-            f"write {right}",
-        )
+        message = f"unknown message type '{topic.ros_type}'; did you mean '{right}'?"
+        yield "ros_type_name", message, f"write {right}"
     prefix, _, message = topic.gz_type.rpartition(".")
     known = gazebo_messages(topic.ros_type)
     if known is None:
@@ -132,10 +127,6 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
         both += [f"{name} for {topic.gz_type}" for name in ros_messages(message)]
         help = f"write {' or '.join(both)}" if message in all_messages() else right
         yield "gz_type_name", f"the bridge cannot convert {pair}", help
-
-
-def _lacking(topic: BridgedTopic) -> str:
-    return "ROS" if not topic.ros_type else "Gazebo"
 
 
 def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:

@@ -254,15 +254,10 @@ def _unknown_parents(
         name, child = ((word.text or "").lstrip("/") for word in words)
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
-            yield (
-                name,
-                Finding(
-                    Location(transform.parent.span, node.frame),
-                    f"parent '{name}' of the static transform is not a link of the robot"
-                    f"{did_you_mean(name, known)}",
-                    f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}",
-                ),
-            )
+            message = f"parent '{name}' of the static transform is not a link of the robot"
+            message += did_you_mean(name, known)
+            help = f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}"
+            yield name, Finding(Location(transform.parent.span, node.frame), message, help)
 
 
 def _wrong_filter_frames(context: Context) -> Findings:

@@ -28,11 +28,11 @@ Sources:
     measured: of 517 public COLLADA files, 23 have another unit and 213 another axis
 """
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.mesh.io.facts import MeshFacts, has_other_unit, has_other_up_axis, is_gltf
+from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -52,31 +52,30 @@ FILES = {
 )
 def check(context: Context) -> Findings:
     collisions = {mesh.located.path for mesh in context.files.meshes if mesh.role == "collision"}
-    for mesh in context.files.each_file:
-        if mesh.facts and has_other_unit(mesh.facts) and _is_loaded(context, mesh, collisions):
+    loaded = [
+        (mesh, mesh.facts)
+        for mesh in context.files.each_file
+        if mesh.facts and _is_loaded(context, mesh, collisions)
+    ]
+    for mesh, facts in loaded:
+        if has_other_unit(facts):
             is_only_visual = mesh.located.path not in collisions and not context.targets.that(
                 "ignores_units"
             )
             yield Finding(
                 mesh.at,
-                f"{mesh.who} has the unit {mesh.facts.unit:g} m: RViz and Gazebo multiply by it, "
+                f"{mesh.who} has the unit {facts.unit:g} m: RViz and Gazebo multiply by it, "
                 "MoveIt, Pinocchio and coal do not",
-                group_key=f"{mesh.facts.unit:g}",
+                group_key=f"{facts.unit:g}",
                 severity=Severity.INFO if is_only_visual else None,
             )
     yield from _once(
-        context,
-        collisions,
-        has_other_up_axis,
-        lambda facts: f"has {facts.up_axis}",
+        [(mesh, f"has {facts.up_axis}") for mesh, facts in loaded if has_other_up_axis(facts)],
         "Bullet rotates it by 90 degrees, RViz, Gazebo, MoveIt and Pinocchio do not",
         "none needed if RViz shows it right; urdfkit mesh convert writes Z_UP",
     )
     yield from _once(
-        context,
-        collisions,
-        is_gltf,
-        lambda _: "is glTF, where y is up",
+        [(mesh, "is glTF, where y is up") for mesh, facts in loaded if is_gltf(facts)],
         "RViz since 15.1.4 and Drake rotate it by 90 degrees, Gazebo and earlier RViz do not",
         "use COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE -o OUT.dae",
     )
@@ -96,23 +95,9 @@ def _is_loaded(context: Context, mesh: MeshReference, collisions: Collection[str
     )
 
 
-def _once(
-    context: Context,
-    collisions: Collection[str | None],
-    predicate: Callable[[MeshFacts], bool],
-    describe: Callable[[MeshFacts], str],
-    effect: str,
-    help: str,
-) -> Findings:
-    """One info for all files of a robot for which a predicate is true."""
-    meshes = [
-        mesh
-        for mesh in context.files.each_file
-        if mesh.facts and predicate(mesh.facts) and _is_loaded(context, mesh, collisions)
-    ]
+def _once(meshes: list[tuple[MeshReference, str]], effect: str, help: str) -> Findings:
+    """One info for all files of a robot, each with what it is."""
     if meshes:
-        mesh, *others = meshes
-        assert mesh.facts
-        more = more_like_this(len(others))
-        message = f"{mesh.who} {describe(mesh.facts)}{more}: {effect}"
+        (mesh, what), *others = meshes
+        message = f"{mesh.who} {what}{more_like_this(len(others))}: {effect}"
         yield Finding(mesh.at, message, help, severity=Severity.INFO)

@@ -191,10 +191,8 @@ def _without_slash(context: Context, mesh: MeshReference) -> Finding | None:
     message, help = f"{mesh.who} is an absolute path, and does not exist", "remove the first slash"
     severity = None
     if not is_xacro(context.source):
-        message, severity = (
-            f"{message}; PyBullet alone finds it, next to the URDF",
-            Severity.WARNING,
-        )
+        message += "; PyBullet alone finds it, next to the URDF"
+        severity = Severity.WARNING
     fix = _fix(mesh, relative, help)
     return Finding(mesh.at, message, help, fix, group_key=help, severity=severity)
 

@@ -92,17 +92,11 @@ def _missing_acceleration(context: Context) -> Findings:
 def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]:
     for name, value, allowed, measure in _compared(planned, joint):
         if _is_wider(name, value, allowed):
-            limit = joint.limit
-            yield (
-                name,
-                Finding(
-                    Location(planned.values[name].span),
-                    f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
-                    f"robot, {allowed:g} {measure}",
-                    "use the narrower limit in both files",
-                    related=(Related(limit.at.span, "limit of the robot"),) if limit else (),
-                ),
-            )
+            limit, at = joint.limit, Location(planned.values[name].span)
+            message = f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
+            message += f"robot, {allowed:g} {measure}"
+            related = (Related(limit.at.span, "limit of the robot"),) if limit else ()
+            yield name, Finding(at, message, "use the narrower limit in both files", None, related)
 
 
 def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Finding]]:
