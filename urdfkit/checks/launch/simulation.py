@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import activates, controllers
@@ -13,18 +14,6 @@ from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"
-#: Packages whose nodes set or compare stamps, and the severity of a wrong clock.
-#: robot_state_publisher keeps the stamps of the joint states.
-_STAMPING = {
-    "robot_state_publisher": Severity.INFO,
-    "robot_localization": Severity.WARNING,
-    "slam_toolbox": Severity.WARNING,
-    "nav2_amcl": Severity.WARNING,
-    "nav2_controller": Severity.WARNING,
-    "nav2_planner": Severity.WARNING,
-    "moveit_ros_move_group": Severity.WARNING,
-    "rviz2": Severity.INFO,
-}
 #: Launch files of ROS that start Gazebo and no bridge.
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 #: Hardware that only Gazebo's plugin loads.
@@ -63,7 +52,7 @@ def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> F
     resolver = context.resolver
     other = next((node for node in started if _sim_time(node, resolver) is True), None)
     for node in started:
-        severity = _STAMPING.get(node.package)
+        severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
         if own is None or own is True:
             continue
@@ -74,7 +63,7 @@ def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> F
         else:
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'
-        yield Finding(Location(node.span, node.frame), message, help, severity=severity)
+        yield Finding(Location(node.span, node.frame), message, help, severity=Severity(severity))
 
 
 def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:

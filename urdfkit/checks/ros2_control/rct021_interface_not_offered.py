@@ -24,7 +24,7 @@ Sources:
 from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
-from urdfkit.ros.catalog.ros_control import simulated_hardware
+from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.claims import claims
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
@@ -44,13 +44,8 @@ FILES = {
     )
 }
 
-#: The control plugin of ROS 1, and the interfaces of its joints by the names in the URDF.
+#: The control plugin of ROS 1.
 _OF_ROS1 = "gazebo_ros_control"
-_INTERFACES = {
-    "PositionJointInterface": "position",
-    "VelocityJointInterface": "velocity",
-    "EffortJointInterface": "effort",
-}
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 
@@ -167,8 +162,9 @@ def _transmitted(context: Context) -> _Offered:
     for joint, _ in driven_joints(context.model.transmissions):
         for interface in joint.all("hardwareInterface"):
             name = interface.text.strip().removeprefix("hardware_interface/")
-            if name in _INTERFACES:
-                offered.setdefault(joint.get("name") or "", set()).add(_INTERFACES[name])
+            if name in words("transmission", "unprefixed"):
+                kind = name.removesuffix("JointInterface").lower()
+                offered.setdefault(joint.get("name") or "", set()).add(kind)
     return offered
 
 

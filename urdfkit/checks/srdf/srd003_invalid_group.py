@@ -20,6 +20,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.tree import closed_loops
+from urdfkit.ros.catalog import data
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
@@ -28,12 +29,6 @@ from urdfkit.text.located_yaml import Value
 BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = srdf_files('<group name="g"/>', '<group name="g"><link name="arm"/></group>')
-
-#: Prefixes of solvers that reject a group that is not a chain.
-_FOR_CHAINS = (
-    "kdl_kinematics_plugin/", "lma_kinematics_plugin/", "trac_ik_kinematics_plugin/",
-    "cached_ik_kinematics_plugin/CachedKDL", "cached_ik_kinematics_plugin/CachedTRAC",
-)  # fmt: skip
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
@@ -84,9 +79,10 @@ def _subgroups(name: str, srdf: Srdf) -> Iterator[tuple[str, str]]:
 
 def _unsolvable(context: Context, srdf: Srdf) -> Findings:
     """Groups that are not a chain, with a solver that requires one."""
+    for_chains = tuple(data("moveit")["for_chains"])
     for entry in group_entries(srdf, context.resolver):
         solver = entry.values.get("kinematics_solver")
-        if not isinstance(solver, Value) or not solver.text.startswith(_FOR_CHAINS):
+        if not isinstance(solver, Value) or not solver.text.startswith(for_chains):
             continue
         group = srdf.groups_by_name.get(entry.name)
         if group and (joints := _branch(context, srdf.links_of(entry.name))):

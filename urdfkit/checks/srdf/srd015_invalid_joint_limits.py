@@ -39,15 +39,8 @@ FILES = {
 
 #: Relative: limits are often rounded to three digits.
 TOLERANCE = 0.01
-#: Limits, each with the parameter that enables it.
-_LIMITS = {
-    "min_position": "has_position_limits",
-    "max_position": "has_position_limits",
-    "max_velocity": "has_velocity_limits",
-    "max_acceleration": "has_acceleration_limits",
-    "max_jerk": "has_jerk_limits",
-}
 _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
+_LIMITS = ("min_position", "max_position", *_POSITIVE)
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
@@ -100,8 +93,9 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
 
 
 def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Finding]]:
-    for name, switch in _LIMITS.items():
-        value = planned.values.get(name) if planned.is_on(switch) else None
+    for name in _LIMITS:
+        is_on = planned.is_on(f"has_{name[4:]}_limits")
+        value = planned.values.get(name) if is_on else None
         if value is not None and (invalid := _error_in(name, value, _ros(context))):
             message, help = invalid
             message = f"joint '{planned.joint}': {message}"

@@ -6,6 +6,7 @@ from itertools import chain, islice
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import RobotModel
+from urdfkit.ros.catalog import data
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
@@ -15,16 +16,6 @@ from urdfkit.workspace.manifest import manifest_of
 #: Most files of the workspace that are read, and directories that are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 500, 1000
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
-#: Type in MoveIt and action of controllers, by their type in ros2_control.
-_ACTIONS = {
-    _TRAJECTORY: ("FollowJointTrajectory", "follow_joint_trajectory"),
-    "position_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
-    "effort_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
-    "parallel_gripper_action_controller/GripperActionController": (
-        "ParallelGripperCommand",
-        "gripper_cmd",
-    ),
-}
 
 
 def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
@@ -96,9 +87,9 @@ def _other_joints(
 
 def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
     """A type or an action that the controller does not have."""
-    actions = {_ACTIONS.get(controller.type) for controller in same}
-    action = actions.pop() if len(actions) == 1 else None
-    for name, expected in zip(("type", "action_ns"), action or (), strict=False):
+    kinds = {tuple(data("moveit")["actions"].get(each.type, ())) for each in same}
+    action = kinds.pop() if len(kinds) == 1 else ()
+    for name, expected in zip(("type", "action_ns"), action, strict=False):
         value = entry.get(name)
         if value is None:
             message = f"controller '{key}' has no {name}"
