@@ -5,7 +5,7 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 
 import re
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.node_parameters import NodeParameters
@@ -47,7 +47,7 @@ def misspelt_servers(node: NodeParameters) -> Findings:
     for section in node.values.values() if known else ():
         plugin = mapping(section).get("plugin")
         text = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
-        suggested = nearest(text, known, 0.9)
+        suggested = nearest(text, known, CLOSE_TYPO)
         if suggested and suggested != text and isinstance(plugin, Value):
             suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
             hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
@@ -86,8 +86,8 @@ def _layer(layer: dict[str, Node]) -> Findings:
         return
     package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
     kinds = {re.sub(_KIND, "", known): known for known in data("nodes")["layers"].split()}
-    near = nearest(re.sub(_KIND, "", name), kinds, 0.75) or ""
-    suggested = kinds.get(near) if nearest(package, (_PACKAGE,), 0.7) else None
+    near = nearest(re.sub(_KIND, "", name), kinds, TYPO) or ""
+    suggested = kinds.get(near) if nearest(package, (_PACKAGE,)) else None
     if suggested and plugin.text != f"{_PACKAGE}::{suggested}":
         hint = f"'{plugin.text}'; did you mean '{_PACKAGE}::{suggested}'?"
         help = f"write {_PACKAGE}::{suggested}"

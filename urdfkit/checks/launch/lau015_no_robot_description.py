@@ -12,7 +12,7 @@ Sources:
 
 from collections.abc import Mapping
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.ros.launch.contents import StartedProgram
 
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
             yield Finding(Location(node.span, node.frame), message, _EXPANDED)
         if _PARAMETER not in parameters:
             names = sorted(parameters)
-            mistake = next((name for name in names if nearest(name, [_PARAMETER], 0.8)), "")
+            mistake = next((name for name in names if nearest(name, [_PARAMETER], TYPO)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
             yield Finding(Location(node.span, node.frame), message)

@@ -17,7 +17,7 @@ Sources:
 import os
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
@@ -90,7 +90,7 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3
-        if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], 0.9):
+        if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], CLOSE_TYPO):
             message = f"unknown {option} '{name}'; did you mean '{_TOPIC}'?"
             yield Finding(place, message, f"write {_TOPIC}")
 

@@ -82,7 +82,7 @@ def check(context: Context) -> Findings:
             key, message, help = mistake
             yield Finding(Location(topic.at(key), frame), message, help)
         for key, span in topic.unknown:
-            if suggested := nearest(key, KEYS, 0.6):
+            if suggested := nearest(key, KEYS):
                 message = f"the bridge does not read '{key}'; did you mean '{suggested}'?"
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {suggested}", severity=Severity.WARNING)
@@ -121,7 +121,7 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):
         yield "gz_type_name", f"'{topic.gz_type}' is not a Gazebo message type", right
-    elif message not in known and (message in all_messages() or nearest(message, known, 0.7)):
+    elif message not in known and (message in all_messages() or nearest(message, known)):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
         both = [f"{prefix}.{name} for {topic.ros_type}" for name in known]
         both += [f"{name} for {topic.gz_type}" for name in ros_messages(message)]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.ros_control import (
@@ -119,5 +119,5 @@ def _typo(name: str, standard: Sequence[str]) -> str:
     """The standard name that differs from a name in one letter; empty if there is none."""
     if name in standard:
         return ""
-    suggested = nearest(name, standard, 0.85) or ""
+    suggested = nearest(name, standard, TYPO) or ""
     return suggested if abs(len(suggested) - len(name)) <= 1 else ""

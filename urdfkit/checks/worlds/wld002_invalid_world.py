@@ -28,7 +28,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
@@ -182,7 +182,7 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
     for at, uri in missing:
         name = model_name(uri)
         fuel = data("worlds")["models"].get(name)
-        if suggested := nearest(name, models.directories, 0.8):
+        if suggested := nearest(name, models.directories, TYPO):
             message = f"model '{uri}' is not found; did you mean '{suggested}'?"
             help = f"write model://{suggested}"
         elif fuel and opened.started.generation == GZ:

@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Iterator
 from itertools import pairwise
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import string
@@ -115,7 +115,7 @@ def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
         message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
         yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
     by_name = {function.name: function for function in functions}
-    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, 0.9)):
+    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, CLOSE_TYPO)):
         span = _name_of(by_name[name], source)
         message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
         yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
