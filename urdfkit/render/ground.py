@@ -8,7 +8,7 @@ import numpy as np
 from urdfkit.render.arrays import FAR, Floats, Integers, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
-from urdfkit.render.raster import Grid, nearest, projected, split
+from urdfkit.render.raster import nearness_map
 from urdfkit.render.scale import grid_step
 from urdfkit.render.soup import extent
 from urdfkit.render.thread_pool import Workers
@@ -126,15 +126,13 @@ def ground(
     bare = without_shadows(lowest, highest, camera, level)
     height, origin, cell, *_ = bare
     size = _size(lowest, highest)
-    across = origin[0] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
-    along = origin[1] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
-    x, y = np.meshgrid(across, along)
+    cells = np.arange(CELLS, dtype=np.float32) + np.float32(0.5)
+    x, y = np.meshgrid(*(start + cells * np.float32(cell) for start in origin))
     floor = np.stack((x, y, np.full_like(x, height)), axis=-1).reshape(-1, 3)
     contact = _contact(points, faces, origin, cell, height, size, workers)
     shade = 1 - (1 - CONTACT * contact) * (
         1 - SUN * _sun(floor, map_, camera, size).reshape(CELLS, CELLS)
     )
-    cells = np.arange(CELLS, dtype=np.float32) + np.float32(0.5)
     faded = shade * _fade(cells, cells[:, None])
     return bare._replace(shade=faded.astype(np.float32))
 
@@ -166,21 +164,12 @@ def _contact(
     """Approximate contact shadows of the floor: blurred heights."""
     x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
     top = height + 2 * size
-    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS)
-    everything, middle = np.arange(len(screen.top)), np.array((0.5,), dtype=np.float32)
-    above = np.empty((CELLS, CELLS), dtype=np.float32)
-
-    def band(first: int, last: int) -> None:
-        grid = Grid(CELLS, first, last, middle)
-        numbers, nearness = split(nearest(screen, everything, grid))
-        level = np.float32(top - height) - nearness
-        above[first:last] = np.where(numbers >= 0, level, np.float32(np.inf))
-
-    workers.bands(CELLS, CELLS // 4, band)
+    near = nearness_map(x, y, np.float32(top) - points[:, 2], faces, CELLS, workers)
+    above = np.where(near > 0, np.float32(top - height) - near, np.float32(np.inf))
     hidden = np.zeros((CELLS, CELLS), dtype=np.float32)
     for reach, blur, weight in LAYERS:
-        near = np.clip(1 - above / np.float32(reach * size), 0, 1)
-        hidden = hidden + np.float32(weight) * blurred(near, blur * size / cell)
+        shade = np.clip(1 - above / np.float32(reach * size), 0, 1)
+        hidden = hidden + np.float32(weight) * blurred(shade, blur * size / cell)
     return np.minimum(hidden, 1)
 
 

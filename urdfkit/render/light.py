@@ -7,7 +7,7 @@ import numpy as np
 
 from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
-from urdfkit.render.raster import Grid, nearest, projected, split
+from urdfkit.render.raster import nearness_map
 from urdfkit.render.soup import CameraTriangles, extent
 from urdfkit.render.thread_pool import Workers
 
@@ -78,22 +78,9 @@ def shadow_map(
     middle = (lowest + highest) / 2
     origin = np.array((middle[0] - edge / 2, middle[1] - edge / 2, lowest[2]))
     origin[2] -= max(float(highest[2] - lowest[2]), 1e-6) * 0.01  # so that heights are above 0
-    scale = TEXELS / edge
-    result = ShadowMap(
-        axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
-    )
-    x, y, z = result.placed(points)
-    screen, _ = projected(x, y, z, faces, TEXELS)
-    everything = np.arange(len(screen.top))
-    offsets = np.array((0.5,), dtype=np.float32)
-
-    def band(first: int, last: int) -> None:
-        keys = nearest(screen, everything, Grid(TEXELS, first, last, offsets))
-        numbers, nearness = split(keys)
-        result.nearness[first:last] = np.where(numbers >= 0, nearness, 0)
-
-    workers.bands(TEXELS, 128, band)
-    return result
+    result = ShadowMap(axes, origin.astype(np.float32), TEXELS / edge, np.zeros(0))
+    nearness = nearness_map(*result.placed(points), faces, TEXELS, workers)
+    return result._replace(nearness=nearness)
 
 
 def _axes(rig: Rig) -> Floats:

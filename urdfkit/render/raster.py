@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys
+from urdfkit.render.thread_pool import Workers
 
 #: Most samples at a time, which limits memory for any depth complexity.
 MAX_SAMPLES = 1 << 20
@@ -111,6 +112,22 @@ def nearest(
     if above is not None:
         keys[keys == above.reshape(-1)] = EMPTY
     return keys.reshape(rows, width)
+
+
+def nearness_map(
+    x: Floats, y: Floats, nearness: Floats, faces: Integers, size: int, workers: Workers
+) -> Floats:
+    """(size, size), nearness of triangles at the centres of pixels; 0 without a triangle."""
+    screen, _ = projected(x, y, nearness, faces, size)
+    everything, middle = np.arange(len(screen.top)), np.array((0.5,), dtype=np.float32)
+    result = np.zeros((size, size), dtype=np.float32)
+
+    def band(first: int, last: int) -> None:
+        numbers, near = split(nearest(screen, everything, Grid(size, first, last, middle)))
+        result[first:last] = np.where(numbers >= 0, near, 0)
+
+    workers.bands(size, 128, band)
+    return result
 
 
 def split(keys: Keys) -> tuple[Integers, Floats]:

@@ -1,13 +1,15 @@
 """Mesh parts from the arrays of a mesh file: corners, invalid values, transforms."""
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from urdfkit.core.words import counted
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshMaterial, MeshPart, NoTriangles
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
+
+Item = TypeVar("Item")
 
 #: Limits for the nodes and triangles of a scene: a short file can repeat geometry many times.
 MAX_NODES = 20_000
@@ -108,19 +110,33 @@ def limited(parts: Iterable[MeshPart | None]) -> Iterator[MeshPart]:
     Raises:
         NoTriangles: there are more than ``MAX_PARTS``.
     """
-    present = (part for part in parts if part is not None)
-    for number, part in enumerate(present, 1):
-        if number > MAX_PARTS:
-            raise NoTriangles(f"has more than {MAX_PARTS} surfaces")
-        yield part
+    return at_most(MAX_PARTS, "surfaces", (part for part in parts if part is not None))
 
 
-def transformed(part: MeshPart, matrix: Floats) -> MeshPart:
-    """A part transformed by a homogeneous (4, 4) matrix; a mirrored part keeps its outside."""
+def at_most(most: int, what: str, items: Iterable[Item]) -> Iterator[Item]:
+    """The items.
+
+    Raises:
+        NoTriangles: there are more than ``most``.
+    """
+    for number, item in enumerate(items, 1):
+        if number > most:
+            raise NoTriangles(f"has more than {most} {what}")
+        yield item
+
+
+def transformed(part: MeshPart, matrix: Floats, losses: LostData) -> MeshPart | None:
+    """A part transformed by a homogeneous (4, 4) matrix; None if it would not be finite.
+
+    A mirrored part keeps its outside.
+    """
     if np.array_equal(matrix, np.eye(4)):
         return part
     linear = matrix[:3, :3]
     vertices = part.vertices @ linear.T + matrix[:3, 3]
+    if not np.isfinite(vertices).all():
+        losses.add("surface* that a node moves to infinity")
+        return None
     determinant = np.linalg.det(linear)
     faces = part.faces[:, ::-1] if determinant < 0 else part.faces
     normals = None

@@ -19,6 +19,7 @@ from urdfkit.mesh.io.assemble import (
     MAX_TRIANGLES,
     LostData,
     assemble,
+    at_most,
     counted_kinds,
     limited,
     mesh_of,
@@ -73,7 +74,7 @@ class _ColladaReader:
         self._placed = False
 
     def mesh(self, *, unplaced: bool = False) -> Mesh:
-        placed = (self._node_parts(node, matrix) for node, matrix in self._nodes())
+        placed = (self._node_parts(*node) for node in at_most(MAX_NODES, "nodes", self._nodes()))
         parts = list(limited(chain.from_iterable(placed)))
         if unplaced and not self._placed:
             parts += self._unplaced()
@@ -89,12 +90,8 @@ class _ColladaReader:
         stack: list[tuple[Element, Floats, tuple[Element, ...]]] = [
             (node, np.eye(4), (node,)) for node in reversed(self._roots())
         ]
-        count = 0
         while stack:
             node, parent_matrix, path = stack.pop()
-            count += 1
-            if count > MAX_NODES:
-                raise NoTriangles(f"has more than {MAX_NODES} nodes")
             matrix = parent_matrix @ self._matrix(node)
             yield node, matrix
             below = list(children(node, "node"))
@@ -122,15 +119,14 @@ class _ColladaReader:
     def _matrix(self, node: Element) -> Floats:
         matrix = np.eye(4)
         for step in children(node, "matrix", "translate", "rotate", "scale", "lookat", "skew"):
-            numbers = floats(text(step))
-            move = _step_matrix(tag(step), numbers) if np.isfinite(numbers).all() else None
+            move = _step_matrix(tag(step), floats(text(step)))
             if move is None:
                 self._losses.add(f"<{tag(step)}>* that cannot be read")
             else:
                 matrix = matrix @ move
         return matrix
 
-    def _node_parts(self, node: Element, matrix: Floats) -> Iterator[MeshPart]:
+    def _node_parts(self, node: Element, matrix: Floats) -> Iterator[MeshPart | None]:
         for instance in children(node, *_INSTANCES):
             geometry, bound = self._geometry(instance)
             if geometry is None:
@@ -138,11 +134,7 @@ class _ColladaReader:
                 continue
             self._placed = True
             for part in self._parts(geometry, self._bound_materials(instance)):
-                moved = transformed(part, matrix @ bound)
-                if np.isfinite(moved.vertices).all():
-                    yield moved
-                else:
-                    self._losses.add("surface* that a node moves to infinity")
+                yield transformed(part, matrix @ bound, self._losses)
 
     def _unplaced(self) -> Iterator[MeshPart]:
         """All geometry of a file without a scene, without transforms."""
@@ -163,8 +155,7 @@ class _ColladaReader:
             skin = child(controller, "morph")
         if skin is None:
             return None, np.eye(4)
-        numbers = floats(text(child(skin, "bind_shape_matrix")))
-        bound = _step_matrix("matrix", numbers) if np.isfinite(numbers).all() else None
+        bound = _step_matrix("matrix", floats(text(child(skin, "bind_shape_matrix"))))
         geometry = self._tree.named(skin.get("source"), "geometry")
         return geometry, np.eye(4) if bound is None else bound
 
@@ -235,8 +226,10 @@ def _unit(element: Element | None) -> float:
 
 
 def _step_matrix(kind: str, numbers: Floats) -> Floats | None:
-    """The (4, 4) matrix of a transform element; None if it has too few numbers."""
+    """The (4, 4) matrix of a transform element; None if numbers are missing or not finite."""
     matrix = np.eye(4)
+    if not np.isfinite(numbers).all():
+        return None
     if kind == "matrix" and len(numbers) >= 16:
         return numbers[:16].reshape(4, 4)
     if kind == "translate" and len(numbers) >= 3:

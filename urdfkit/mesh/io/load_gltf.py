@@ -21,6 +21,7 @@ from urdfkit.mesh.io.assemble import (
     LostData,
     Stream,
     assemble,
+    at_most,
     counted_kinds,
     limited,
     mesh_of,
@@ -88,16 +89,12 @@ class _GltfReader:
         mesh = mesh_of(self._placed_parts(), self._losses, self._files)
         return mesh._replace(up_axis="Y_UP", extras=self._extras())  # defined by glTF
 
-    def _placed_parts(self) -> Iterator[MeshPart]:
-        for node, matrix in self._nodes():
+    def _placed_parts(self) -> Iterator[MeshPart | None]:
+        for node, matrix in at_most(MAX_NODES, "nodes", self._nodes()):
             for part in self._parts(node["mesh"]) if "mesh" in node else ():
                 self._placed += len(part.faces)
                 self._limit_triangles()
-                moved = transformed(part, matrix)
-                if np.isfinite(moved.vertices).all():
-                    yield moved
-                else:
-                    self._losses.add("surface* that a node moves to infinity")
+                yield transformed(part, matrix, self._losses)
 
     def _nodes(self) -> Iterator[tuple[GltfObject, Floats]]:
         """The nodes of the scene and their transforms; further parents of a node are ignored."""
@@ -109,8 +106,6 @@ class _GltfReader:
                 self._losses.add("node* with two parents")
                 continue
             visited.add(index)
-            if len(visited) > MAX_NODES:
-                raise NoTriangles(f"has more than {MAX_NODES} nodes")
             node = self._root["nodes"][index]
             matrix = parent_matrix @ _matrix(node)
             yield node, matrix

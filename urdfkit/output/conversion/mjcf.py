@@ -3,7 +3,6 @@
 import ctypes
 import glob
 import os
-from collections.abc import Iterator
 from typing import Any
 
 import mujoco
@@ -12,7 +11,6 @@ from urdfkit.core import atomic
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
-from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, rejections
@@ -42,7 +40,9 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
-    with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
+    # Without the URDF and the manifest.
+    assets = (file for file in bundle.files() if "/" in file.path)
+    with staged(assets, out, force=force, mark=REPORT) as directory:
         mjcf = assembled(robot, bundle.new_references, directory, options, is_free=is_free)
         add_options(mjcf, robot)
         exclude_neighbours(mjcf, robot)
@@ -59,13 +59,6 @@ def write(robot: Context, out: str, options: ConversionOptions, *, force: bool) 
         conversion = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
         conversion.write_report(directory)
     return conversion
-
-
-def _assets(bundle: Bundle) -> Iterator[BundledFile]:
-    """The meshes of a bundle, without its URDF and its manifest."""
-    for file in bundle.files():
-        if "/" in file.path:
-            yield file
 
 
 def _remove_unused(mjcf: MjcfRobot, directory: str) -> None:

@@ -16,12 +16,11 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
-from urdfkit.robot.model import Body, Joint, Link, Tensor
+from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.source import Span
 
 #: Least range of a joint that MuJoCo accepts, in rad or m.
 NARROWEST = 1e-6
@@ -69,18 +68,10 @@ class MjcfRobot:
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
+        self.mesh_places = self._geoms.places  # source locations of the spec's meshes, by name
+        self.hulls = self._geoms.hulls  # collisions that become convex hulls
         self._build(tree, is_free)
         self._couple(tree)
-
-    @property
-    def mesh_places(self) -> dict[str, Span]:
-        """Source locations of the meshes of the specification, by name."""
-        return self._geoms.places
-
-    @property
-    def hulls(self) -> list[Body]:
-        """The collisions that become convex hulls."""
-        return self._geoms.hulls
 
     @property
     def shapes(self) -> dict[int, WrittenShape]:

@@ -63,6 +63,7 @@ def _add(mjcf: MjcfRobot, robot: Context, sensor: Sensor) -> None:
         _camera(mjcf, sensor, body, frame @ pose)
     else:
         _lidar(mjcf, sensor, body, frame @ pose)
+    mjcf.losses.keep(sensor.at.parent, "body")
 
 
 def _pose(
@@ -131,7 +132,6 @@ def _measured(
             objname=name,
         )
     mjcf.losses.keep(sensor.at, "site and sensors")
-    mjcf.losses.keep(sensor.at.parent, "body")
 
 
 def _camera(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
@@ -143,7 +143,6 @@ def _camera(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
         quat=quaternion(multiply(at.rotation, _CAMERA)),
     )
     mjcf.losses.keep(sensor.at, "camera")
-    mjcf.losses.keep(sensor.at.parent, "body")
     mjcf.losses.keep(sensor.at.child("camera"), "camera")
     if not width or not height:
         why = "MuJoCo's vertical angle requires <width> and <height> in <image>"
@@ -177,7 +176,6 @@ def _lidar(mjcf: MjcfRobot, sensor: Sensor, body: Any, at: Transform) -> None:
             rangefinder.cutoff = farthest.value
             mjcf.losses.keep(sensor.find(f"{sensor.lidar}/range"), "rangefinders")
             mjcf.losses.keep(sensor.find(f"{sensor.lidar}/range/max"), "cutoff")
-    mjcf.losses.keep(sensor.at.parent, "body")
     mjcf.losses.keep(sensor.at, "rangefinders")
     for path in (sensor.lidar, scan, f"{scan}/horizontal", f"{scan}/vertical"):
         mjcf.losses.keep(sensor.find(path), "rangefinders")

@@ -29,8 +29,6 @@ REASONS = {
     "color": "no visual uses its colour",
 }
 
-#: Descriptions of the tags that settings and parts of a ``<gazebo>`` apply to.
-_FOR = {"visual": "a visual", "collision": "a collision", "link": "a link", "joint": "a joint"}
 #: Least difference of two rotations that counts.
 _TURNED = 1e-9
 
@@ -184,7 +182,7 @@ def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConvers
         if child.tag in KEEPING_TAGS:
             taker = "joint"
         elif taker and taker not in extension.takers:
-            receiver = _FOR.get(taker, "the model")
+            receiver = "the model" if taker == "model" else f"a {taker}"
             losses.lose(child, f"it applies to {receiver}, and '{reference}' has none")
             continue
         _keep_all(losses, child, f"of the {taker}" if taker else "as written")

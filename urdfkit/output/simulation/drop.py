@@ -59,11 +59,16 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
         if number * STEP >= DROPPED and calm * STEP >= LAST:
             break
     is_calm = calm * STEP >= LAST
-    depth, links = _depth(robot, data)
+    in_floor = (
+        (depth, max(pair, key="world".__ne__))
+        for pair, depth in robot.contacts(data)
+        if "world" in pair
+    )
+    depth, link = max(in_floor, default=(0.0, ""))
     tilt = degrees(acos(max(-1.0, min(1.0, float(data.body(1).xmat[8])))))
     if depth > DEPTH:
-        text = f"{dropped}, link '{links}' sinks into the floor by {depth * 1e3:.3g} mm"
-        return Verdict("drop", False, text, depth, DEPTH, (links,), robot.collision(links))
+        text = f"{dropped}, link '{link}' sinks into the floor by {depth * 1e3:.3g} mm"
+        return Verdict("drop", False, text, depth, DEPTH, (link,), robot.collision(link))
     if not is_calm:
         text = f"{dropped}, it still jitters after {LONGEST:g} s, with {jitter:.2g} m/s²"
         return Verdict("drop", False, text, jitter, JITTER)
@@ -83,19 +88,6 @@ def _lock(robot: SimulatedRobot, data: Any) -> None:
             at = model.jnt_qposadr[model.eq_obj1id[number]]
             model.eq_data[number, 0] = data.qpos[at] - model.qpos0[at]
             data.eq_active[number] = 1
-
-
-def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
-    """Depth in m of the deepest link in the floor, and its name."""
-    deepest = (0.0, "")
-    for contact in data.contact:
-        names = [
-            robot.model.body(robot.model.geom_bodyid[geom]).name
-            for geom in (contact.geom1, contact.geom2)
-        ]
-        if "world" in names:
-            deepest = max(deepest, (-float(contact.dist), max(names, key="world".__ne__)))
-    return deepest
 
 
 def _is_to_stand(robot: SimulatedRobot) -> bool:

@@ -117,15 +117,15 @@ def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _
     robot.set_up(step, contacts=contacts)
     model, data = robot.model, robot.started()
     start = most = float(data.energy.sum())
-    kinetic = 0.0
+    kinetic, bad = 0.0, None
     for _ in range(round(RELEASED / step)):
         mujoco.mj_step(model, data)
         most = max(most, float(data.energy.sum()))
         kinetic = max(kinetic, float(data.energy[1]))
         bad = diverged(data)
         if bad is not None:
-            return _Release(most - start, robot.weight, kinetic, bad)
-    return _Release(most - start, robot.weight, kinetic, None)
+            break
+    return _Release(most - start, robot.weight, kinetic, bad)
 
 
 def moments(robot: SimulatedRobot, images: int) -> Iterator[dict[str, Transform]]:

@@ -14,10 +14,10 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, ignore_warning
-from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.output.conversion.mjcf_robot import ONE_WAY, MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.joint_loads import GRAVITY, STEP
-from urdfkit.robot.kinematics import SLIDING, TURNING, laws
+from urdfkit.robot.kinematics import SLIDING, laws
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.srdf import Srdf, read_named
 from urdfkit.text.source import Span
@@ -56,12 +56,11 @@ class SimulatedRobot:
         self.is_free = floats(robot, base)
         joints = robot.model.joints_by_name
         couplings = laws(joints)
-        moving = [joint for joint in robot.model.joints if joint.kind in (*TURNING, *SLIDING)]
-        self.leaders = [joint for joint in moving if couplings[joint.name].leader == joint.name]
+        #: Laws of the revolute, continuous and prismatic joints.
+        self._laws = {name: couplings[name] for name in joints if joints[name].kind in ONE_WAY}
+        self.leaders = [joints[name] for name, law in self._laws.items() if law.leader == name]
         self.followers = {
-            joint.name: couplings[joint.name].leader
-            for joint in moving
-            if couplings[joint.name].leader not in (joint.name, "")
+            name: law.leader for name, law in self._laws.items() if law.leader not in (name, "")
         }
         self.neighbours = {frozenset(robot.tree.ends(joint) or ()) for joint in robot.model.joints}
         self.model = self._compiled()
@@ -121,15 +120,12 @@ class SimulatedRobot:
     @cached_property
     def _linkage(self) -> tuple[list[str], list[int], Floats, Floats]:
         """Leader, coordinate, factor and shift of each revolute, continuous or prismatic joint."""
-        couplings = laws(self.robot.model.joints_by_name)
-        moving = [
-            joint.name for joint in self.robot.model.joints if joint.kind in (*TURNING, *SLIDING)
-        ]
+        moving = self._laws.values()
         return (
-            [couplings[name].leader for name in moving],
-            [self._coordinates[name] for name in moving],
-            np.array([couplings[name].factor for name in moving]),
-            np.array([couplings[name].shift for name in moving]),
+            [law.leader for law in moving],
+            [self._coordinates[name] for name in self._laws],
+            np.array([law.factor for law in moving]),
+            np.array([law.shift for law in moving]),
         )
 
     def position(self, data: Any, joint: str) -> float:
@@ -173,15 +169,19 @@ class SimulatedRobot:
     def overlaps(self, data: Any) -> dict[tuple[str, str], float]:
         """Depth in m of overlapping pairs of links; the floor is ignored."""
         deepest: dict[tuple[str, str], float] = {}
+        for pair, depth in self.contacts(data):
+            if depth > OVERLAP and "world" not in pair:
+                deepest[pair] = max(depth, deepest.get(pair, 0.0))
+        return deepest
+
+    def contacts(self, data: Any) -> Iterator[tuple[tuple[str, str], float]]:
+        """Pairs of links in contact, and the depth in m; the floor is a part of the world."""
         for contact in data.contact:
             first, second = sorted(
                 self.model.body(self.model.geom_bodyid[geom]).name
                 for geom in (contact.geom1, contact.geom2)
             )
-            depth = -float(contact.dist)
-            if depth > OVERLAP and "world" not in (first, second):
-                deepest[first, second] = max(depth, deepest.get((first, second), 0.0))
-        return deepest
+            yield (first, second), -float(contact.dist)
 
     def frames(self, data: Any) -> dict[str, Transform]:
         """Poses of the links in the world."""
