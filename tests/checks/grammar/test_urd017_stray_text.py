@@ -55,6 +55,17 @@ def test_text_of_an_included_file_is_reported_there(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (2, "rgb(1,2,3)")
 
 
+def test_a_bracket_of_an_included_file_is_not_that_of_an_attribute(tmp_path: Path) -> None:
+    """xArm's gripper: the file that includes it has an attribute that ends in the same way."""
+    head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    (tmp_path / "gripper.xacro").write_text(f'{head}>\n<link name="gripper"/>">\n</robot>')
+    include = '<xacro:include filename="gripper.xacro"/><xacro:if value="${1 > 0}">\n</xacro:if>'
+    (tmp_path / "r.xacro").write_text(f'{head} name="r">{include}</robot>')
+    (found,) = check(tmp_path / "r.xacro", select=["URD017"]).diagnostics
+    assert Path(found.span.source.path).name == "gripper.xacro"
+    assert (found.span.line, found.span.text) == (2, '">')
+
+
 def test_a_macro_says_it_once(tmp_path: Path) -> None:
     body = LINK.format("oops").replace("arm", "${n}")
     text = (

@@ -176,12 +176,15 @@ def test_the_condition_of_another_package(tmp_path: Path, package: str, count: i
         (tmp_path / directory / "package.xml").write_text(manifest)
     arm = '<xacro:arg name="with" default="true"/><link name="base"/>'
     arm += IF.format("$(arg with)", CAMERA)
-    (tmp_path / "arm" / "arm.xacro").write_text(xacro_xml(arm))
     block = '<ros2_control name="s" type="system"><joint name="c"/></ros2_control>'
+    arm += block  # a mistake of its own
+    (tmp_path / "arm" / "arm.xacro").write_text(xacro_xml(arm))
     robot = tmp_path / package / "r.urdf.xacro"
     robot.parent.mkdir(exist_ok=True)
     include = f'<xacro:include filename="{tmp_path}/arm/arm.xacro"/>'
     robot.write_text(xacro_xml(include, block))
     report = check(robot, select=["XAC024"])
     assert report.crashed == ()
-    assert len(report.diagnostics) == count
+    assert [one.span.source.path.endswith("arm.xacro") for one in report.diagnostics] == (
+        [True] + [False] * count
+    )

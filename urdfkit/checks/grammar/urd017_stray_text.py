@@ -19,7 +19,8 @@ from urdfkit.text.source import Source, Span
 BAD = link_xml("arm", visual_xml('<box size="0.1 0.1 0.2"/>', "<origin>0 0 0.1</origin>"))
 GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
 
-_TAGS = rb"<!--[\s\S]*?-->|<[^<>]*>"
+#: An attribute may contain ">".
+_TAGS = rb"""<!--[\s\S]*?-->|<(?:"[^"]*"|'[^']*'|[^<>"'])*>"""
 #: Number of characters of a text that a message contains.
 _SHOWN = 40
 
@@ -37,18 +38,21 @@ def check(context: Context) -> Findings:
 
 
 def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Location | Element:
-    """The span of the text, if the source contains it literally; else that of the tag around it."""
+    """The span of the text, if a source contains it literally; else that of the tag around it."""
     source, start, end = element.tag_at.inner_span
     inside = re.sub(_TAGS, _blank, source.data[start:end])
-    if text not in inside:  # xacro writes > so
-        text = text.replace(b">", b"&gt;")
-    at = start + inside.find(text)
-    if at < start:  # a file that is included may have it
-        texts = {one: re.sub(_TAGS, _blank, one.data) for one in sources}
-        if sum(bare.count(text) for bare in texts.values()) != 1:
-            return element
-        source, at = next((one, bare.find(text)) for one, bare in texts.items() if text in bare)
-    return Location(Span(source, at, at + len(text)), element.frame)
+    written = dict.fromkeys((text, text.replace(b">", b"&gt;")))
+    for one in written:
+        if one in inside:
+            at = start + inside.find(one)
+            return Location(Span(source, at, at + len(one)), element.frame)
+    texts = {one: re.sub(_TAGS, _blank, one.data) for one in sources}  # a file may be included
+    places = [(source, one) for source, bare in texts.items() for one in written if one in bare]
+    if len(places) != 1 or texts[places[0][0]].count(places[0][1]) != 1:
+        return element
+    source, one = places[0]
+    at = texts[source].find(one)
+    return Location(Span(source, at, at + len(one)), element.frame)
 
 
 def _blank(tag: re.Match[bytes]) -> bytes:

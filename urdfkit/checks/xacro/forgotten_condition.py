@@ -27,16 +27,18 @@ def forgotten_conditions(context: Context) -> Findings:
     """References that break if an argument has its other boolean value."""
     booleans = _booleans(context)
     root = context.document.root
-    suspects = {attribute.value for attribute in _suspects(context)} if booleans else set()
+    # The reference of a name in one file may be right, and that in another file wrong.
+    suspects = {_key(attribute) for attribute in _suspects(context)} if booleans else set()
     for argument, value in booleans if suspects else ():
         values = {**context.arguments, argument: value}
         other = context.other_robot(context.source.path, values).reading.document
         if other is None:
             continue
-        lost = suspects - {at.value for at in _definitions(other.root)}
+        names = {at.value for at in _definitions(other.root)}
+        lost = {key for key in suspects if key[0] not in names}
         blocks: dict[object, list[Attribute]] = {}
         for attribute in _references(other.root) if lost else ():
-            if attribute.value in lost:
+            if _key(attribute) in lost:
                 blocks.setdefault(_block(attribute), []).append(attribute)
         for first, *more in blocks.values():
             yield _finding(root, first, len(more), f"{argument} is {value}")
@@ -64,12 +66,18 @@ def _suspects(context: Context) -> Iterator[Attribute]:
     for attribute in _references(root):
         needed = defined.get(attribute.value)
         if needed and _conditions(attribute.element) < needed:
-            paths = (
-                attribute.element.span.source.path,
-                definitions[attribute.value].span.source.path,
-            )
-            if len(set(paths)) == 1 or len(set(map(package, paths))) == 1:
+            user, owner = _path(attribute.element), _path(definitions[attribute.value])
+            if user == owner or package(user) == package(owner):
                 yield attribute
+
+
+def _key(attribute: Attribute) -> tuple[str, str]:
+    """The name, and the file that refers to it."""
+    return attribute.value, _path(attribute.element)
+
+
+def _path(element: Element) -> str:
+    return element.span.source.path
 
 
 def _definitions(root: Element) -> Iterator[Attribute]:
