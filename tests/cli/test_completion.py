@@ -32,6 +32,7 @@ def test_links_and_joints_of_the_robot() -> None:
     assert values(f"info {ARM} --joint", "elb") == ["elbow="]
     assert "mount" in values(f"kinematics {ARM} --jacobian", "mou")
     assert values("kinematics /no/such.urdf --jacobian") == []
+    assert "joint/elbow" in values(f"trace {ARM}", "joint/")
 
 
 def test_xacro_arguments_apply_to_the_robot(tmp_path: Path) -> None:
@@ -49,7 +50,7 @@ def test_views_and_layers() -> None:
     assert "collision" in values("render r.urdf --layers")
 
 
-@pytest.mark.parametrize("line", ["check", "check r.urdf", "check --config", "view"])
+@pytest.mark.parametrize("line", ["check", "check r.urdf", "check --config", "view", "trace"])
 def test_file_names_are_completed(line: str) -> None:
     (item,) = completed(line.split(), "mod")
     assert (item.type, item.value) == ("file", "mod")

@@ -34,8 +34,8 @@ _Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
 def command(shell: str) -> int:
     """Print a completion script for a shell.
 
-    It completes options, targets, codes, formats, views, links and joints of the robot on the
-    command line, and file names.
+    It completes options, targets, codes, formats, views, links, joints and elements of the robot
+    on the command line, and file names.
 
     Exit codes: 0 done, 2 usage error.
 
@@ -72,6 +72,8 @@ def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
     values = _OF_OPTIONS.get(words[-1]) if words else None
     if words[:1] == ["explain"]:
         values = _codes
+    elif words[:1] == ["trace"] and os.path.isfile(words[-1]):
+        values = _elements
     if values is None:
         return [CompletionItem(incomplete, type="file")]
     complete, comma, last = incomplete.rpartition(",")
@@ -106,6 +108,10 @@ def _links(words: list[str]) -> Iterable[str]:
 
 def _joints(words: list[str]) -> Iterable[str]:
     return sorted(_robot(words).model.joints_by_name)
+
+
+def _elements(words: list[str]) -> Iterable[str]:
+    return dict.fromkeys(element.path for element in _robot(words).document.root.children)
 
 
 def _positions(words: list[str]) -> Iterable[str]:
