@@ -14,9 +14,9 @@ Sources:
 from collections.abc import Iterator
 from itertools import islice
 
+from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.core.suggest import Suggester, is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
     spawned = [(word, s.frame) for s in context.launch.started for word in controllers(s)]
     if not spawned or context.launch.names_parameters:
         return
-    loaded = _loaded(context)
+    loaded = set(defined_controllers(context))
     known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
     # A name with a substitution is known only when the launch file runs.
     is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
@@ -62,16 +62,6 @@ def check(context: Context) -> Findings:
                 Location(word.span, frame),
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
             )
-
-
-def _loaded(context: Context) -> set[str]:
-    """The controllers in the files that the launch file or its robots load."""
-    names: set[str] = set()
-    for file in context.launch.parameters:
-        names |= _defined(context, file.path)
-    for _, robot in context.described_robots:
-        names.update(controller.name for _, controller in in_files(robot))
-    return names
 
 
 def _is_whole(context: Context) -> bool:
