@@ -25,6 +25,23 @@ def test_joints_that_move_or_are_unknown(name: str) -> None:
     assert reported("RCT002", ROBOT + transmission(name)) == []
 
 
+@pytest.mark.parametrize(
+    ("targets", "severity"), [(("ros1",), Severity.WARNING), (("classic-ros1",), Severity.ERROR)]
+)
+def test_a_fixed_wheel_matters_in_gazebo(targets: tuple[str, ...], severity: Severity) -> None:
+    """SMB: the wheels of the real robot are fixed in its model."""
+    (found,) = reported("RCT002", ROBOT + transmission("weld"), targets=targets)
+    assert found.severity is severity
+
+
+def test_a_transmission_of_the_pr2_is_not_read() -> None:
+    """Atlas: its fixed lidar has one."""
+    kind = "<type>transmission_interface/SimpleTransmission</type>"
+    text = transmission("weld").replace(kind, "")
+    text = text.replace('name="t"', 'name="t" type="pr2_mechanism_model/SimpleTransmission"')
+    assert reported("RCT002", ROBOT + text, targets=("classic-ros1",)) == []
+
+
 def test_interface_of_a_vendor_is_ignored() -> None:
     joint = (
         '<transmission name="model"><type>franka_hw/FrankaModelInterface</type>'

@@ -2,7 +2,9 @@
 
 - A fixed joint cannot move. From ROS 2 Jazzy on, the controller manager throws an exception. In
   Gazebo the joint does not exist, because its links are merged, and gazebo_ros_control of ROS 1
-  drives no joint at all. Transmissions with a vendor's interface are not reported.
+  drives no joint at all. Without Gazebo, a transmission of a fixed joint is a warning: the real
+  wheels of a robot may be fixed in its model. Transmissions of the PR2, and those with a vendor's
+  interface, are not reported.
 - A mimic joint with its own command interface stops the controller manager from Jazzy on:
   "Activated mimic joints cannot have command interfaces". Humble does not read `<mimic>` here, and
   a controller moves the joint independently. Keep only state interfaces, or write `mimic="false"`
@@ -27,6 +29,7 @@ from urdfkit.ros.ros_control import (
     ROS2,
     ControlPart,
     components,
+    is_of_pr2,
     joints_and_owners,
     parameter,
 )
@@ -66,14 +69,20 @@ def _fixed(context: Context) -> Findings:
     joints = context.model.joints_by_name
     for element, owner in joints_and_owners(context):
         joint = joints.get(element.get("name") or "")
-        if joint and joint.kind == "fixed" and not _has_vendor_interface(element):
+        if joint and joint.kind == "fixed" and not _has_other_reader(element):
+            is_transmission = element.parent is not None and element.parent.tag == "transmission"
+            is_unread = is_transmission and "classic-ros1" not in context.targets.names
             message = f"{owner} has joint '{joint.name}', which is fixed"
             help = "change the type of the joint, or remove the joint here"
-            yield Finding(element.attributes["name"], message, help, group_key="fixed")
+            severity = Severity.WARNING if is_unread else None
+            at = element.attributes["name"]
+            yield Finding(at, message, help, group_key="fixed", severity=severity)
 
 
-def _has_vendor_interface(joint: Element) -> bool:
-    """True if a transmission has only hardware interfaces that are unknown to ROS."""
+def _has_other_reader(joint: Element) -> bool:
+    """True if a transmission is the PR2's, or has only hardware interfaces unknown to ROS."""
+    if joint.parent is not None and is_of_pr2(joint.parent):
+        return True
     known = {name.rpartition("/")[2] for name in ros_control.words("transmission", "interfaces")}
     names = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}
     return bool(names) and names.isdisjoint(known)
