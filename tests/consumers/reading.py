@@ -21,7 +21,7 @@ LIMIT = 600
 SHARED = ("mujoco", "pinocchio", "pybullet")
 
 #: The programs; each has a file in ``oracles``.
-PROGRAMS = ("mujoco", "pinocchio", "drake", "yourdfpy", "newton", "pybullet")
+PROGRAMS = ("mujoco", "pinocchio", "drake", "yourdfpy", "newton", "pybullet", "genesis")
 
 
 class Reading(NamedTuple):

@@ -12,7 +12,7 @@ INERTIAL = (
     '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>'
 )
 RED, GREEN = '<color rgba="1 0 0 1"/>', '<color rgba="0 1 0 1"/>'
-ALL = {"drake", "mujoco", "newton", "pinocchio", "pybullet", "yourdfpy"}
+ALL = {"drake", "genesis", "mujoco", "newton", "pinocchio", "pybullet", "yourdfpy"}
 URDFDOM = {"pinocchio"}
 
 
@@ -36,11 +36,11 @@ MATERIAL = f'<material name="m">{RED}</material>'
 
 #: A robot, the rule that reports it, and the programs that reject it.
 CASES = {
-    "a material twice": (MATERIAL * 2 + link("a"), "NAM001", {"drake"} | URDFDOM),
+    "a material twice": (MATERIAL * 2 + link("a"), "NAM001", {"drake", "genesis"} | URDFDOM),
     "two joints of one name": (
         PAIR + link("c") + joint("j", "a", "b") + joint("j", "b", "c"),
         "NAM001",
-        {"drake", "pybullet"} | URDFDOM,
+        {"drake", "genesis", "pybullet"} | URDFDOM,
     ),
     "two colours of one material": (
         link("a", RED) + link("b", GREEN) + joint("j", "a", "b"),
@@ -50,9 +50,9 @@ CASES = {
     "a mimic of nothing": (
         PAIR + joint("j", "a", "b", more='<mimic joint="k"/>'),
         "REF001",
-        {"drake"},
+        {"drake", "genesis"},
     ),
-    "two roots": (PAIR, "TRE002", {"pybullet"} | URDFDOM),
+    "two roots": (PAIR, "TRE002", {"genesis", "pybullet"} | URDFDOM),
 }
 
 
@@ -87,12 +87,16 @@ def test_one_target_that_rejects_is_enough(tmp_path: Path) -> None:
         ('<?xml version="1.2"?>', "warning"),
     ],
 )
-def test_newton_needs_a_strict_declaration(before: str, severity: str, tmp_path: Path) -> None:
+def test_parsers_of_python_need_a_strict_declaration(
+    before: str, severity: str, tmp_path: Path
+) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text(f'{before}<robot name="r">{link("a")}</robot>')
-    for target in ("newton", "pinocchio"):
+    (found,) = check(path, targets=["pinocchio"], select=["XML007"]).diagnostics
+    assert found.severity.value == "warning"
+    for target in ("genesis", "newton"):
         (found,) = check(path, targets=[target], select=["XML007"]).diagnostics
-        assert found.severity.value == (severity if target == "newton" else "warning")
-    if is_installed("newton"):
-        refusal = read("newton", path.read_bytes(), tmp_path)
-        assert isinstance(refusal, str) is (severity == "error")
+        assert found.severity.value == severity
+        if is_installed(target):
+            refusal = read(target, path.read_bytes(), tmp_path)
+            assert isinstance(refusal, str) is (severity == "error")

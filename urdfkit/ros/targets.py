@@ -95,6 +95,8 @@ class TargetFacts(Record):
     finds_packages: bool = True  # False if it does not resolve packages
     #: True if it searches a path in the directory of the URDF and its parent directories.
     searches_above: bool = False
+    #: True if it finds a package by a directory of that name in the path of the URDF.
+    searches_own_package: bool = False
     ignores_units: bool = False  # True if it ignores the units of COLLADA files
     ignores_limits: bool = False  # True if ``<limit>``, effort and velocity are optional
     reads_capsules: bool = False  # True if it reads ``<capsule>`` in all versions of URDF

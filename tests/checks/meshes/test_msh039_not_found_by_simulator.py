@@ -1,9 +1,11 @@
-"""MSH039: see the rule; what MuJoCo and PyBullet find is asked of them."""
+"""MSH039: see the rule; what MuJoCo, PyBullet and Genesis find is asked of them."""
 
 from pathlib import Path
 
 import pytest
 
+from tests.consumers.oracles import genesis
+from tests.consumers.reading import is_installed
 from tests.meshed import mesh
 from tests.workspaces import add_file, add_package
 from urdfkit import check
@@ -114,3 +116,31 @@ def test_pybullet_finds_what_is_above(tmp_path: Path) -> None:
         else:
             with pytest.raises(pybullet.error):
                 pybullet.loadURDF(str(path))
+
+
+@pytest.mark.parametrize(
+    ("directory", "of_urdf", "count"),
+    [
+        ("arm_description", "arm_description", 0),
+        ("arms.git", "arms.git", 1),
+        ("src/arm_description", "src/arm_bringup", 1),
+        ("arm_description", "arm_description/robots/arms", 0),
+    ],
+)
+def test_what_genesis_finds(tmp_path: Path, directory: str, of_urdf: str, count: int) -> None:
+    package = add_package(tmp_path / directory, "arm_description")
+    add_file(package / "meshes" / "arm.stl", samples.stl(samples.box((0, 0, 0), (1, 1, 1))))
+    text = f'<robot name="r"><link name="arm">{INERTIAL}{mesh(ARM)}</link></robot>'
+    path = add_file(tmp_path / of_urdf / "urdf" / "arm.urdf", text.encode())
+    found = check(
+        path,
+        select=["MSH001", "MSH039"],
+        targets=["genesis"],
+        packages={"arm_description": str(package)},
+    ).diagnostics
+    assert [one.code for one in found] == ["MSH039"] * count
+    if is_installed("genesis") and count:
+        with pytest.raises(ValueError, match="Asset file not found"):
+            genesis.read(str(path))
+    elif is_installed("genesis"):
+        genesis.read(str(path))

@@ -42,7 +42,7 @@ LEGGED = robot(
 #: Orders that the programs themselves gave; Isaac's by Isaac Lab's resolver of PhysX's order.
 ORDERS = {
     "drake": "z m_foot b c_foot a",
-    "genesis": "a b z c_foot m_foot",
+    "genesis": "z m_foot b c_foot a",
     "isaac": "a b z c_foot m_foot",
     "isaac-sim": "b z c_foot a m_foot",
     "mujoco": "z m_foot b c_foot a",

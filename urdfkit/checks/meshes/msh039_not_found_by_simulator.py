@@ -1,4 +1,4 @@
-"""MuJoCo or PyBullet does not find a mesh that ROS finds.
+"""MuJoCo, PyBullet or Genesis does not find a mesh that ROS finds.
 
 Reported if one of them is a target. The URDF of a xacro is assumed to be next to it.
 
@@ -12,16 +12,19 @@ of the URDF with relative names (`urdfkit bundle --for mujoco`).
 PyBullet removes `package://` and searches for the remaining path in the directory of the URDF and
 in all its parent directories. It finds `package://arm_description/meshes/arm.stl` only if one of
 them contains a directory `arm_description`, as `src` of a workspace does, and otherwise rejects the
-robot, for a visual as well.
+robot, for a visual as well. Genesis searches the directory of the URDF, and a directory above it
+that has the name of the package: it finds the meshes of the package of the URDF, not of others.
 
 Sources:
     MuJoCo, meshdir and strippath: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler-strippath
     MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
     google-deepmind/mujoco#273: https://github.com/google-deepmind/mujoco/issues/273
     PyBullet, UrdfFindMeshFile.h: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfFindMeshFile.h
+    Genesis, get_filename: https://github.com/Genesis-Embodied-AI/Genesis/blob/main/genesis/ext/urdfpy/utils.py
 """
 
 import os
+from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.words import more_like_this
@@ -32,6 +35,12 @@ from urdfkit.robot.samples import mesh_xml
 from urdfkit.ros.targets import TargetFacts
 from urdfkit.text.editing.edits import insert_first
 from urdfkit.text.source import shown
+
+#: Where a program searches, by whether it searches all directories above the URDF.
+_PLACES = {
+    True: "the directories from that of the URDF upwards",
+    False: "the directory and in the package of the URDF",
+}
 
 NAME = "urdf/arm.urdf"
 TARGETS = ("mujoco",)
@@ -55,7 +64,7 @@ def check(context: Context) -> Findings:
     if context.is_part:
         return
     for target in context.given_facts:
-        if target.searches_above:
+        if target.searches_above or target.searches_own_package:
             yield from _not_above(context, target)
         elif not target.finds_packages:
             yield from _of_mujoco(context)
@@ -63,30 +72,41 @@ def check(context: Context) -> Findings:
 
 def _not_above(context: Context, target: TargetFacts) -> Findings:
     """Finding about meshes that a target does not find from the directories above the URDF."""
-    lost = [mesh for mesh in context.files.meshes if _is_not_above(context, mesh)]
+    lost = [mesh for mesh in context.files.meshes if _is_not_above(context, mesh, target)]
     if lost:
         first = lost[0]
         yield Finding(
             first.at,
             f"{first.who} is not found by {target.title}, which looks for "
-            f"'{_without_scheme(first.at.value)}' in the directories from that of the URDF upwards"
+            f"'{_without_scheme(first.at.value)}' in {_PLACES[target.searches_above]}"
             f"{more_like_this(len(lost) - 1)}",
             f"give {target.title} a copy with relative names: urdfkit bundle --for {target.name}",
             targets=(target.name,),
         )
 
 
-def _is_not_above(context: Context, mesh: MeshReference) -> bool:
-    """True for a mesh that is not found from any directory above the URDF."""
+def _is_not_above(context: Context, mesh: MeshReference, target: TargetFacts) -> bool:
+    """True for a mesh that is not found from the directories that a target searches."""
     if mesh.located.path is None or mesh.located.package is None:
         return False  # MSH001
     name = _without_scheme(mesh.at.value)
-    directory = os.path.abspath(context.source.path)
-    while directory != (directory := os.path.dirname(directory)):
+    for directory in _searched(os.path.abspath(context.source.path), name, target):
         path = os.path.join(directory, name)
         if context.resolver.admits(path) and disk.is_file(path):
             return False
     return True
+
+
+def _searched(urdf: str, name: str, target: TargetFacts) -> Iterator[str]:
+    """The directories in which a target looks for the name of a mesh without its scheme."""
+    directory, is_first = urdf, True
+    while directory != (directory := os.path.dirname(directory)):
+        above, last = os.path.split(directory)
+        if is_first or target.searches_above:
+            yield directory
+        if target.searches_own_package and last == name.partition("/")[0]:
+            yield above
+        is_first = False
 
 
 def _without_scheme(name: str) -> str:

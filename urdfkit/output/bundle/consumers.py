@@ -53,6 +53,7 @@ CONSUMERS = {
             loads_first_object=_MUJOCO.loads_first_object,
         ),
         Consumer("pybullet", "PyBullet", (BINARY_STL, ASCII_STL, COLLADA, OBJ), ".obj"),
+        Consumer("genesis", "Genesis", _ALL, ".obj", target="genesis"),
         Consumer(
             "web",
             "urdf-loader for three.js",
