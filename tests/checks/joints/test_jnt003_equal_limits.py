@@ -11,7 +11,7 @@ from tests.reported import messages, places, reported
         (limit("1.5", "1.5"), "lower and upper limit are both 1.5 rad"),
         (
             '<limit effort="1" velocity="1"/>',
-            "lower and upper limit are not written, so both are 0",
+            "lower and upper limit are not written, so both are 0 (none for Drake and PyBullet)",
         ),
         (
             '<limit lower="0" effort="1" velocity="1"/>',
@@ -49,3 +49,12 @@ def test_what_to_do_depends_on_the_type() -> None:
 )
 def test_no_finding(kind: str, content: str) -> None:
     assert reported("JNT003", robot(joint("j", kind, content))) == []
+
+
+@pytest.mark.parametrize(("target", "count"), [("drake", 0), ("mujoco", 0), ("ros2", 1)])
+def test_limits_that_a_program_does_not_need(target: str, count: int) -> None:
+    text = robot(joint("j", "revolute", '<limit effort="1" velocity="1"/>'))
+    assert len(reported("JNT003", text, targets=(target,))) == count
+    assert (
+        len(reported("JNT003", text.replace("effort", 'lower="0" effort'), targets=(target,))) == 1
+    )

@@ -7,7 +7,8 @@
   revolute joint is `continuous`, and a free prismatic joint has limits that are far apart.
 - Equal limits are a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves
   it without limit. urdfdom reads missing limits as 0, so a revolute joint with effort and velocity
-  alone cannot move either. A joint that never moves is fixed.
+  alone cannot move either. Drake, MuJoCo and PyBullet read them as none: this is not reported if
+  Drake and MuJoCo are the only targets. A joint that never moves is fixed.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -33,11 +34,14 @@ _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
+    is_optional = context.targets.all_are("ignores_limits")
     for joint in context.model.joints:
         ends = bounds(joint)
         if joint.limit and ends and ends[0] > ends[1]:
             yield _inverted(joint, joint.limit, ends)
         elif joint.limit and ends and ends[0] == ends[1]:
+            if is_optional and not {"lower", "upper"} & joint.limit.at.attributes.keys():
+                continue
             yield _equal(joint, joint.limit, ends[0])
 
 
@@ -65,7 +69,7 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
     written = [key for key in ("lower", "upper") if key in limit.at.attributes]
     why = f"lower and upper limit are both {value:g} {unit(joint)}"
     if not written:
-        why = "lower and upper limit are not written, so both are 0"
+        why = "lower and upper limit are not written, so both are 0 (none for Drake and PyBullet)"
     elif len(written) == 1:
         why = f"its {written[0]} limit is 0, and so is the one that is not written"
     continuous = "make it continuous if it has no end, " if joint.kind == "revolute" else ""
