@@ -12,13 +12,12 @@ Sources:
     REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
-from math import hypot
-
-from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
+from urdfkit.core.spatial import Transform, Vector, dot, rotate, vector
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
+from urdfkit.robot.shapes import AXES, primitive
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
@@ -113,7 +112,7 @@ def _lowest(
     collision, are not measured, and may extend lower.
     """
     ground = tree.frames[footprint]
-    up = _column(ground.rotation, 2)
+    up = rotate(ground.rotation, AXES[2])
     heights: list[tuple[float, str]] = []
     unknown = False
     for name in robot:
@@ -142,7 +141,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
         height: height of the lowest point above the footprint, in m.
     """
     ground = tree.frames[footprint]
-    up = _column(ground.rotation, 2)
+    up = rotate(ground.rotation, AXES[2])
     gaps: dict[str, float] = {}
     for name in robot:
         above = tree.parents[name]
@@ -178,21 +177,5 @@ def _limbs(tree: KinematicTree) -> set[str]:
 
 def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
     """Height of the lowest point of a primitive, in m; None for other shapes."""
-    shape = body.shape
-    half = shape.half_extents if shape else None
-    if shape is None or half is None:
-        return None
-    frame = link @ body.origin
-    x, y, z = (abs(dot(up, _column(frame.rotation, axis))) for axis in range(3))
-    if shape.kind == "box":
-        reach = x * half[0] + y * half[1] + z * half[2]
-    elif shape.kind == "cylinder":
-        reach = hypot(x, y) * half[0] + z * half[2]
-    else:  # a sphere, or a capsule: a line of spheres
-        reach = half[0] + z * (half[2] - half[0])
-    return dot(up, frame.position) - reach
-
-
-def _column(rotation: Rotation, axis: int) -> Vector:
-    """An axis of a frame, in its parent frame."""
-    return (rotation[0][axis], rotation[1][axis], rotation[2][axis])
+    shape = primitive(body._replace(origin=link @ body.origin))
+    return None if shape is None else -shape.reach(vector(-part for part in up))
