@@ -40,7 +40,7 @@ def check(context: Context) -> Findings:
         if joint.limit and ends and ends[0] > ends[1]:
             yield _inverted(joint, joint.limit, ends)
         elif joint.limit and ends and ends[0] == ends[1]:
-            if is_optional and not {"lower", "upper"} & joint.limit.at.attributes.keys():
+            if is_optional and not {"lower", "upper"} <= joint.limit.at.attributes.keys():
                 continue
             yield _equal(joint, joint.limit, ends[0])
 
