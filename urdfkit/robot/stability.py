@@ -14,7 +14,7 @@ from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot import Robot
 from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Body, Shape
+from urdfkit.robot.model import Body, RobotModel, Shape
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.shapes import primitive
 from urdfkit.robot.tree import KinematicTree
@@ -199,6 +199,12 @@ def _stability(
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
     margin, angle, direction = _edges(polygon, (x, y), z - ground)
     return Stability(tuple(touching), polygon, (x, y, z), ground, margin, angle, direction)
+
+
+def collision_meshes(model: RobotModel) -> list[Shape]:
+    """The meshes of collisions, which may touch the ground."""
+    bodies = (body for link in model.links for body in link.collisions)
+    return [body.shape for body in bodies if body.shape and body.shape.filename]
 
 
 def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:

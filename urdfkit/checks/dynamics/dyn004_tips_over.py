@@ -11,14 +11,11 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from collections.abc import Iterator
-
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.robot.stability import Stability, is_freestanding, stand
+from urdfkit.robot.stability import Stability, collision_meshes, is_freestanding, stand
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.samples import solid_xml
 
@@ -67,7 +64,7 @@ def check(context: Context) -> Findings:
     standing = context.standing_on_primitives
     if not _falls(context, standing):
         return
-    meshes = list(_meshes(context.model))
+    meshes = collision_meshes(context.model)
     if meshes:  # a mesh may extend as low
         try:
             if any(context.meshes.mesh(shape) is None for shape in meshes):
@@ -102,11 +99,3 @@ def _falls(context: Context, standing: Stability | None) -> bool:
         and len(standing.links) > 1
         and is_freestanding(context.tree, standing.links)
     )
-
-
-def _meshes(model: RobotModel) -> Iterator[Shape]:
-    """The collision meshes, which may touch the ground."""
-    for link in model.links:
-        for body in link.collisions:
-            if body.shape and body.shape.filename:
-                yield body.shape

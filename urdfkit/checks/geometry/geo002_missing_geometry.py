@@ -20,7 +20,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.robot.stability import Stability, is_freestanding, stand
+from urdfkit.robot.stability import Stability, collision_meshes, is_freestanding, stand
 
 _BOX = '<box size="0.4 0.3 0.1"/>'
 BAD = robot_xml(
@@ -124,19 +124,14 @@ def _needed(context: Context) -> tuple[str, ...]:
             return ()
         touching = [name for name in on_visuals.links if links[name].collisions]
         on_collisions = stand(context, contacts=touching)
-        return () if _is_stable(on_collisions) or _lacks_meshes(context) else on_visuals.links
+        if _is_stable(on_collisions):
+            return ()
+        # A collision mesh that cannot be read may reach the ground.
+        meshes = map(context.meshes.mesh, collision_meshes(context.model))
+        return () if any(mesh is None for mesh in meshes) else on_visuals.links
     except ImportError:
         return ()
 
 
 def _is_stable(stability: Stability | None) -> bool:
     return stability is not None and not stability.tips
-
-
-def _lacks_meshes(context: Context) -> bool:
-    """True if a collision mesh, which may reach the ground, cannot be read."""
-    return any(
-        body.shape and body.shape.filename and context.meshes.mesh(body.shape) is None
-        for link in context.model.links
-        for body in link.collisions
-    )
