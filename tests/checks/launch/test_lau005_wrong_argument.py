@@ -63,6 +63,15 @@ def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU005", "a.launch", text.format("world"), files) == []
 
 
+@pytest.mark.parametrize(("text", "count"), [(ROS_1, 1), (ROS_2, 0)])
+def test_an_argument_of_a_file_that_cannot_be_parsed(tmp_path: Path, text: str, count: int) -> None:
+    """myCobot: LAU001 reports the merge conflict, behind which the argument is declared."""
+    conflict = "<<<<<<< HEAD\n=======\n>>>>>>> 24a2559\n"
+    files = {"launch/b.launch": TAKES.replace("</launch>", f"{conflict}</launch>")}
+    assert reported(tmp_path, "LAU005", "a.launch", text.format("world"), files) == []
+    assert len(reported(tmp_path, "LAU005", "a.launch", text.format("wrld"), files)) == count
+
+
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON}
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)

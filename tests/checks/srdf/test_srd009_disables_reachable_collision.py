@@ -1,5 +1,6 @@
 """SRD009: see the rule."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,6 +11,9 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.mesh.io.load import load
+from urdfkit.mesh.samples import box, stl
+from urdfkit.mesh.writers import encode
 from urdfkit.physics.collision.sampled_poses import SampledPoses
 
 TURN = revolute(-3, 3, "0 1 0")
@@ -89,3 +93,20 @@ def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.Mo
     reported(tmp_path, pair("hand", "base"))
     reported(tmp_path, pair("hand", "base") * 1000)
     assert asked == [(1, 2000), (1000, 400)]
+
+
+@pytest.mark.parametrize(("meter", "count"), [("1", 1), ("0.001", 0)])
+def test_a_mesh_in_another_unit_is_not_what_moveit_reads(
+    tmp_path: Path, meter: str, count: int
+) -> None:
+    """myCobot's gripper is 48 m long for MoveIt: MSH013 reports its unit."""
+    pytest.importorskip("lxml")
+    (tmp_path / "hand.stl").write_bytes(stl(box((-0.1, -0.1, -0.1), (0.1, 0.1, 0.1))))
+    data = encode(load(tmp_path / "hand.stl"), "hand.dae")["hand.dae"]
+    unit = re.sub(rb'meter="[^"]*"', f'meter="{meter}"'.encode(), data)
+    (tmp_path / "hand.dae").write_bytes(unit)
+    hand = link("hand", f"{sphere(0.1)}@0 0 0.5")
+    mesh = re.sub("<sphere[^>]*>", '<mesh filename="hand.dae"/>', hand)
+    robot = ARM.replace(hand, mesh)
+    assert robot != ARM
+    assert len(reported(tmp_path, pair("base", "hand"), robot)) == count

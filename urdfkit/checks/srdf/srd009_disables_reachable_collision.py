@@ -5,13 +5,15 @@ was found among some thousand samples within the joint limits, with the collisio
 reads it. In that pose no pair that MoveIt checks overlaps, so MoveIt would not avoid it. The matrix
 is of an older robot, or was computed from too few samples. `urdfkit collisions --srdf` computes it
 again and keeps the rest of the file. Pairs with another reason, such as "User", are intended and
-not reported; nor are adjacent links, which MoveIt always disables.
+not reported; nor are adjacent links, which MoveIt always disables, and links whose mesh has another
+unit, which MoveIt does not read (MSH013).
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.mesh.io.facts import has_other_unit
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -65,6 +67,12 @@ def check(context: Context) -> Findings:
     ]
     if not never:
         return
+    scaled = {
+        mesh.link.name
+        for mesh in context.files.meshes
+        if mesh.role == "collision" and mesh.facts and has_other_unit(mesh.facts)
+    }
+    never = [entry for entry in never if scaled.isdisjoint(entry[1:])]
     configurations = context.collisions.sampled_in_moveit
     never = [entry for entry in never if all(map(configurations.has_bodies, entry[1:]))]
     samples = min(_SAMPLES, _WORK // max(len(never), 1))

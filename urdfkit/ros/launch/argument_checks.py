@@ -8,6 +8,7 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
@@ -124,12 +125,13 @@ def unknown_to_included(
 ) -> Iterator[Problem]:
     """Problems of arguments that an included file does not declare.
 
-    In ROS 2 the file may use them without a declaration, and pass them on.
+    In ROS 2 the file may use them without a declaration, and pass them on. A file that is not
+    well-formed XML (LAU001) may declare them.
     """
     passed = list(passed)
     unused = set(taken.names).difference(name for name, _ in passed)
     for name, span in passed:
-        if name in taken.names:
+        if name in taken.names or _is_written(name, source):
             continue
         word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
         is_used = ros == 2 and re.search(word, source.data)
@@ -139,6 +141,12 @@ def unknown_to_included(
             message = f"'{file}': unknown argument '{name}'{did_you_mean(name, unused)}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
+
+
+def _is_written(name: str, source: Source) -> bool:
+    """True if the text of a file declares an argument, for XML that cannot be parsed."""
+    declared = rf"<arg\s[^<>]*\bname\s*=\s*[\"']{re.escape(name)}[\"']".encode()
+    return bool(re.search(declared, blank_comments(source.data)))
 
 
 def missing_in_include(
