@@ -243,7 +243,7 @@ SAMPLED = {
     "tests/test_endless_text.py": 4,
     "tests/test_fixing_corpus.py": 12,
     "tests/test_fuzz.py::test_a_short_run": 6,
-    "tests/test_golden_gazebo.py::test_errors_on_real_robots": 0,
+    "tests/test_golden_gazebo.py::test_no_errors_on_real_robots": 0,
     "tests/test_injection.py::test_a_page_runs_nothing": 0,
     "tests/test_injection.py::test_a_format": 12,
     "tests/test_injection.py::test_a_text": 4,

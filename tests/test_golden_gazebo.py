@@ -72,8 +72,8 @@ def test_gz_loads_none_of_its_plugins(target: str) -> None:
     ]
 
 
-def test_errors_on_real_robots_are_those_that_were_looked_at() -> None:
-    """A sensor of the PR2 on a link which a later version of the robot lost."""
+def test_no_errors_on_real_robots() -> None:
+    """The links that a later version of the PR2 lost had colours and friction: a warning."""
     robots = list(manifest())
     if not robots:
         pytest.skip(f"{SHARED} is not beside this checkout")
@@ -86,8 +86,7 @@ def test_errors_on_real_robots_are_those_that_were_looked_at() -> None:
             for one in report.diagnostics
             if one.severity.value == "error"
         )
-    # Its other lost links had colours and friction alone, which is a warning.
-    assert set(errors) == {("GAZ001", "unknown link or joint 'sensor_mount_sensor_link'")}
+    assert errors == Counter()
 
 
 def test_a_hostile_robot_takes_no_time() -> None:
