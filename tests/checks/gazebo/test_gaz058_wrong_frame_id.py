@@ -1,6 +1,6 @@
 import pytest
 
-from tests.gazebos import BASE, plugin, sensor
+from tests.gazebos import BASE, child, plugin, sensor
 from tests.reported import fixed, messages
 from tests.sensing import findings
 from urdfkit.text.diagnostic import Severity
@@ -117,3 +117,14 @@ def test_a_namespace_in_front_of_a_frame(frame: str, count: int) -> None:
     """RotorS's stereo camera: a plugin of ROS 1 puts the name of the model in front."""
     robot = BASE + '<link name="uav/camera/left"/>' + sensor("ray", LASER.format(frame))
     assert len(messages("GAZ058", robot)) == count
+
+
+@pytest.mark.parametrize(("reference", "count"), [("base", 2), ("arm_joint", 2), ("camera", 0)])
+def test_a_sensor_of_a_dropped_block(reference: str, count: int) -> None:
+    """Kinova's Gen3 without its camera: GAZ001 reports the block."""
+    content = "<gz_frame_id>camera</gz_frame_id>" + LASER.format("camera")
+    block = (
+        f'<gazebo reference="{reference}"><sensor name="s" type="ray">{content}</sensor></gazebo>'
+    )
+    found = messages("GAZ058", BASE + child("arm") + block)
+    assert len([one for one in found if "not a link" in one]) == count

@@ -4,7 +4,8 @@ TF has no transform from such a frame: RViz shows "no transform from", navigatio
 and odometry is not found. tf2 rejects a frame that begins with a slash. Frames of the world, such
 as `map` and `odom`, are published by others; of these only a slash is reported, and none of plugins
 of ROS 1, which remove it. These also put the namespace, or the name of the model, in front: for
-the link `uav/camera/left`, `camera/left` is right.
+the link `uav/camera/left`, `camera/left` is right. A sensor that Gazebo drops with its block is not
+reported (GAZ001).
 
 A sensor of gz-sim without a frame publishes a name of Gazebo's own, such as
 `robot/base_link/lidar`, which TF does not have. Write the link in `<gz_frame_id>`, which all
@@ -80,6 +81,8 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
     links = context.model.links_by_name
     for use in context.plugins:
+        if _is_dropped(use.at, context.model):
+            continue
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
             if parameter is None or parameter.type != "frame" or item.text in parameter.words:
@@ -90,9 +93,18 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
             if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):
                 yield use.title, item.at, item.text
     for sensor in sensors(context.model):
-        for tag in _TAGS:
+        for tag in () if _is_dropped(sensor.at, context.model) else _TAGS:
             for element in sensor.at.all(tag):
                 yield sensor.who, element, element.text.strip()
+
+
+def _is_dropped(element: Element, model: RobotModel) -> bool:
+    """True in a ``<gazebo>`` with an unknown reference, which GAZ001 reports."""
+    block: Element | None = element
+    while block is not None and block.tag != "gazebo":
+        block = block.parent
+    name = block.get("reference") if block is not None else None
+    return bool(name) and name not in model.links_by_name and name not in model.joints_by_name
 
 
 def _controlled(model: RobotModel) -> set[str]:
