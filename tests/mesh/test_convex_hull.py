@@ -13,7 +13,8 @@ import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
 from urdfkit.core.installation import install_command
-from urdfkit.mesh.convex_decomposition import ENGINES, NoEngine, decompose
+from urdfkit.errors import MissingLibrary
+from urdfkit.mesh.convex_decomposition import ENGINES, decompose
 from urdfkit.mesh.convex_hull import NoHull, hull, with_few_corners
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.health import examine
@@ -70,7 +71,7 @@ def test_a_convex_mesh_is_one_piece() -> None:
 
 def test_a_missing_engine_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "coacd", None)
-    with pytest.raises(NoEngine, match=re.escape(install_command("decompose"))):
+    with pytest.raises(MissingLibrary, match=re.escape(install_command("decompose"))):
         decompose(as_mesh(RING), engine="coacd")
 
 

@@ -10,7 +10,7 @@ from itertools import islice
 from urdfkit.core.record import Record
 from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
-from urdfkit.lsp.names import parameters, path_in
+from urdfkit.lsp.names import parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
@@ -266,17 +266,11 @@ def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[Complet
     if node.name == "material" and node.parent and node.parent.name == "gazebo":
         for name in sorted(materials.materials()):
             yield CompletionItem(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
-    plugin = node.ancestor("plugin")
-    if plugin is None:
+    if node.ancestor("plugin") is None:
         extension = extensions.extensions().get(node.name)
         if extension and extension.type == "bool":
             yield from _items(_BOOLEANS, "word", "", start)
-        return
-    path = path_in(node, plugin)
-    for entry in plugins.find(plugin.get("filename").strip()):
-        parameter = entry.parameters.get(path)
-        if parameter is None:
-            continue
+    for entry, parameter in plugin_parameters(node):
         if parameter.type in ("link", "frame"):
             yield from _items(robot.defined("link"), "name", "link", start)
         elif parameter.type.startswith("joint"):

@@ -9,7 +9,7 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
 from urdfkit.lsp.grammar import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
-from urdfkit.lsp.names import NameUse, path_in
+from urdfkit.lsp.names import NameUse, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
@@ -214,15 +214,11 @@ def _plugin(here: Cursor) -> Iterator[str]:
                 successor = f"; replaced by `{entry.successor}`" if entry.successor else ""
                 yield text + successor
         return
-    plugin = node.ancestor("plugin")
-    if here.place != "tag" or plugin is None:
-        return
-    for entry in plugins.find(plugin.get("filename").strip()):
-        if parameter := entry.parameters.get(path_in(node, plugin)):
-            words = [parameter.type] + ["required"] * parameter.required
-            if parameter.default:
-                words.append(f"`{_code(parameter.default)}` by default")
-            yield f"**{escape(node.name)}** ({entry.generation}): {', '.join(words)}"
+    for entry, parameter in plugin_parameters(node) if here.place == "tag" else ():
+        words = [parameter.type] + ["required"] * parameter.required
+        if parameter.default:
+            words.append(f"`{_code(parameter.default)}` by default")
+        yield f"**{escape(node.name)}** ({entry.generation}): {', '.join(words)}"
 
 
 def _grammar(here: Cursor) -> Iterator[str]:

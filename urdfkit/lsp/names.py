@@ -229,14 +229,11 @@ class NameIndex:
 
     def _in_plugin(self, node: TagNode) -> Iterator[NameUse]:
         """The links and joints that a Gazebo plugin refers to."""
-        plugin = node.ancestor("plugin")
         span = node.text_span
-        if plugin is None or node.children or not span.text:
+        if node.children or not span.text:
             return
-        path = path_in(node, plugin)
-        for entry in plugins.find(plugin.get("filename").strip()):
-            parameter = entry.parameters.get(path)
-            if parameter and parameter.type in (*plugins.REFERENCES, "frame"):
+        for _, parameter in plugin_parameters(node):
+            if parameter.type in (*plugins.REFERENCES, "frame"):
                 kind = "joint" if parameter.type.startswith("joint") else "link"
                 for word in re.finditer(rb"[^\s,]+", span.source.data[span.start : span.end]):
                     at = Span(span.source, span.start + word.start(), span.start + word.end())
@@ -281,6 +278,16 @@ def parameters(macro: TagNode) -> list[str]:
 
 def _id(macro: TagNode) -> tuple[str, int]:
     return (macro.source.path, macro.start)
+
+
+def plugin_parameters(node: TagNode) -> Iterator[tuple[plugins.Plugin, plugins.Parameter]]:
+    """The parameter that a tag in a plugin sets, for each plugin that reads it."""
+    plugin = node.ancestor("plugin")
+    if plugin is None:
+        return
+    for entry in plugins.find(plugin.get("filename").strip()):
+        if parameter := entry.parameters.get(path_in(node, plugin)):
+            yield entry, parameter
 
 
 def path_in(node: TagNode, plugin: TagNode) -> str:

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from urdfkit.core.installation import install_command
-from urdfkit.errors import UrdfkitError
+from urdfkit.core.installation import needing
 from urdfkit.mesh.containment import grow_pieces
 from urdfkit.mesh.convex_hull import (
     MOST_CORNERS,
@@ -25,10 +24,6 @@ _CONVEX = 1e-3
 _VOXELS = 50_000
 
 
-class NoEngine(UrdfkitError):
-    """A decomposition library is not installed."""
-
-
 def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     """Convex pieces that together contain the surface of a mesh, each a part.
 
@@ -39,7 +34,7 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         engine: as for `cut`.
 
     Raises:
-        NoEngine: its library is not installed.
+        MissingLibrary: its library is not installed.
         NoHull: all points lie in a plane.
     """
     shell = hull(mesh)
@@ -63,7 +58,7 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
             openings better and takes longer.
 
     Raises:
-        NoEngine: its library is not installed.
+        MissingLibrary: its library is not installed.
         NoHull: all points lie in a plane.
     """
     shell = hull(mesh)  # raises NoHull before an engine starts
@@ -104,10 +99,8 @@ _COLORS = (
 
 
 def _vhacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
-    try:
+    with needing("vhacd", "meshes"):
         from vhacdx import compute_vhacd
-    except ImportError as error:
-        raise NoEngine(f"vhacd needs {error.name}: {install_command('meshes')}") from error
     # Faces in the format of VTK, each after its number of corners.
     vtk_faces = np.column_stack([np.full(len(faces), 3), faces]).astype(np.uint32)
     pieces = compute_vhacd(
@@ -122,10 +115,8 @@ def _vhacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
 
 
 def _coacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
-    try:
+    with needing("coacd", "decompose"):
         import coacd
-    except ImportError as error:
-        raise NoEngine(f"coacd needs {error.name}: {install_command('decompose')}") from error
     coacd.set_log_level("error")
     pieces = coacd.run_coacd(
         coacd.Mesh(points, faces),

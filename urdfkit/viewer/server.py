@@ -14,7 +14,7 @@ import secrets
 import socket
 import threading
 from collections.abc import AsyncIterator, Callable
-from contextlib import suppress
+from concurrent.futures import Future
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
@@ -147,22 +147,17 @@ class Viewer:
 
 async def _in_thread(work: Callable[[T], T], argument: T) -> T:
     """The result of a function, computed in a thread that Ctrl-C does not wait for."""
-    loop = asyncio.get_running_loop()
-    future: asyncio.Future[T] = loop.create_future()
+    future: Future[T] = Future()
+    future.set_running_or_notify_cancel()  # it can no longer be cancelled
 
     def run() -> None:
         try:
-            result, exception = work(argument), None
+            future.set_result(work(argument))
         except Exception as error:
-            result, exception = argument, error
-        with suppress(RuntimeError):  # the event loop has ended
-            if exception is None:
-                loop.call_soon_threadsafe(future.set_result, result)
-            else:
-                loop.call_soon_threadsafe(future.set_exception, exception)
+            future.set_exception(error)
 
     threading.Thread(target=run, daemon=True).start()
-    return await future
+    return await asyncio.wrap_future(future)
 
 
 def application(viewer: Viewer, token: str) -> Starlette:

@@ -191,32 +191,20 @@ def bundled_meshes(
     """
     for reference in references:
         path = paths[id(reference)]
-        if path not in names:
-            files = _mesh_files(robot, reference, path, consumer, stems, visuals)
-            mesh = next(files)  # its materials and images follow
-            names[path] = mesh.path
-            yield mesh
-            yield from files
-
-
-def _mesh_files(
-    robot: Context,
-    reference: Placed[str],
-    path: str,
-    consumer: Consumer,
-    stems: FreeNames,
-    visuals: Container[str],
-) -> Iterator[BundledFile]:
-    mesh, stem = robot.files.facts(path), stems.take_stem(path)
-    try:
-        if mesh.defect:
-            raise UrdfkitError(f"{shown(path)}: {mesh.defect.reason}")
-        yield from bundled(path, mesh, consumer, stem, is_visual=path in visuals)
-    except MissingLibrary:
-        raise
-    except UrdfkitError as error:
-        hint = f"see 'urdfkit check {shown(robot.source.path)}'"
-        raise UrdfkitError(f"{reference.span}: {error}; {hint}") from error
+        if path in names:
+            continue
+        mesh, stem = robot.files.facts(path), stems.take_stem(path)
+        try:
+            if mesh.defect:
+                raise UrdfkitError(f"{shown(path)}: {mesh.defect.reason}")
+            for file in bundled(path, mesh, consumer, stem, is_visual=path in visuals):
+                names.setdefault(path, file.path)  # materials and images follow the mesh
+                yield file
+        except MissingLibrary:
+            raise
+        except UrdfkitError as error:
+            hint = f"see 'urdfkit check {shown(robot.source.path)}'"
+            raise UrdfkitError(f"{reference.span}: {error}; {hint}") from error
 
 
 def located_files(robot: Context, references: Iterable[Placed[str]]) -> dict[int, str]:

@@ -57,21 +57,11 @@ def report(
         from urdfkit.output.report import markdown
 
         return markdown.render(document, Translator(language)), document
-    return _page(reported, Translator(language), has_images=not quick)
+    from urdfkit.output.report import engine, html
 
-
-def _page(
-    reported: ReportInput, translator: Translator, *, has_images: bool
-) -> tuple[str, ReportDocument]:
-    """A page with images and the 3D view, or with the reason why they are missing."""
-    from urdfkit.output.report import html
-
-    document, data_uris, scene = rendered(reported, has_images=has_images)
-    if scene is None:
-        return html.render(document, translator, data_uris), document
-    from urdfkit.output.report import engine
-
-    return html.render(document, translator, data_uris, scene, engine.load()), document
+    document, data_uris, scene = rendered(reported, has_images=not quick)
+    in_3d = engine.load() if scene else None
+    return html.render(document, Translator(language), data_uris, scene, in_3d), document
 
 
 class RobotImages(Record):
