@@ -87,37 +87,18 @@ def repair(
     before = examine_mesh(mesh)
     if before.is_solid and not (union and before.overlap):
         return Repair(mesh, (), before, before)
+    report = progress or (lambda _done, _total: None)
     soup = soup_of(mesh)
     steps: list[RepairStep] = []
     if before.non_finite:
         steps.append(RepairStep("dropped triangles that are not finite", before.non_finite))
     if one_sided:
         soup = _do(_OPTIONAL[0], drop_back_sides, soup, steps)
-    initial = examine(soup.points, soup.faces)
-    soup = _rounds(soup, initial, steps, holes=holes, progress=progress)
-    if union and (united := _do(_OPTIONAL[1], unite, soup, steps)) is not soup:
-        soup, mesh = united, _without_vertex_attributes(mesh)
-    if not steps:
-        return Repair(mesh, (), before, before)
-    if progress:
-        progress(_ROUNDS, _ROUNDS + 1)
-    return _if_better(mesh, soup, _summed(steps), before, initial)
-
-
-def _rounds(
-    soup: TriangleSoup,
-    best: Health,
-    steps: list[RepairStep],
-    *,
-    holes: bool,
-    progress: Progress | None,
-) -> TriangleSoup:
-    """Run rounds while they reduce the defects; appends to ``steps``."""
-    for number in range(_ROUNDS):
+    initial = best = examine(soup.points, soup.faces)
+    for number in range(_ROUNDS):  # while they reduce the defects
         if best.defects == 0:
             break
-        if progress:
-            progress(number, _ROUNDS + 1)
+        report(number, _ROUNDS + 1)
         new_steps: list[RepairStep] = []
         candidate = _round(soup, new_steps, holes=holes)
         state = examine(candidate.points, candidate.faces)
@@ -125,7 +106,12 @@ def _rounds(
             break
         soup, best = candidate, state
         steps += new_steps
-    return soup
+    if union and (united := _do(_OPTIONAL[1], unite, soup, steps)) is not soup:
+        soup, mesh = united, _without_vertex_attributes(mesh)
+    if not steps:
+        return Repair(mesh, (), before, before)
+    report(_ROUNDS, _ROUNDS + 1)
+    return _if_better(mesh, soup, _summed(steps), before, initial)
 
 
 def _without_vertex_attributes(mesh: Mesh) -> Mesh:

@@ -20,8 +20,7 @@ from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Link, Material, Shape
-from urdfkit.text.document import Element
+from urdfkit.robot.model import Body, Link, Shape
 from urdfkit.text.source import Span
 
 #: Geom groups of visuals, which MuJoCo's viewer shows, and collisions, which it hides.
@@ -222,25 +221,15 @@ class Geoms:
                 keep(owner.at, "rgba of the geom")
             keep(material.at.child("color"), "rgba of the geom")
         if material.texture is not None:
-            self._record_texture(material.at.child("texture"), owners, used, has_uv=has_uv)
-
-    def _record_texture(
-        self,
-        texture: Element | None,
-        owners: Iterable[Material],
-        used: SurfaceMaterial,
-        *,
-        has_uv: bool,
-    ) -> None:
-        reason = "" if has_uv else "the shape has no texture coordinates"
-        reason = reason or ("" if used.texture else "the image does not exist")
-        reason = reason or self._textures.reason(used)
-        if reason:
-            self._losses.lose(texture, reason)
-            return
-        for owner in owners:
-            self._losses.keep(owner.at, "material")
-        self._losses.keep(texture, "texture")
+            reason = "" if has_uv else "the shape has no texture coordinates"
+            reason = reason or ("" if used.texture else "the image does not exist")
+            reason = reason or self._textures.reason(used)
+            if reason:
+                self._losses.lose(material.at.child("texture"), reason)
+                return
+            for owner in owners:
+                keep(owner.at, "material")
+            keep(material.at.child("texture"), "texture")
 
     def _collided(self, geometry: Body, shape: Shape, size: tuple[float, ...]) -> Iterable[Piece]:
         """The colliding pieces of a collision."""
