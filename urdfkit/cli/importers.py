@@ -1,8 +1,6 @@
 """``urdfkit importers``: a robot after the import by simulators and dynamics libraries."""
 
-import csv
-from collections.abc import Iterable, Iterator
-from io import StringIO
+from collections.abc import Iterator
 from itertools import groupby
 from typing import Any
 
@@ -240,7 +238,7 @@ def _placed(span: Span) -> dict[str, Any]:
 
 def _csv(robots: list[Imported]) -> str:
     header = ("importer", "joint", "type", "q", "nq", "v", "nv", "file", "line")
-    return _csv_text(
+    return output.csv_text(
         header, (_row(imported, joint) for imported in robots for joint in imported.joints)
     )
 
@@ -253,13 +251,7 @@ def _row(robot: Imported, joint: ImportedJoint) -> tuple[object, ...]:
 def _map_csv(result: IndexMap) -> str:
     names = (joint.joint.name for joint in result.joints)
     rows = zip(names, range(len(result.joints)), result.indices, strict=True)
-    return _csv_text(("joint", result.target, result.source), rows)
-
-
-def _csv_text(header: Iterable[object], rows: Iterable[Iterable[object]]) -> str:
-    text = StringIO()
-    csv.writer(text, lineterminator="\n").writerows((header, *rows))
-    return text.getvalue()
+    return output.csv_text(("joint", result.target, result.source), rows)
 
 
 def _map_line(result: IndexMap) -> str:

@@ -1,7 +1,5 @@
 """``urdfkit mass``: the mass properties of every link and of the whole robot."""
 
-import csv
-import io
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -164,22 +162,21 @@ def as_csv(masses: MassTable) -> str:
     """One row for each link, and one without a name for the whole robot."""
     from urdfkit.output.report.csv import cell  # with all of the report
 
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(
+    header = (
         "link mass cx cy cz ixx ixy ixz iyy iyz izz i1 i2 i3 volume density shape_i1 shape_i2 "
-        "shape_i3".split()
+        "shape_i3"
     )
+    rows: list[list[object]] = []
     for row in masses.rows:
         shapes: list[float | str] = [""] * 5
         if row.shape_mass and row.of_shapes and row.density is not None:
             shapes = [row.shape_mass.properties.mass, row.density, *row.of_shapes[0]]
         mass, center, tensor = row.properties
-        writer.writerow([cell(row.link), mass, *center, *tensor, *row.moments, *shapes])
+        rows.append([cell(row.link), mass, *center, *tensor, *row.moments, *shapes])
     body, moments = masses.whole.properties, masses.moments
     known = [*body.center, *body.tensor, *moments] if body and moments else [""] * 12
-    writer.writerow(["", masses.whole.mass, *known, *[""] * 5])
-    return text.getvalue()
+    rows.append(["", masses.whole.mass, *known, *[""] * 5])
+    return output.csv_text(header.split(), rows)
 
 
 def as_markdown(masses: MassTable) -> str:
