@@ -235,3 +235,13 @@ def test_one_name_for_the_interfaces_of_a_joint(simulation: str, joint: str, cou
     other = transmission(joint, "hardware_interface/PositionJointInterface")
     gazebo = plugin("libgazebo_ros_control.so", f"<robotSimType>{simulation}</robotSimType>")
     assert len(messages("RCT024", ROBOT + FIRST + other + gazebo)) == count
+
+
+@pytest.mark.parametrize(("targets", "count"), [(("drake",), 0), (("drake", "ros1"), 1)])
+def test_what_drake_reads(targets: tuple[str, ...], count: int) -> None:
+    """Drake's PR2 has the type as an attribute, and no interfaces."""
+    text = '<transmission name="t" type="SimpleTransmission"><actuator name="m"/>'
+    text += '<joint name="swing"/></transmission>'
+    assert len(reported("RCT024", ROBOT + text, targets=targets)) == count
+    missing = text.replace(' type="SimpleTransmission"', "")
+    assert len(reported("RCT024", ROBOT + missing, targets=targets)) == 1

@@ -4,8 +4,8 @@ ros_control ignores an invalid transmission, so that no controller finds the joi
 resource". Reported are
 
 - a missing name, `<type>`, `<joint>`, `<actuator>` or `<hardwareInterface>`. The type is an
-  element; only the PR2 reads it as an attribute. `<hardwareInterface>` must be in `<joint>`; up to
-  ROS Indigo it was in `<actuator>`;
+  element; only the PR2 and Drake read it as an attribute, and Drake reads no interface.
+  `<hardwareInterface>` must be in `<joint>`; up to ROS Indigo it was in `<actuator>`;
 - a misspelt type or a type without its package, and a wrong number of joints or actuators for the
   type;
 - a `mechanicalReduction` that is 0 or not a number, and misspelt elements, whose default is used;
@@ -83,7 +83,10 @@ def check(context: Context) -> Findings:
         return
     read = [transmission for transmission in transmissions if not is_of_pr2(transmission)]
     unread = Severity.WARNING if "classic-ros1" in context.targets.names else None
+    is_of_drake = context.targets.all_are("ignores_interfaces")
     for transmission in read:
+        if is_of_drake and "type" in transmission.attributes:
+            continue
         if missing := _missing(transmission):
             yield Finding(
                 transmission,
@@ -91,6 +94,8 @@ def check(context: Context) -> Findings:
                 "add a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
                 "<actuator>",
             )
+        if is_of_drake:
+            continue
         yield from _interfaces(transmission)
         yield from _type(transmission, unread)
         yield from _count(transmission, unread)
