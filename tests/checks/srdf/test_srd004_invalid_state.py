@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.srdfs import findings, message_of
+from urdfkit.text.diagnostic import Severity
 
 BAD = [
     (
@@ -25,6 +26,11 @@ GOOD = [
 @pytest.mark.parametrize(("text", "message"), BAD)
 def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
     assert message_of(tmp_path, text, "SRD004") == message
+
+
+def test_a_fixed_joint_does_not_invalidate_the_state(tmp_path: Path) -> None:
+    outside, fixed = (findings(tmp_path, text, "SRD004")[0].severity for text, _ in BAD)
+    assert (outside, fixed) == (Severity.ERROR, Severity.WARNING)
 
 
 @pytest.mark.parametrize("text", GOOD)

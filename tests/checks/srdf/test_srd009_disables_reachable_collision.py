@@ -50,6 +50,12 @@ def test_the_depth_and_the_pose(tmp_path: Path) -> None:
     assert found.span.line == 2
 
 
+def test_a_pair_that_is_listed_twice(tmp_path: Path) -> None:
+    """As in the SRDF of HyQ, whose second entry names the links in the other order."""
+    found = reported(tmp_path, f"{pair('hand', 'base')}\n{pair('base', 'hand')}")
+    assert [one.span.line for one in found] == [2, 3]
+
+
 @pytest.mark.parametrize(
     "matrix",
     [

@@ -6,6 +6,14 @@ import pytest
 
 from tests.srdfs import findings
 from urdfkit import check
+from urdfkit.text.diagnostic import Severity
+
+
+def test_a_state_without_group_is_for_pinocchio(tmp_path: Path) -> None:
+    """Pinocchio's states set all joints; MoveIt loads the robot without them."""
+    state = '<group_state name="s"><joint name="shoulder" value="0"/></group_state>'
+    (finding,) = findings(tmp_path, state, "SRD017")
+    assert finding.severity is Severity.WARNING
 
 
 @pytest.mark.parametrize(
@@ -15,7 +23,7 @@ from urdfkit import check
             '<group name="g"><chain tip_link="arm"/></group>',
             "<chain> has no base_link (ignored)",
         ),
-        ('<group_state name="s"/>', "<group_state> has no group (ignored)"),
+        ('<group_state name="s"/>', "<group_state> has no group (MoveIt ignores it)"),
         ('<disable_collisions link1="arm"/>', "<disable_collisions> has no link2 (ignored)"),
         (
             '<group_state name="s" group="g"><joint name="shoulder" value="0,5"/></group_state>',

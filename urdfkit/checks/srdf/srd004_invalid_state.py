@@ -2,8 +2,8 @@
 
 - MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
   changed after the state was written, or the value is in degrees.
-- A fixed joint has no position: MoveIt ignores the value or rejects the state. Mimic joints are not
-  reported: a state may repeat their values.
+- A fixed joint has no position: MoveIt and Pinocchio ignore the value, and set the other joints of
+  the state (warning). Mimic joints are not reported: a state may repeat their values.
 - If two states of a group have the same name, MoveIt silently keeps the last (warning).
 
 Sources:
@@ -47,7 +47,12 @@ def check(context: Context) -> Findings:
 def _value(state: str, element: Element, joint: Joint) -> Findings:
     who, value = f"{state}: joint '{joint.name}'", number(element.get("value"))
     if joint.kind == "fixed":
-        yield Finding(element, f"{who} is fixed", "remove the joint from the state")
+        yield Finding(
+            element,
+            f"{who} is fixed",
+            "remove the joint from the state",
+            severity=Severity.WARNING,
+        )
     limit = joint.limit if joint.kind in ("revolute", "prismatic") else None
     if value is None or limit is None or limit.lower is None or limit.upper is None:
         return

@@ -5,7 +5,8 @@
   links is checked for collisions again. Only typos of known names are reported, since other
   programs may add their own elements.
 - An element without a required attribute, or with text instead of a number, is logged and ignored:
-  the group has no chain, the state does not set the joint.
+  the group has no chain, the state does not set the joint. A state without a group is a warning:
+  Pinocchio, which sets all joints of the robot, reads it.
 - A virtual joint connects the root of the robot to a frame of the world, and is `fixed`, `planar`
   or `floating`. If its type or link is invalid, MoveIt prints a warning and treats the root as
   fixed: planning works, but the robot cannot be placed or driven (warning).
@@ -16,6 +17,7 @@
 Sources:
     SRDF: https://wiki.ros.org/srdf
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    Pinocchio, SRDF: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/srdf.hxx
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
@@ -72,8 +74,12 @@ def _misspelt(srdf: Srdf) -> Findings:
 
 def _incomplete(srdf: Srdf) -> Findings:
     for element, name in lacking(srdf.root):
-        message = f"<{element.tag}> has no {name} (ignored)"
-        yield Finding(element, message, f"add {name}")
+        if element.tag == "group_state" and name == "group":
+            reader, severity = "MoveIt ignores it", Severity.WARNING
+        else:
+            reader, severity = "ignored", Severity.ERROR
+        message = f"<{element.tag}> has no {name} ({reader})"
+        yield Finding(element, message, f"add {name}", severity=severity)
 
 
 def _positions(srdf: Srdf) -> Findings:

@@ -54,7 +54,12 @@ class SampledPoses:
         """
         # Limits of 0.0, because measuring the distance of separate meshes takes most of the time.
         numbers = [self._pair(*pair) for pair in pairs]
-        bound = [p for p in numbers if self._is_bound(p) and self.kinematics.between(*p)]
+        # A matrix may list a pair several times; the query answers once for each.
+        bound = [
+            pair
+            for pair in dict.fromkeys(numbers)
+            if self._is_bound(pair) and self.kinematics.between(*pair)
+        ]
         rows = self.kinematics.samples(samples, 0, 0)
         results = self._collision_model.query(bound, 0.0).at(rows, count=True)
         poses = {
