@@ -58,10 +58,13 @@ def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Ch
 
     A robot contains reference cycles. To the garbage collector its meshes are a few objects, but
     they take hundreds of megabytes: without a collection dozens of robots would accumulate.
-    Generation 1 suffices; a full collection takes 20 ms because of the objects of modules.
+    Generation 1 suffices for a robot; a full collection takes 20 ms because of the objects of
+    modules, and is made for the older objects of a robot with several sets of arguments.
     """
     checked = check_job(job, options, resolver)
-    if "numpy" in sys.modules:
+    if len(checked) > 1:
+        gc.collect()
+    elif "numpy" in sys.modules:
         gc.collect(1)
     return checked
 

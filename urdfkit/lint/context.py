@@ -11,7 +11,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.lint.description_file import DescriptionFile, Reading
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Document
 from urdfkit.text.file_kinds import has_srdf_tags, is_extension, is_list_of_joints
 from urdfkit.text.source import Source
 
@@ -284,6 +284,10 @@ class Context(DescriptionFile):
             robot = _robot(source, self.resolver, items, self.trust, self._cache)
             self._other_robots[path, items] = robot
         return self._other_robots[path, items]
+
+    def expanded_with(self, arguments: Mapping[str, str]) -> Document | None:
+        """This description with other arguments, not cached; None if it cannot be read."""
+        return Context(self.source, self.resolver, arguments, trust=self.trust).reading.document
 
     def names_in_robot(self, path: str) -> frozenset[str]:
         """Names of the links and joints of another description, read with the same arguments."""

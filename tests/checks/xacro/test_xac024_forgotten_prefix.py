@@ -1,11 +1,17 @@
 """XAC024: see the rule."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
 from urdfkit import check
+from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions
+from urdfkit.lint.context import Context
 from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.document import Document
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 P = "$(arg prefix)"
 
@@ -188,3 +194,24 @@ def test_the_condition_of_another_package(tmp_path: Path, package: str, count: i
     assert [one.span.source.path.endswith("arm.xacro") for one in report.diagnostics] == (
         [True] + [False] * count
     )
+
+
+def test_a_value_that_removes_nothing_is_tried_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A robot is checked with several sets of arguments."""
+    robot = xacro_xml(
+        *(f'<xacro:arg name="{name}" default="true"/>' for name in ("with", "sim")),
+        f'<xacro:arg name="mass" default="1"/><link name="base"/>{LIGHT}',
+        IF.format("${1 == 1}", CAMERA),
+    )
+    source, resolver = Source("r.urdf.xacro", robot.encode()), Resolver()
+    expanded: list[Mapping[str, str]] = []
+    expanded_with = Context.expanded_with
+
+    def counted(context: Context, arguments: Mapping[str, str]) -> Document | None:
+        expanded.append(arguments)
+        return expanded_with(context, arguments)
+
+    monkeypatch.setattr(Context, "expanded_with", counted)
+    for mass in ("1", "2"):
+        assert list(forgotten_conditions(Context(source, resolver, {"mass": mass}))) == []
+    assert expanded == [{"mass": "1", "with": "false"}, {"mass": "1", "sim": "false"}]

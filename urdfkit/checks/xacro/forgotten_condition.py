@@ -11,6 +11,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Se
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 #: Number of boolean arguments whose other value is tried.
 _MOST = 8
@@ -29,13 +30,18 @@ def forgotten_conditions(context: Context) -> Findings:
     root = context.document.root
     # The reference of a name in one file may be right, and that in another file wrong.
     suspects = {_key(attribute) for attribute in _suspects(context)} if booleans else set()
+    harmless = _harmless(context.source, context.resolver)
     for argument, value in booleans if suspects else ():
-        values = {**context.arguments, argument: value}
-        other = context.other_robot(context.source.path, values).reading.document
+        tried = (argument, value, frozenset(suspects))
+        if tried in harmless:
+            continue
+        other = context.expanded_with({**context.arguments, argument: value})
         if other is None:
             continue
         names = {at.value for at in _definitions(other.root)}
         lost = {key for key in suspects if key[0] not in names}
+        if not lost:
+            harmless.add(tried)
         blocks: dict[object, list[Attribute]] = {}
         for attribute in _references(other.root) if lost else ():
             if _key(attribute) in lost:
@@ -43,6 +49,17 @@ def forgotten_conditions(context: Context) -> Findings:
         for first, *more in blocks.values():
             yield _finding(root, first, len(more), f"{argument} is {value}")
         suspects -= lost
+
+
+@lru_cache(maxsize=16)
+def _harmless(
+    source: Source, resolver: Resolver
+) -> set[tuple[str, str, frozenset[tuple[str, str]]]]:
+    """The arguments of a file, with a value and the suspects, that removed no definition.
+
+    A robot that is checked with several sets of arguments needs no second expansion for each.
+    """
+    return set()
 
 
 def _booleans(context: Context) -> list[tuple[str, str]]:

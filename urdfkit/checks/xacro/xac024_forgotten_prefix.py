@@ -63,7 +63,7 @@ def _forgotten_prefixes(context: Context) -> Findings:
     }
     for argument in arguments if suspects else ():
         values = {**context.arguments, argument: _PREFIX}
-        other = context.other_robot(context.source.path, values).reading.document
+        other = context.expanded_with(values)
         if other is None:
             continue
         names = {name for name, _ in _definitions(other.root)}
