@@ -21,6 +21,8 @@ from urdfkit.workspace.manifest import Manifest
 #: Names of targets; each has a file of facts. ROS is first, as most others use its parsers.
 TARGETS = tuple(sorted(names("targets"), key=lambda name: (not name.startswith("ros"), name)))
 
+#: URDF readers of ROS, which other targets may use as well.
+ROS = ("ros1", "ros2")
 CLASSIC = ("classic-ros1", "classic-ros2")
 GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
 #: All generations of Gazebo, which convert URDF to SDF with the same library.

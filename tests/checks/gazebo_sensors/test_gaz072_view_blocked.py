@@ -118,6 +118,18 @@ def test_a_camera_that_sees_more(shape: str, at: str) -> None:
     assert messages("GAZ072", robot(CAMERA.format(""), shape, at)) == []
 
 
+def test_a_fisheye_camera_is_not_checked(tmp_path: Path) -> None:
+    """As the camera of 183 degrees on a TurtleBot3, in front of the mesh of the base."""
+    corners = [(0.1, -1, -1), (0.1, -1, 1), (0.1, 1, 1), (0.1, 1, -1)]
+    lines = ["v {} {} {}".format(*corner) for corner in corners]
+    (tmp_path / "wall.obj").write_text("\n".join([*lines, "f 3 2 1", "f 4 3 1"]))
+    camera = CAMERA.format("").replace("<horizontal_fov>1<", "<horizontal_fov>3.183<")
+    text = robot(camera, '<mesh filename="wall.obj"/>', "")
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{text}</robot>')
+    report = check(tmp_path / "r.urdf", select=["GAZ072"])
+    assert (report.diagnostics, report.crashed) == ((), ())
+
+
 def test_primitives_agree_with_points_on_their_surfaces() -> None:
     """A ray enters and leaves a shape where points along it begin and end to lie in it."""
     at = Transform(from_rpy(0.3, -0.4, 1.0), (0.6, 0.1, -0.2))

@@ -96,3 +96,32 @@ def test_a_joint_without_a_drive_is_passive_where_others_have_one(key: str, driv
     assert len(reported("JNT008", pair)) == 1
     assert reported("JNT008", pair + drive.format("b")) == []
     assert len(reported("JNT008", pair + drive.format("a"))) == 1
+
+
+TRANSMISSION = (
+    '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+    '<joint name="a"><hardwareInterface>hardware_interface/EffortJointInterface'
+    "</hardwareInterface></joint>"
+    '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>'
+)
+
+
+@pytest.mark.parametrize(
+    ("targets", "more", "severity"),
+    [
+        (("ros1", "classic-ros1"), "", Severity.WARNING),
+        (("gz-harmonic",), "", Severity.WARNING),
+        (("ros1", "classic-ros1"), TRANSMISSION, Severity.ERROR),
+        (("classic-ros1", "moveit"), "", Severity.ERROR),
+        (("ros1",), "", Severity.ERROR),
+    ],
+)
+@pytest.mark.parametrize("key", ["effort", "velocity"])
+def test_gazebo_reads_a_negative_limit_as_none(
+    key: str, targets: tuple[str, ...], more: str, severity: Severity
+) -> None:
+    """As the wheels of a car that a plugin of Gazebo drives."""
+    text = robot(joint("a", "continuous", limited(key, "-1")), more)
+    (found,) = reported("JNT008", text, targets=targets)
+    assert found.severity is severity
+    assert found.message.endswith("below 0")

@@ -30,6 +30,7 @@ from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.targets import ROS
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -138,7 +139,7 @@ def _missing(context: Context) -> Findings:
     first = without[0]
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
-    is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, context.inferred_targets))
+    is_for_ros = any(one.any_of(ROS) for one in (targets, context.inferred_targets))
     readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,

@@ -6,7 +6,8 @@
   Classic hits collision shapes, also from inside; a `gpu_lidar` detects visuals from outside.
   Shapes nearer than the minimum range are not detected.
 - The whole image of a camera is covered by parts of the robot nearer than half a metre: it looks
-  into its housing, or backwards into the body.
+  into its housing, or backwards into the body. A fisheye camera of 180 degrees or more is not
+  checked: it has no flat image.
 - The minimum range of a lidar is inside a collision shape of its own link: every ray of Gazebo
   Classic returns the distance of the housing. Raise the minimum range, or make the shape smaller.
 
@@ -144,6 +145,8 @@ def _of_camera(
     context: Context, sensor: Sensor, frame: Transform, near: list[_Obstacle]
 ) -> Findings:
     rays = image_rays(sensor)
+    if not rays:
+        return
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
     # One ray that passes all shapes, and the boxes around meshes, is enough: nothing is loaded.

@@ -7,8 +7,9 @@ and then cannot time a trajectory. CAD exporters write 0 for "unknown". If some 
 transmission or ros2_control, joints without one are passive and are not reported.
 
 A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a negative velocity,
-Gazebo reads it as "no limit", ros2_control and MoveIt drop the sign. Write what the motor can
-deliver, or a generous limit if you do not know it.
+ros2_control and MoveIt drop the sign. Gazebo reads it as "no limit": it is a warning if the robot
+is for Gazebo alone, and neither a transmission nor ros2_control drives the joint. Write what the
+motor can deliver, or a generous limit if you do not know it.
 
 Damping and friction dissipate energy; negative values add energy, and the joint accelerates by
 itself. Drake rejects a negative damping, Pinocchio a negative friction.
@@ -39,6 +40,7 @@ from urdfkit.robot.joints import (
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
+from urdfkit.ros.targets import GAZEBO, ROS, Targets
 
 BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
 GOOD = BAD.replace('effort="0"', 'effort="1.2"')
@@ -54,6 +56,7 @@ def check(context: Context) -> Findings:
     """One finding per kind of limit: exporters write the same number for every joint."""
     joints = [joint for joint in context.model.joints if joint.kind in MOVING]
     active = driven(context.model)
+    reads_none = _is_for_gazebo_alone(context.targets)
     for key in _HELP:
         limits = limits_of(joints, key)
         zero = [
@@ -66,9 +69,17 @@ def check(context: Context) -> Findings:
             yield _finding(zero, key, "0", Severity.WARNING)
         negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
         if negative:
-            yield _finding(negative, key, f"{negative[0][1].value:g}", Severity.ERROR)
+            is_none = reads_none and all(joint.name not in active for joint, _ in negative)
+            severity = Severity.WARNING if is_none else Severity.ERROR
+            yield _finding(negative, key, f"{negative[0][1].value:g}", severity)
     for joint in context.model.joints:
         yield from _negative_dynamics(joint)
+
+
+def _is_for_gazebo_alone(targets: Targets) -> bool:
+    """True if no target reads a negative limit otherwise than as "no limit"."""
+    programs = {name for name in targets.names if name not in ROS}
+    return bool(programs) and programs <= set(GAZEBO)
 
 
 def _finding(
@@ -76,7 +87,7 @@ def _finding(
 ) -> Finding:
     first, limit = limits[0]
     in_unit = effort_unit(first) if key == "effort" else f"{unit(first)}/s"
-    sign = ", below 0" if severity is Severity.ERROR else ""
+    sign = ", below 0" if limit.value < 0 else ""
     return Finding(
         limit,
         f"{several([joint for joint, _ in limits])}: {key} limit is {value} {in_unit}{sign}",

@@ -9,8 +9,8 @@ never committed. XAC011 reports packages that are not found. Also reported:
   file, Linux does not.
 - Backslashes, which separate directories only on Windows. Write `/`.
 - A third slash, as in `package:///arm/arm.stl`, or a file alone, as in `package://arm.stl`: the
-  package is missing. Only PyBullet searches for the rest next to the URDF (a warning if it is
-  there).
+  package is missing. Only PyBullet searches for the rest next to the URDF, and Pinocchio if its
+  directory is among `package_dirs` (a warning if it is there).
 - A file outside the workspace of the model and of the packages that are found: it exists on this
   computer only, and urdfkit does not read it (a warning).
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
@@ -104,7 +104,7 @@ def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: s
     where = f"between '{scheme}://' and " + ("the next '/'" if "/" in rest else "the file")
     message = f"{mesh.who} names no package {where}"
     if disk.is_file(os.path.join(os.path.dirname(context.files.top), path)):
-        message += "; PyBullet alone finds it, beside the URDF"
+        message += "; only PyBullet and Pinocchio find it, next to the URDF"
         help, fix = f"write {path}, or {right}", _fix(mesh, path, f"refer to {path}")
         return Finding(mesh.at, message, help, fix, group_key="beside", severity=Severity.WARNING)
     reference = f"{scheme}://{path}"
