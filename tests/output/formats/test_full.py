@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from tests.output.formats.made import diagnostic, macro, report, span
-from urdfkit.lint.report import Crashed, Report, Skipped
+from urdfkit.lint.report import Crashed, Launched, Report, Skipped
 from urdfkit.output.formats._summary import summary
 from urdfkit.output.formats.full import render
 from urdfkit.ros.targets import Targets
@@ -361,3 +361,15 @@ def test_the_variants_that_have_a_finding_are_a_line() -> None:
     found = diagnostic(span(PLAIN, "arm"), help="make it shorter", variants=("left", "right"))
     assert "\n  variants: left, right\n  help: make it shorter\n" in render(report(found))
     assert "variants" not in render(report(found._replace(variants=())))
+
+
+@pytest.mark.parametrize(
+    ("count", "text"),
+    [
+        (4, "3.xacro with side left of 3.launch"),
+        (5, "(5 robots with arguments of 5 launch files, see --show-files)"),
+    ],
+)
+def test_arguments_of_many_robots_are_counted(count: int, text: str) -> None:
+    launched = [Launched(f"{n}.xacro", f"{n}.launch", {"side": "left"}) for n in range(count)]
+    assert text in render(report(launched=tuple(launched)), width=1000)

@@ -17,8 +17,8 @@ from urdfkit.text.terminal import printable
 MAX_VALUES = 160
 #: Most rules that are named if they failed with the same error.
 MAX_CODES = 4
-#: Most skipped files that are named.
-MAX_FILES = 3
+#: Most values of arguments from launch files that are named, and most skipped files.
+MAX_LAUNCHED, MAX_FILES = 4, 3
 
 
 def crashes(report: Report, page: TextPage) -> Iterator[str]:
@@ -109,6 +109,11 @@ def _launched(report: Report) -> Iterator[str]:
     for robot in report.launched:
         for name, value in robot.arguments.items():
             values.setdefault((robot.path, name), {}).setdefault(value, robot.launch)
+    if len(values) > MAX_LAUNCHED:
+        robots, files = {path for path, _ in values}, {one.launch for one in report.launched}
+        where = counted(len(files), "launch file")
+        yield f"{counted(len(robots), 'robot')} with arguments of {where}, see --show-files"
+        return
     for (path, name), launches in values.items():
         files = {os.path.basename(launch) for launch in launches.values()}
         where = min(files) if len(files) == 1 else counted(len(files), "launch file")
