@@ -83,6 +83,33 @@ def generate_launch_description():
     assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
 
 
+@pytest.mark.parametrize(("passed", "count"), [("model", 0), ("other", 1)])
+def test_an_argument_above_its_default_in_a_command_that_is_not_all_known(
+    tmp_path: Path, passed: str, count: int
+) -> None:
+    """Universal Robots' `ur_rsp.launch.py`: `robot_ip` has no default, `name` is the model."""
+    add_file(tmp_path / "package.xml", MANIFEST.encode())
+    add_file(tmp_path / "r.xacro", EARLY.encode())
+    text = f"""\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    description = Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro robot_ip:=',
+                           LaunchConfiguration('robot_ip'), ' {passed}:=',
+                           LaunchConfiguration('model')])
+    return LaunchDescription([
+        DeclareLaunchArgument('robot_ip'),
+        DeclareLaunchArgument('model', choices=['small', 'large']),
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{{'robot_description': description}}])])
+"""
+    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
+    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+
+
 DUAL = XACRO.replace("$(arg model)", "r").format(
     '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
 )

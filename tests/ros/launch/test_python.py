@@ -64,6 +64,25 @@ def test_the_robot_and_its_arguments(package, body):
     assert description.arguments == {"side": "left"}
 
 
+@pytest.mark.parametrize(
+    ("words", "arguments"),
+    [
+        ("' side:=left address:=', LaunchConfiguration('address')", {"side": "left"}),
+        ("' side:=left', ' meshes:=', FindPackageShare('missing')", {"side": "left"}),
+        ("' side:=left meshes:=', FindPackageShare('missing'), '/meshes'", {"side": "left"}),
+        ("' side:=left ', unknown()", None),  # perhaps the file
+        ("'.', unknown()", None),
+    ],
+)
+def test_arguments_known_only_at_run_time(package, words, arguments):
+    path = "FindPackageShare('arm'), '/urdf/arm.xacro'"
+    found = read(package, f"Command(['xacro ', {path}, {words}])").descriptions
+    if arguments is None:
+        assert found == ()
+    else:
+        assert [(one.arguments, one.is_whole) for one in found] == [(arguments, False)]
+
+
 def test_files_and_packages(package):
     launch = read(
         package,
@@ -211,7 +230,6 @@ def test_the_robot_of_an_included_file(package, body, side):
 @pytest.mark.parametrize(
     "rest",
     [
-        ", launch_arguments={'side': unknown()}.items()",
         ", launch_arguments=unknown()",
         ", condition=IfCondition('false')",
         ", condition=UnlessCondition('True')",

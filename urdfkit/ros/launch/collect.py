@@ -9,7 +9,7 @@ from urdfkit.core import disk
 from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.launch.bridges import config_file
-from urdfkit.ros.launch.command_line import command_words
+from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.contents import (
     BRIDGE,
     MAX_DEPTH,
@@ -119,7 +119,11 @@ class Collector:
             self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
-        """Read a shell command whose output is the robot description, or its YAML."""
+        """Read a shell command whose output is the robot description, or its YAML.
+
+        Args:
+            text: with ``UNKNOWN_PART`` for each part that is known only at run time.
+        """
         words = command_words(text)
         while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
             words = words[1:]
@@ -132,8 +136,11 @@ class Collector:
             severity = Severity.WARNING if span.source.path.endswith(".py") else Severity.INFO
             self.problems.append(Problem("LAU003", span, message, "write xacro", severity=severity))
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
-        arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
-        if len(files) == 1:
+        arguments: dict[str, str | None] = {}
+        for name, is_argument, value in (word.partition(":=") for word in words[1:]):
+            if is_argument:
+                arguments[name] = None if UNKNOWN_PART in name + value else value
+        if len(files) == 1 and UNKNOWN_PART not in files[0]:
             is_expanded = os.path.basename(words[0]) in _XACRO
             self.description(
                 files[0], arguments, span, frame, is_yaml=is_yaml, is_expanded=is_expanded
@@ -149,13 +156,20 @@ class Collector:
         is_yaml: bool = False,
         is_expanded: bool = True,
     ) -> None:
-        """Record a robot description with its arguments, which are None if unknown."""
+        """Record a robot description with its arguments, which are None if unknown.
+
+        A path in a package that was not found is unknown, too.
+        """
         if self.file(path, span, "robot description"):
             if not disk.exists(path):
                 path = self.resolver.installed(path) or path
-            known = {name: value for name, value in arguments.items() if value is not None}
-            is_whole = len(known) == len(arguments)
-            description = LaunchedDescription(path, known, frame, is_whole, is_yaml, is_expanded)
+            known = {
+                name: value
+                for name, value in arguments.items()
+                if value is not None and f"{UNKNOWN}/" not in value
+            }
+            unknown = tuple(name for name in arguments if name not in known)
+            description = LaunchedDescription(path, known, frame, unknown, is_yaml, is_expanded)
             self.descriptions.append(description)
 
     def unexpanded(self, path: str, span: Span, frame: CallFrame | None) -> None:

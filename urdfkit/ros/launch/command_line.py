@@ -4,6 +4,9 @@ import shlex
 
 from urdfkit.core import disk
 
+#: Placeholder in a command line for a part that is known only at run time.
+UNKNOWN_PART = "\0"
+
 #: Most words that are joined to a path; a hostile command line may have any number.
 _MOST = 16
 

@@ -37,10 +37,16 @@ class LaunchedDescription(Record):
     path: str  # of the URDF or xacro
     arguments: dict[str, str]  # for xacro
     frame: CallFrame  # the launch file, for the expansion trace
-    is_whole: bool = True  # False if there are arguments that are known only at run time
+    #: Names of the arguments that are known only at run time; "" stands for any name.
+    unknown: tuple[str, ...] = ()
     #: True if launch parses it as YAML, as it does for parameters without a type.
     is_yaml: bool = False
     is_expanded: bool = True  # False if its text is used without xacro
+
+    @property
+    def is_whole(self) -> bool:
+        """False if there are arguments that are known only at run time."""
+        return not self.unknown
 
 
 class FileUse(Record):

@@ -9,6 +9,7 @@ from urdfkit.core import disk
 from urdfkit.ros.launch import moveit
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
+from urdfkit.ros.launch.command_line import UNKNOWN_PART
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import (
@@ -297,7 +298,10 @@ class _PythonReader:
             self.collector.problems.append(mistake)
             return
         text = self.values.text(command)
-        if text is not None:
+        if text is None:
+            pieces = (self.values.text(piece) for piece in self.values.items(command))
+            text = "".join(UNKNOWN_PART if piece is None else piece for piece in pieces)
+        if text:
             is_yaml = call in self._untyped
             span, frame = self.values.span(call), self._frame(call)
             self.collector.command(text, span, frame, is_yaml=is_yaml)

@@ -30,8 +30,13 @@ class RobotArguments(Record):
     arguments: dict[str, str]  # for xacro
     launch: str  # path of the launch file
     frame: CallFrame | None  # its location; None if it passes them to another robot
-    is_whole: bool = True  # False if some arguments are known only at run time
+    unknown: tuple[str, ...] = ()  # those known only at run time; "" stands for any name
     parameters: tuple[FileUse, ...] = ()  # parameter files that it loads for the robot
+
+    @property
+    def is_whole(self) -> bool:
+        """False if some arguments are known only at run time."""
+        return not self.unknown
 
 
 def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
@@ -44,7 +49,7 @@ def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
     is_single = len({robot.path for robot in launch.descriptions}) == 1
     parameters = launch.parameters if is_single else ()
     for robot in launch.descriptions:
-        arguments = RobotArguments(robot.arguments, path, robot.frame, robot.is_whole, parameters)
+        arguments = RobotArguments(robot.arguments, path, robot.frame, robot.unknown, parameters)
         yield robot.path, arguments
 
 
@@ -78,9 +83,9 @@ def passed_arguments(
 
 
 def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) -> tuple[str, ...]:
-    """The arguments to which no launch file that starts the robot passes a known value.
+    """The arguments whose value is known only at run time in all launch files that pass them.
 
-    Empty if all arguments of one of these launch files are known, or if there is none.
+    Empty if all arguments of a launch file that starts the robot are known, or if there is none.
     """
     real = disk.real(robot)
     for directory, mentioned in directories_of_launch_files(robot, resolver):
@@ -88,8 +93,11 @@ def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) ->
         launches = [arguments for path, arguments in robots if disk.real(path) == real]
         if launches:
             known = {name for launch in launches for name in launch.arguments}
-            is_whole = any(launch.is_whole for launch in launches)
-            return () if is_whole else tuple(sorted(set(names) - known))
+            unknown = {name for launch in launches for name in launch.unknown}
+            if any(launch.is_whole for launch in launches):
+                return ()
+            passed = names if "" in unknown else unknown.intersection(names)
+            return tuple(sorted(set(passed) - known))
     return ()
 
 

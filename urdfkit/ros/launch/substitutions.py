@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
-from urdfkit.ros.launch.command_line import command_words
+from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.contents import Word
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Source, Span
@@ -19,8 +19,6 @@ _IN_FILES = {
     1: r"\$\((arg|find|env|optenv|eval) [^)\n]*\)",
     2: r"\$\((var|find-pkg-share|find-pkg-prefix|env) [^)\n]*\)",
 }
-#: Placeholder in a word for a part that is known only at run time.
-_UNKNOWN_WORD = "\0"
 #: Characters in a default that is a placeholder: the environment variable must be set.
 _PLACEHOLDER = r"[!<>?]"
 #: Greatest depth of nested substitutions that are resolved.
@@ -91,9 +89,9 @@ class Substitutions:
         for is_command, part in pieces(attribute.value):
             value = self.command(part, attribute.span) if is_command else part
             # An argument with an empty default is also a word.
-            texts.append(value or _UNKNOWN_WORD)
+            texts.append(value or UNKNOWN_PART)
         return tuple(
-            Word(None if _UNKNOWN_WORD in word else word, attribute.span)
+            Word(None if UNKNOWN_PART in word else word, attribute.span)
             for word in command_words("".join(texts))
         )
 
