@@ -22,7 +22,7 @@
   nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
   or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
   `planning_pipelines` (warning; the builder stops). Or the solvers are not below
-  `robot_description_kinematics` (warning).
+  `robot_description_kinematics` (info: in Humble they may also be at the top level).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - static_transform_publisher has an unknown option or a wrong number of arguments: a period after
   the frames belongs to ROS 1.
@@ -30,6 +30,7 @@
 Sources:
     ROS 2, parameter files: https://docs.ros.org/en/rolling/How-To-Guides/Node-arguments.html
     robot_localization, state estimation: https://docs.ros.org/en/noetic/api/robot_localization/html/state_estimation_nodes.html
+    MoveIt, since Iron: https://github.com/Interbotix/interbotix_ros_manipulators/issues/133
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
 """

@@ -129,10 +129,12 @@ def parameter_problems(
             yield Problem("LAU024", values.span(place), message, help, severity=Severity.WARNING)
     if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
         message = (
-            f"the kinematics solvers are not in {_KINEMATICS}, so no planning group has a solver"
+            f"the kinematics solvers are not in {_KINEMATICS}: from ROS 2 Iron on, no planning "
+            "group has a solver"
         )
         help = f'write {{"{_KINEMATICS}": ...}} around them'
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
+        # MoveIt of Humble, for which a launch file may be, reads them there as well.
+        yield Problem("LAU024", values.span(node), message, help, severity=Severity.INFO)
 
 
 class _Reader:
