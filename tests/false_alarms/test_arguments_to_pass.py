@@ -110,6 +110,35 @@ def generate_launch_description():
     assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
 
 
+@pytest.mark.parametrize(
+    ("name", "passed", "count"), [("r", "model", 0), ("r", "other", 1), ("dual_r", "model", 1)]
+)
+def test_an_argument_above_its_default_that_a_function_takes(
+    tmp_path: Path, name: str, passed: str, count: int
+) -> None:
+    """xArm's `xarm_device.urdf.xacro`: a function of another file calls xacro, with `dof`."""
+    add_file(tmp_path / "package.xml", MANIFEST.encode())
+    add_file(tmp_path / "r.xacro", EARLY.encode())
+    text = f"""\
+import os
+from arm.descriptions import expanded
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(os.path.dirname(__file__), '..', '{name}.xacro')
+    description = expanded(path, arguments={{'{passed}': LaunchConfiguration('model')}})
+    return LaunchDescription([
+        DeclareLaunchArgument('model', default_value='small'),
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{{'robot_description': description}}])])
+"""
+    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
+    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+
+
 DUAL = XACRO.replace("$(arg model)", "r").format(
     '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
 )

@@ -101,6 +101,23 @@ def known_at_run_time(robot: str, names: Collection[str], resolver: Resolver) ->
     return ()
 
 
+def is_handed_on(robot: str, argument: str, resolver: Resolver) -> bool:
+    """True if a launch file names a robot and a value of an argument, but not to xacro.
+
+    A function of the workspace may take both: ``get_xacro_file_content(path, {'dof': dof})``.
+    """
+    real, word = disk.real(robot), re.escape(argument.encode())
+    named = re.compile(rb"(?<![\w.-])%b\b" % re.escape(os.path.basename(robot).encode()))
+    given = re.compile(rb"\b%b:=|(['\"])%b\1\s*:" % (word, word))
+    return any(
+        named.search(source.data)
+        and given.search(source.data)
+        and all(disk.real(one.path) != real for one in read_launch(source, resolver).descriptions)
+        for directory, mentioned in directories_of_launch_files(robot, resolver)
+        for source in launch_files(directory, mentioned, resolver)
+    )
+
+
 def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
     """The values that launch files about the package of a robot declare for their own arguments.
 
