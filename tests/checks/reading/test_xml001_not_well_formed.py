@@ -99,3 +99,19 @@ def test_only_the_first_that_follows_is_reported() -> None:
 
 def test_comments_and_white_space_may_follow() -> None:
     assert reported("XML001", '<robot name="r"><link name="a"/></robot>\n<!-- end -->\n\n') == []
+
+
+@pytest.mark.parametrize(
+    ("tag", "severity"),
+    [
+        ("xacro:$ROBOT_NAME$", "info"),
+        ("{{ tag }}", "info"),
+        ("xacro:@name@", "info"),
+        ("xacro:$(arg name)", "error"),
+        ("xacro:arm$", "error"),
+    ],
+)
+def test_a_template_is_an_info(tag: str, severity: str) -> None:
+    """Templates of ros_team_workspace: its scripts replace `$ROBOT_NAME$`."""
+    found = reported("XML001", f'<robot name="r">\n  <{tag} parent="world"/>\n</robot>')
+    assert {one.severity.value for one in found} == {severity}
