@@ -1,13 +1,12 @@
 """Launch files in XML: values, conditions, includes, and what each kind of ROS writes."""
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.contents import Launch, StartedProgram, _names_exec
 from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -188,15 +187,24 @@ def test_an_included_yaml_file_is_not_parsed_as_xml(package):
 
 
 def test_thousands_of_programs_do_not_search_their_file_again() -> None:
-    class Text(bytes):
-        searches = 0
-
-        def __contains__(self, text: Any) -> bool:
-            Text.searches += 1
-            return super().__contains__(text)
-
-    source = Source("a.launch", b"")
-    source.data = Text(b'<node pkg="a" type="b"/>')
+    source = Source("a.launch", b'<node pkg="a" type="b"/>')
     program = StartedProgram("a", "b", (), Span(source, 0, 0), None)
+    _names_exec.cache_clear()
     assert list(mistakes([program] * 3, (), Resolver())) == []
-    assert Text.searches == 1
+    assert _names_exec.cache_info().misses == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "is_ros_2"),
+    [
+        ('<node pkg="a" exec="b"/>', True),
+        ("launch:\n- node: {pkg: a, exec: b}", True),
+        ('<executable cmd="a"/>', True),
+        ('<node pkg="a" type="b"/>', False),
+        ('<!-- It is executed continuously; exec="b" -->\n<node pkg="a" type="b"/>', False),
+        ("<!--" * 200_000, False),
+    ],
+)
+def test_the_ros_version_of_a_program(text: str, is_ros_2: bool) -> None:
+    program = StartedProgram("a", "b", (), Span(Source("a.launch", text.encode()), 0, 0), None)
+    assert program.is_ros_2 is is_ros_2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import lru_cache
 
@@ -16,6 +17,10 @@ PARAMETERS = "parameter file"
 MAP = "map"
 #: Name of the topic file of ros_gz_bridge in messages.
 BRIDGE = "bridge configuration"
+
+_COMMENT = re.compile(rb"<!--.*?(-->|\Z)", re.DOTALL)
+#: The attribute and the tag of XML, and the key of YAML.
+_EXEC = re.compile(rb"\bexec[\"']?\s*[=:]|<executable\b")
 
 #: Greatest depth of nested includes.
 MAX_DEPTH = 8
@@ -106,8 +111,8 @@ class StartedProgram(Record):
 
     @property
     def is_ros_2(self) -> bool:
-        """True if its launch file contains ``exec``, which is ``type`` in ROS 1."""
-        return _contains_exec(self.span.source)
+        """True if its launch file is in Python, or has ``exec``, which is ``type`` in ROS 1."""
+        return _names_exec(self.span.source)
 
     @property
     def is_remapped(self) -> bool:
@@ -116,9 +121,9 @@ class StartedProgram(Record):
 
 
 @lru_cache(1)
-def _contains_exec(source: Source) -> bool:
+def _names_exec(source: Source) -> bool:
     """Cached for the thousands of programs of one file."""
-    return b"exec" in source.data
+    return source.path.endswith(".py") or bool(_EXEC.search(_COMMENT.sub(b"", source.data)))
 
 
 class IncludedFile(Record):
