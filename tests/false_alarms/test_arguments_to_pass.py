@@ -139,6 +139,39 @@ def generate_launch_description():
     assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
 
 
+SIZED = XACRO.replace("$(arg model)", "r").format(
+    '<xacro:arg name="arm" default="gen3"/><xacro:arg name="dof" default="7"/>'
+    '<xacro:include filename="$(arg arm)_$(arg dof).xacro"/>' + BASE
+)
+
+
+@pytest.mark.parametrize(("default", "codes"), [("", []), (", default_value='7'", ["XAC001"])])
+def test_a_choice_that_does_not_expand_with_another_default(
+    tmp_path: Path, default: str, codes: list[str]
+) -> None:
+    """Kinova's `kortex_control.launch.py`: `gen3_lite` has six joints; `dof` has no default."""
+    add_file(tmp_path / "package.xml", MANIFEST.encode())
+    add_file(tmp_path / "r.xacro", SIZED.encode())
+    add_file(tmp_path / "gen3_7.xacro", b'<robot name="part"/>')
+    text = f"""\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    description = Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro arm:=',
+                           LaunchConfiguration('arm'), ' dof:=', LaunchConfiguration('dof')])
+    return LaunchDescription([
+        DeclareLaunchArgument('arm', choices=['gen3', 'gen3_lite']),
+        DeclareLaunchArgument('dof'{default}),
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{{'robot_description': description}}])])
+"""
+    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
+    assert [one.code for one in check(tmp_path, select=["XAC001"]).diagnostics] == codes
+
+
 DUAL = XACRO.replace("$(arg model)", "r").format(
     '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
 )

@@ -139,6 +139,8 @@ def _with_other_robots(
     tried = [(variant, read(variant)) for variant in others[:MAX_GIVEN]]
     for variant, robot in tried:
         text = _text(robot)
+        if text is None and variant.frame and variant.found:
+            continue  # perhaps it expands with the values that are known only at run time
         if text is None or text not in texts:
             checked.append((variant, robot))
             texts.append(text)
