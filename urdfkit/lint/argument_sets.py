@@ -82,7 +82,7 @@ def _with_missing(
     failed: dict[tuple[str, ...], Context] = {}
     for values, variant in zip(candidates, _started(job, sets[:MAX_GIVEN], names), strict=False):
         pair = (variant, read(variant))
-        if pair[1].reading.missing_arguments:
+        if pair[1].reading.missing_arguments or _is_unsure(*pair):
             failed[tuple(values.values())] = pair[1]
         else:
             complete.append(pair)
@@ -138,9 +138,9 @@ def _with_other_robots(
     checked, texts = [(job, context)], [_text(context)] if others else []
     tried = [(variant, read(variant)) for variant in others[:MAX_GIVEN]]
     for variant, robot in tried:
+        if _is_unsure(variant, robot):
+            continue
         text = _text(robot)
-        if text is None and variant.frame and variant.found:
-            continue  # perhaps it expands with the values that are known only at run time
         if text is None or text not in texts:
             checked.append((variant, robot))
             texts.append(text)
@@ -160,6 +160,11 @@ def _defaults(context: Context) -> Mapping[str, str]:
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
     """The arguments whose value differs from the description's own."""
     return {name: value for name, value in arguments.items() if own.get(name, value) != value}
+
+
+def _is_unsure(variant: Job, context: Context) -> bool:
+    """True if a robot may only expand with the values that are known only at run time."""
+    return context.reading.document is None and variant.frame is not None and variant.found
 
 
 def _text(context: Context) -> bytes | None:
