@@ -79,13 +79,17 @@ def _with_missing(
     sets = _launch_sets(job, names, context)
     candidates = [{name: robot.arguments[name] for name in names} for robot in sets]
     complete: list[tuple[Job, Context]] = []
+    unsure: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
     for values, variant in zip(candidates, _started(job, sets[:MAX_GIVEN], names), strict=False):
         pair = (variant, read(variant))
-        if pair[1].reading.missing_arguments or _is_unsure(*pair):
+        is_unsure = _is_unsure(*pair)
+        if pair[1].reading.missing_arguments or is_unsure:
             failed[tuple(values.values())] = pair[1]
+            unsure += [pair] * is_unsure
         else:
             complete.append(pair)
+    complete = complete or unsure
     if complete:
         complete[0][1].unchecked = _unchecked(candidates, complete, failed)
     elif context.reading.missing_arguments:
