@@ -5,7 +5,7 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 
 import re
 
-from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.node_parameters import NodeParameters
@@ -14,6 +14,8 @@ from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 COSTMAPS = ("local_costmap", "global_costmap")
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
+#: Least similarity of a misspelt layer: inflate is inflation, but semantic is not static.
+_SIMILAR = 0.75
 _DATA = ("LaserScan", "PointCloud2")
 
 
@@ -86,7 +88,7 @@ def _layer(layer: dict[str, Node]) -> Findings:
         return
     package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
     kinds = {re.sub(_KIND, "", known): known for known in data("nodes")["layers"].split()}
-    near = nearest(re.sub(_KIND, "", name), kinds, TYPO) or ""
+    near = nearest(re.sub(_KIND, "", name), kinds, _SIMILAR) or ""
     suggested = kinds.get(near) if nearest(package, (_PACKAGE,)) else None
     if suggested and plugin.text != f"{_PACKAGE}::{suggested}":
         hint = f"'{plugin.text}'; did you mean '{_PACKAGE}::{suggested}'?"
