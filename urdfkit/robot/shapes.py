@@ -199,7 +199,7 @@ class MeshSolid(Record):
     def __str__(self) -> str:
         """For example ``mesh 'arm.stl' of 0.0012 m^3``."""
         kind = "mesh" if self.is_closed else "convex hull of the mesh"
-        return f"{kind} '{self.name}' of {self.volume:.3g} m^3"
+        return f"{kind} '{self.name}' of {self.volume:.3g} m³"
 
 
 class LinkSolid:

@@ -5,7 +5,7 @@ from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(
-    ("content", "shown", "mended"),
+    ("content", "shown", "corrected"),
     [
         (
             limit("-6.28", "6.28"),
@@ -22,15 +22,15 @@ from tests.reported import fixed, messages, places, reported
         ("<limit  upper='x' effort='1' velocity='2' />", 'upper="x"', None),
     ],
 )
-def test_limits_without_effect(content: str, shown: str, mended: str | None) -> None:
+def test_limits_without_effect(content: str, shown: str, corrected: str | None) -> None:
     text = robot(joint("j", "continuous", content))
     assert messages("JNT020", text) == [
         f"joint 'j' is continuous and has {shown}, which only Drake obeys"
     ]
     after = fixed("JNT020", text)
     assert reported("JNT020", after) == []
-    if mended:
-        assert mended in after
+    if corrected:
+        assert corrected in after
 
 
 @pytest.mark.parametrize(
@@ -69,5 +69,5 @@ def test_another_call_of_a_macro_may_need_the_limits() -> None:
 
 def test_outside_of_macros_a_xacro_is_fixed() -> None:
     text = of_xacro(robot(joint("j", "continuous", limit("${-2*pi}", "3"))))
-    mended = fixed("JNT020", text, "robot.xacro")
-    assert '<limit effort="10" velocity="1"/>' in mended
+    corrected = fixed("JNT020", text, "robot.xacro")
+    assert '<limit effort="10" velocity="1"/>' in corrected

@@ -3,6 +3,7 @@
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
+from functools import lru_cache
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.core.suggest import is_typo as is_one_letter_off
@@ -18,6 +19,9 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
+#: The name in a declaration of an argument.
+_DECLARED = re.compile(rb"""<arg\s[^<>]*?\bname\s*=\s*["']([^"'<>]*)["']""")
+_WORD = re.compile(rb"\w+")
 #: Most files that are searched for includes, and most directories.
 MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
@@ -74,11 +78,6 @@ class ArgumentUses:
                 yield undeclared(name, declared, span, frame, is_lost=is_lost, ros=ros)
 
 
-def is_typo(name: str, known: Iterable[str]) -> bool:
-    """True if a name is a typo of a known name."""
-    return bool(Suggester(frozenset(known)).suggested(name))
-
-
 def misspelt(name: str, declared: Collection[str], source: Source) -> str:
     """The declared argument that a file misspells; empty if there is none.
 
@@ -130,23 +129,26 @@ def unknown_to_included(
     """
     passed = list(passed)
     unused = set(taken.names).difference(name for name, _ in passed)
-    for name, span in passed:
-        if name in taken.names or _is_written(name, source):
-            continue
-        word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
-        is_used = ros == 2 and re.search(word, source.data)
-        is_mistyped = is_typo(name, unused)
+    known = {*taken.names, *_written_names(source)}
+    unknown = [(name, span) for name, span in passed if name not in known]
+    words = set(_WORD.findall(source.data)) if unknown else set()
+    suggester = Suggester(frozenset(unused))
+    for number, (name, span) in enumerate(unknown):
+        is_used = ros == 2 and words.issuperset(_WORD.findall(name.encode()))
+        is_mistyped = bool(suggester.suggested(name))
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
-            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, unused)}"
+            hint = did_you_mean(name, unused) if number < Suggester.MAX_WORDS else ""
+            message = f"'{file}': unknown argument '{name}'{hint}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
 
 
-def _is_written(name: str, source: Source) -> bool:
-    """True if the text of a file declares an argument, for XML that cannot be parsed."""
-    declared = rf"<arg\s[^<>]*\bname\s*=\s*[\"']{re.escape(name)}[\"']".encode()
-    return bool(re.search(declared, blank_comments(source.data)))
+@lru_cache(maxsize=4)
+def _written_names(source: Source) -> frozenset[str]:
+    """The arguments that the text of a file declares, for XML that cannot be parsed."""
+    names = _DECLARED.findall(blank_comments(source.data))
+    return frozenset(name.decode("utf-8", "replace") for name in names)
 
 
 def missing_in_include(
