@@ -1,11 +1,14 @@
-"""Numbers that a xacro takes out of YAML files: findings say where they stand (Franka's robots)."""
+"""Numbers that a xacro takes out of YAML files: findings are reported there (Franka's robots)."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
 from tests.workspaces import add_file, add_package
 from urdfkit import check
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import Span
 
 ROBOT = """\
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -50,40 +53,89 @@ link3:
 LIMITS = "joint1: {lower: 1.0, upper: -1.0}\n"
 
 
-def notes(tmp_path: Path, code: str, robot: str = ROBOT) -> list[tuple[str, int, int, str]]:
-    """File, line, column and text of the notes of the only finding of a rule."""
+def findings(tmp_path: Path, code: str, robot: str = ROBOT) -> Sequence[Diagnostic]:
     files = {"arm.urdf.xacro": robot, "inertials.yaml": INERTIALS, "limits.yaml": LIMITS}
     for name, text in files.items():
         (tmp_path / name).write_text(text)
-    (found,) = check(tmp_path / "arm.urdf.xacro", select=[code]).diagnostics
-    return [
-        (Path(one.span.source.path).name, one.span.line, one.span.column, one.message)
-        for one in found.related
+    return check(tmp_path / "arm.urdf.xacro", select=[code]).diagnostics
+
+
+def place(span: Span) -> tuple[str, int, int]:
+    return Path(span.source.path).name, span.line, span.column
+
+
+def test_an_element_is_reported_at_its_first_number(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, "JNT003")
+    assert place(found.span) == ("limits.yaml", 1, 17)
+    (call,) = found.calls
+    assert [(step.kind, Path(step.name).name, place(step.span)) for step in call.via] == [
+        ("include", "limits.yaml", ("arm.urdf.xacro", 22, 5))
     ]
+    assert found.related == ()
 
 
-def test_an_element_and_the_first_of_its_values_on_each_line(tmp_path: Path) -> None:
-    assert notes(tmp_path, "JNT003") == [
-        ("limits.yaml", 1, 17, "lower and upper are defined here"),
+def test_every_call_of_a_macro_has_its_own_place(tmp_path: Path) -> None:
+    first, second = findings(tmp_path, "INE003")
+    assert [place(found.span) for found in (first, second)] == [
+        ("inertials.yaml", 3, 17),
+        ("inertials.yaml", 7, 9),
     ]
-
-
-def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
-    assert sorted(notes(tmp_path, "INE003")) == [
-        ("inertials.yaml", 3, 17, "ixx, iyy and izz are defined here"),
-        ("inertials.yaml", 7, 9, "ixx, iyy and izz are defined here"),
-        ("inertials.yaml", 8, 9, "ixx, iyy and izz are defined here"),
-        ("inertials.yaml", 9, 9, "ixx, iyy and izz are defined here"),
+    assert [step.kind for step in first.calls[0].via] == ["macro", "include"]
+    assert first.related == ()
+    assert [(place(one.span), one.message) for one in second.related] == [
+        (("inertials.yaml", 8, 9), "ixx, iyy and izz are defined here"),
+        (("inertials.yaml", 9, 9), "ixx, iyy and izz are defined here"),
     ]
 
 
 def test_one_attribute(tmp_path: Path) -> None:
-    assert notes(tmp_path, "INE001") == [("inertials.yaml", 11, 9, "value is defined here")]
+    (found,) = findings(tmp_path, "INE001")
+    assert (place(found.span), found.related) == (("inertials.yaml", 11, 9), ())
+
+
+@pytest.mark.parametrize(
+    ("written", "column"),
+    [("${-limit.lower}", 5), ("${limit.lower * 2}", 5)],
+)
+def test_a_calculated_number_is_reported_in_the_xacro(
+    tmp_path: Path, written: str, column: int
+) -> None:
+    """The calculation may be what is wrong; a note says where its value is from."""
+    robot = ROBOT.replace('lower="${limit.lower}"', f'lower="{written}"')
+    robot = robot.replace('upper="${limit.upper}"', 'upper="-9"')
+    (found,) = findings(tmp_path, "JNT003", robot)
+    assert place(found.span) == ("arm.urdf.xacro", 22, column)
+    assert [(place(one.span), one.message) for one in found.related] == [
+        (("limits.yaml", 1, 17), "lower is defined here")
+    ]
+
+
+def test_a_missing_number_is_reported_in_the_xacro(tmp_path: Path) -> None:
+    robot = ROBOT.replace(' effort="87" velocity="2"', "")
+    (found,) = findings(tmp_path, "JNT002", robot)
+    assert place(found.span) == ("arm.urdf.xacro", 22, 5)
+
+
+def test_a_name_from_a_data_file_is_reported_where_it_is_used(tmp_path: Path) -> None:
+    (tmp_path / "names.yaml").write_text("a: base\n")
+    robot = (
+        '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+        '<xacro:property name="n" value="${xacro.load_yaml(\'names.yaml\')}"/>\n'
+        '<link name="${n.a}"/><link name="${n.a}"/></robot>'
+    )
+    (found,) = findings(tmp_path, "NAM001", robot)
+    assert place(found.span) == ("arm.urdf.xacro", 3, 34)
+
+
+def test_a_comment_at_the_use_ignores_a_number_of_a_data_file(tmp_path: Path) -> None:
+    ignored = ROBOT.replace("<limit ", "<!-- urdfkit: ignore[JNT003] -->\n    <limit ")
+    assert findings(tmp_path, "JNT003", ignored) == ()
 
 
 def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:
     robot = ROBOT.replace("${limit.lower}", "1").replace("${limit.upper}", "-1")
-    assert notes(tmp_path, "JNT003", robot) == []
+    (found,) = findings(tmp_path, "JNT003", robot)
+    assert (place(found.span)[0], found.related) == ("arm.urdf.xacro", ())
 
 
 def test_data_of_a_package_that_is_not_there(tmp_path: Path) -> None:

@@ -75,7 +75,7 @@ def test_a_file_that_is_not_xml(tmp_path: Path, capsys: pytest.CaptureFixture[st
     (tmp_path / "robot.urdf").write_text("robot")
     assert main(["check", "--add-ignore", str(tmp_path / "robot.urdf")]) == 0
     out = capsys.readouterr().out
-    assert "XML001 left: the file is not XML that can be read" in out
+    assert "XML001 left: only XML that can be read takes a comment" in out
     assert (tmp_path / "robot.urdf").read_text() == "robot"
 
 

@@ -18,6 +18,7 @@ from urdfkit.text.diagnostic import Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.xacro.origin import DataPlaces
 
 BROKEN_XACRO = b"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -294,7 +295,8 @@ def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
 def test_ten_places_in_data_files_are_listed(judged) -> None:
     def find(one: Context) -> Iterator[Finding]:
         places = tuple(Related(Span(one.source, n, n + 1), "") for n in range(12))
-        yield Finding(one.document.root, "numbers", data=places)
+        at = Location(one.document.root.span)
+        yield Finding(at, "numbers", data=DataPlaces(places, None))
 
     (found,) = judged(rule(find)).diagnostics
     assert [note.span.start for note in found.related] == list(range(10))

@@ -73,7 +73,7 @@ class _CommentFiles:
         """Why a finding cannot have a comment; empty if it can."""
         source, places = self._file(finding.span.source)
         if not places.has_root:
-            return "the file is not XML that can be read, and takes no comment; fix it first"
+            return "only XML that can be read takes a comment; for other files: per-file-ignores"
         if places.element(finding.span.start) is None:
             return "only a comment for the whole file would do"
         return "" if self._force else self._ownership.why_protected(source)

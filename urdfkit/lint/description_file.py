@@ -17,9 +17,9 @@ from urdfkit.text.xml_reader import read_xml
 if TYPE_CHECKING:
     from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.ros.launch.contents import Launch
-    from urdfkit.text.diagnostic import Related
     from urdfkit.workspace.resolve import Resolver
     from urdfkit.xacro import Xacro
+    from urdfkit.xacro.origin import DataPlaces
 
 
 #: Code of the rule about arguments that are used before their default, which is still a value.
@@ -179,7 +179,7 @@ class DescriptionFile:
 
         return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
 
-    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+    def data_places(self, at: Element | Attribute) -> DataPlaces | None:
         """Places in YAML files of the values that expressions yield at an element or attribute.
 
         Expands a second time if the xacro reads YAML files and the place has an expression.
@@ -187,10 +187,10 @@ class DescriptionFile:
         reading = self.reading
         element = at if isinstance(at, Element) else at.element
         if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
-            return ()
+            return None
         attributes = at.attributes.values() if isinstance(at, Element) else (at,)
         if not any("$" in attribute.span.text for attribute in attributes):
-            return ()
+            return None
         return self._traced.data_places(at)
 
     def _has(self, element: Element) -> bool:

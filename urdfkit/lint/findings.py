@@ -61,13 +61,26 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
 
 
 def _in_data_files(group: list[Finding]) -> list[Related]:
-    """The places in data files of the numbers of findings, without duplicates."""
-    return list(dict.fromkeys(related for finding in group for related in finding.data))[:MAX_DATA]
+    """The places in data files of the values of findings, without duplicates."""
+    lines = dict.fromkeys(
+        line
+        for finding in group
+        for line in (finding.data.lines if finding.data else ())
+        if line.span != place(finding)[0]
+    )
+    return list(lines)[:MAX_DATA]
 
 
 def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
-    """The span of a finding, and its macro calls and includes."""
+    """The span of a finding, and its macro calls and includes.
+
+    A number in a YAML file is to be edited there; the expression that includes it is the innermost
+    step.
+    """
     at = finding.at
     if isinstance(at, Location):
         return at.span, at.frame.steps() if at.frame else ()
+    if finding.data is not None and finding.data.value is not None:
+        value = finding.data.value
+        return value, (*at.via, Step("include", value.source.path, at.span, None))
     return at.span, at.via

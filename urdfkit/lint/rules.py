@@ -22,6 +22,7 @@ from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import Placed
+    from urdfkit.xacro.origin import DataPlaces
 
 #: Imported by the file of a rule, next to the modules of its subject.
 __all__ = [
@@ -70,8 +71,8 @@ class Finding(Record):
     severity: Severity | None = None  # overrides the severity of the rule, for all targets
     #: Targets for which the finding has this severity; empty if it does not depend on them.
     targets: tuple[str, ...] = ()
-    #: Places in data files of the numbers that expressions read; set by the runner.
-    data: tuple[Related, ...] = ()
+    #: Places in data files of the values that expressions yield; set by the runner.
+    data: DataPlaces | None = None
 
     @property
     def node(self) -> Element | Attribute | None:

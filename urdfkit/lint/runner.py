@@ -179,11 +179,10 @@ class _RuleRun:
         return findings
 
     def _with_data(self, finding: Finding) -> Finding:
-        """A finding with the places in data files of its numbers."""
+        """A finding with the places in data files of its values."""
         if finding.node is None:
             return finding
-        places = self.context.data_places(finding.node)
-        return finding._replace(data=places) if places else finding
+        return finding._replace(data=self.context.data_places(finding.node))
 
     def _with_consistent_fixes(self, findings: list[Finding]) -> list[Finding]:
         """Findings without the fixes that not all uses of a macro propose."""

@@ -29,7 +29,7 @@ class Step(Record):
     """One step of an expansion trace: a macro call, an include or a launch file."""
 
     kind: str  # ``macro``, ``include`` or ``launch``
-    name: str  # of the macro, or of the included file
+    name: str  # of the macro, or of the included file, which may be a YAML file
     span: Span  # the call
     definition: Span | None  # the ``<xacro:macro>`` that was called; None for an include
 

@@ -8,7 +8,6 @@ import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
-from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, CallFrame, Document, Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_declaration import encoding_problems
@@ -18,7 +17,7 @@ from urdfkit.xacro.definitions import Definition
 from urdfkit.xacro.errors import FAILED
 from urdfkit.xacro.expansion import ExpansionRequest, ExpansionRun
 from urdfkit.xacro.expansion_log import Message
-from urdfkit.xacro.origin import Origin
+from urdfkit.xacro.origin import DataPlaces, Origin
 from urdfkit.xacro.recovery import expand_repeatedly
 from urdfkit.xacro.usage import Usage, usage
 
@@ -96,11 +95,11 @@ class Xacro:
         assert self._dom is not None
         return inputs_of(self._dom, attribute.element, attribute.name)
 
-    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
-        """The locations in YAML files of the values of an attribute or element, if traced."""
+    def data_places(self, at: Element | Attribute) -> DataPlaces | None:
+        """The places in YAML files of the values of an attribute or element, if traced."""
         from urdfkit.xacro.trace import data_places
 
-        return data_places(self._dom, at) if self._dom is not None else ()
+        return data_places(self._dom, at) if self._dom is not None else None
 
     def comments(self) -> Iterator[str]:
         """The comments of the expanded document; xacro drops comments above its own tags."""

@@ -1,8 +1,9 @@
-"""The origin of a value that an expression uses."""
+"""Origins of the values that expressions use."""
 
 from __future__ import annotations
 
 from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span
 
 
@@ -16,3 +17,12 @@ class Origin(Record):
     span: Span | None  # of the definition; None for the command line
     text: str  # source text of the definition
     inputs: tuple[Origin, ...]  # origins of the names in the text
+
+
+class DataPlaces(Record):
+    """The places in YAML files of the values that the expressions of an element yield."""
+
+    lines: tuple[Related, ...]  # the first value on each line
+    #: The first value, if it is the number in a YAML file that is to be edited: the expressions
+    #: do not calculate.
+    value: Span | None

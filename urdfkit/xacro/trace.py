@@ -5,8 +5,8 @@ up, and the origin of their values.
 """
 
 import reprlib
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, partial
 from itertools import chain
 from types import FrameType
 
@@ -17,7 +17,16 @@ from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import ELEMENT, Dom, Node
-from urdfkit.xacro.origin import Origin
+from urdfkit.xacro.origin import DataPlaces, Origin
+
+#: Elements that consist of numbers, with the attributes that a robot needs.
+_NUMBERS = {
+    "axis": {"xyz"},
+    "inertia": {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"},
+    "limit": {"lower", "upper", "effort", "velocity"},
+    "mass": {"value"},
+    "origin": {"xyz"},
+}
 
 
 class Tracer:
@@ -83,10 +92,8 @@ class Tracer:
         self._collected[-1][str(span)] = Origin(key, str(value), "YAML", span, line, ())
 
 
-def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
-    """The locations in YAML files of the values of an attribute, or of all of an element.
-
-    There is one location for each line.
+def data_places(dom: Dom, at: Element | Attribute) -> DataPlaces | None:
+    """The places in YAML files of the values of an attribute, or of all of an element.
 
     Args:
         dom: the expanded DOM of a traced run.
@@ -94,18 +101,43 @@ def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
     """
     attributes = at.attributes.values() if isinstance(at, Element) else (at,)
     by_file: dict[Source, list[tuple[Span, str]]] = {}
+    are_copies = isinstance(at, Attribute) or _has_all_numbers(at)
     for attribute in attributes:
-        for span in _yaml_spans(inputs_of(dom, attribute.element, attribute.name)):
+        origins = list(_yaml_origins(inputs_of(dom, attribute.element, attribute.name)))
+        for span, _ in origins:
             by_file.setdefault(span.source, []).append((span, attribute.name))
-    return tuple(chain.from_iterable(map(_definitions, by_file.values())))
+        values = [value for _, value in origins]
+        are_copies = are_copies and ("$" not in attribute.span.text or _copies(attribute, values))
+    lines = tuple(chain.from_iterable(map(_definitions, by_file.values())))
+    if not lines:
+        return None
+    return DataPlaces(lines, lines[0].span if are_copies and len(by_file) == 1 else None)
 
 
-def _yaml_spans(origins: tuple[Origin, ...]) -> Iterator[Span]:
-    """The locations in YAML files among direct and indirect origins."""
+def _has_all_numbers(element: Element) -> bool:
+    """True if a finding at an element is about its numbers, not about one that is missing."""
+    expected = _NUMBERS.get(element.tag)
+    return expected is not None and expected <= element.attributes.keys()
+
+
+def _yaml_origins(origins: tuple[Origin, ...]) -> Iterator[tuple[Span, str]]:
+    """The place and value of each number or text of a YAML file among all origins."""
     for origin in origins:
         if origin.kind == "YAML" and origin.span is not None:
-            yield origin.span
-        yield from _yaml_spans(origin.inputs)
+            yield origin.span, origin.value
+        yield from _yaml_origins(origin.inputs)
+
+
+def _copies(attribute: Attribute, values: Sequence[str]) -> bool:
+    """True if an attribute repeats numbers of YAML files; a name may be wrong where it is used."""
+    return all(any(map(partial(_is_same, text), values)) for text in attribute.value.split())
+
+
+def _is_same(number: str, other: str) -> bool:
+    try:
+        return float(number) == float(other)
+    except ValueError:
+        return False
 
 
 def _definitions(places: list[tuple[Span, str]]) -> Iterator[Related]:
