@@ -168,6 +168,9 @@ def bare_property(defined: Definitions, cause: BaseException) -> tuple[str, Span
 def _undefined_name(defined: Definitions, text: str, name: str) -> MessageText:
     if elsewhere := _defined_elsewhere(defined, "property", name):
         return MessageText(text, elsewhere)
+    if any(argument.name == name for argument in defined.arguments):
+        use = f"write $(arg {name}), or define a property of this value above the use"
+        return MessageText(text, f"'{name}' is an argument: {use}")
     known = [property_name for _, property_name in _definitions(defined, "property")]
     help = f"define the property '{name}' above its use, or correct the name"
     return MessageText(text, help + did_you_mean(name, known))

@@ -29,6 +29,12 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             "name 'a' is not defined in ${a}",
             "'a' is defined later, at robot.xacro:2:20: move its definition above the use",
         ),
+        (
+            '<xacro:arg name="a" default="1"/><link name="${a}"/>',
+            "${a}",
+            "name 'a' is not defined in ${a}",
+            "'a' is an argument: write $(arg a), or define a property of this value above the use",
+        ),
         ('<link name="${1/0}"/>', "${1/0}", "division by zero in ${1/0}", ""),
         (
             '<link name="${1 +}"/>',
