@@ -49,6 +49,22 @@ def test_the_robot_and_its_arguments(package, text):
     assert (step.kind, step.name, step.span.line) == ("launch", "a.launch", 2)
 
 
+@pytest.mark.parametrize(
+    ("words", "arguments"),
+    [
+        ("side:=left address:=$(arg address)", {"side": "left"}),
+        ("side:=left mesh:=$(find missing)/m.stl", {"side": "left"}),
+        ("side:=left $(arg perhaps_the_file)", None),
+        ("side:=left $(anon robot).xacro", None),
+    ],
+)
+@pytest.mark.parametrize("form", [ros_1("xacro {}"), ROS_2.replace("{}", "xacro {}")])
+def test_arguments_known_only_at_run_time(package, form, words, arguments):
+    found = read(package, form.replace("{}", f"{ARM} {words}")).descriptions
+    expected = [] if arguments is None else [(arguments, False)]
+    assert [(one.arguments, one.is_whole) for one in found] == expected
+
+
 def test_a_plain_urdf_as_text(package):
     launch = read(
         package, '<param name="robot_description" textfile="$(find arm)/urdf/arm.xacro"/>'

@@ -50,14 +50,26 @@ class Substitutions:
         if level > MAX_LEVELS:
             return None
         parts: list[str] = []
+        for part in self._parts(text, span, level):
+            if part is None:
+                return None
+            parts.append(part)
+        return "".join(parts)
+
+    def command_line(self, text: str, span: Span) -> str:
+        """A text after substitution, with ``UNKNOWN_PART`` for parts known only at run time."""
+        return "".join(UNKNOWN_PART if part is None else part for part in self._parts(text, span))
+
+    def _parts(self, text: str, span: Span, level: int = 0) -> Iterator[str | None]:
+        """The parts of a text after substitution; None if unknown, or if the text is too long."""
         length = 0
         for is_command, part in pieces(text):
             value = self.command(part, span, level) if is_command else part
             length += len(value or "")
-            if value is None or length > MAX_LENGTH:
-                return None
-            parts.append(value)
-        return "".join(parts)
+            if length > MAX_LENGTH:
+                yield None
+                return
+            yield value
 
     def command(self, content: str, span: Span, level: int = 0) -> str | None:
         """The value of the content of ``$(...)``; None if unknown."""
@@ -85,14 +97,11 @@ class Substitutions:
         """The words of a command line, with the locations of constant words."""
         if attribute is None:
             return ()
-        texts: list[str] = []
-        for is_command, part in pieces(attribute.value):
-            value = self.command(part, attribute.span) if is_command else part
-            # An argument with an empty default is also a word.
-            texts.append(value or UNKNOWN_PART)
+        # An argument with an empty default is also a word.
+        parts = (part or UNKNOWN_PART for part in self._parts(attribute.value, attribute.span))
         return tuple(
             Word(None if UNKNOWN_PART in word else word, attribute.span)
-            for word in command_words("".join(texts))
+            for word in command_words("".join(parts))
         )
 
     def _found(self, package: str, span: Span) -> str:

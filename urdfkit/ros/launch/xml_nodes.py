@@ -113,10 +113,9 @@ def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> N
         if match is None:
             return
         text = match.group(2)
-    command = file.substitutions.text(text, attribute.span)
-    if command is not None:
-        is_yaml = attribute.name == "value" and attribute.element.get("type") is None
-        file.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
+    command = file.substitutions.command_line(text, attribute.span)
+    is_yaml = attribute.name == "value" and attribute.element.get("type") is None
+    file.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
 
 
 def read_rosparam(file: XmlLaunchFile, element: Element) -> None:
