@@ -1,11 +1,8 @@
 """Force-torque sensors and ``<provideFeedback>`` on joints that Gazebo merges."""
 
-from collections.abc import Iterator
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
 from urdfkit.robot.model import RobotModel
-from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.ros.gazebo.values import is_true
+from urdfkit.ros.gazebo.measured_joints import measured_joints
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before
 
@@ -15,7 +12,7 @@ _KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
 def merged_force_sensors(context: Context) -> Findings:
     """The fixed joints whose forces are measured, but which Gazebo merges."""
     kept = {joint.joint.name for joint in context.gazebo.joints}
-    for name, at, who in _measuring(context.model):
+    for name, at, who in measured_joints(context.model):
         joint = context.model.joints_by_name.get(name)
         if joint is not None and joint.kind == "fixed" and name not in kept:
             yield Finding(
@@ -38,17 +35,3 @@ def _is_read(model: RobotModel, name: str, at: Element) -> bool:
     sensors_of_control = [one for block in model.ros2_controls for one in block.all("sensor")]
     interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
     return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)
-
-
-def _measuring(model: RobotModel) -> Iterator[tuple[str, Element, str]]:
-    """The joints whose forces are measured, the element of the sensor, and its name."""
-    measured: set[str] = set()
-    for sensor in sensors(model):
-        if sensor.type == "force_torque":
-            measured.add(sensor.reference)
-            yield sensor.reference, sensor.at, sensor.who
-    for block in model.gazebo:
-        name = block.get("reference") or ""
-        for feedback in block.all("provideFeedback"):
-            if name not in measured and is_true(feedback):
-                yield name, feedback, "<provideFeedback>"

@@ -8,7 +8,8 @@
 - Equal limits are a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves
   it without limit. urdfdom reads missing limits as 0, so a revolute joint with effort and velocity
   alone cannot move either. Drake, MuJoCo and PyBullet read them as none: this is not reported if
-  Drake and MuJoCo are the only targets. A joint that never moves is fixed.
+  Drake and MuJoCo are the only targets. A joint that never moves is fixed. Where Gazebo measures
+  its force, such a joint is an info: a fixed joint would be merged.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -20,7 +21,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joints import bounds, unit
-from urdfkit.robot.model import Joint, Limit
+from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.text.editing.edits import swap
@@ -42,7 +43,8 @@ def check(context: Context) -> Findings:
         elif joint.limit and ends and ends[0] == ends[1]:
             if is_optional and not {"lower", "upper"} <= joint.limit.at.attributes.keys():
                 continue
-            yield _equal(joint, joint.limit, ends[0])
+            is_wanted = _is_locked(joint.limit) or _is_measured(context.model, joint.name)
+            yield _equal(joint, joint.limit, ends[0], is_wanted)
 
 
 def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
@@ -65,7 +67,7 @@ def _swapped(limit: Limit) -> Fix | None:
     return Fix.of("swap lower and upper", swap(lower, upper)) if lower and upper else None
 
 
-def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
+def _equal(joint: Joint, limit: Limit, value: float, is_wanted: bool) -> Finding:
     written = [key for key in ("lower", "upper") if key in limit.at.attributes]
     why = f"lower and upper limit are both {value:g} {unit(joint)}"
     if not written:
@@ -78,7 +80,7 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
         f"joint '{joint.name}' is {joint.kind} but cannot move: {why}",
         f"set lower and upper, {continuous}or make it fixed",
         group_key="cannot move",
-        severity=Severity.INFO if _is_locked(limit) else Severity.WARNING,
+        severity=Severity.INFO if is_wanted else Severity.WARNING,
     )
 
 
@@ -88,3 +90,10 @@ def _is_locked(limit: Limit) -> bool:
         number(limit.at.get(key) or "") == 0 for key in ("effort", "velocity", "lower", "upper")
     )
     return all(ends) and (effort or velocity)
+
+
+def _is_measured(model: RobotModel, name: str) -> bool:
+    """True if Gazebo measures the force in a joint: it would merge a fixed one, which has none."""
+    from urdfkit.ros.gazebo.measured_joints import measured_joints
+
+    return any(measured == name for measured, _, _ in measured_joints(model))

@@ -3,7 +3,8 @@
 RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore `<mimic>`:
 the followers swing freely. From Harmonic on, only the physics engine bullet-featherstone couples
 them; the default engine warns once and does not couple them. The control plugin moves a follower
-that is listed in `<ros2_control>`, and for Classic there are mimic plugins. KDL treats a follower
+that is listed in `<ros2_control>`, and for Classic there are mimic plugins. A follower is not
+reported if a plugin of your own names it and the joint that it mimics. KDL treats a follower
 as an independent joint, and so does Pinocchio unless mimic joints are enabled.
 
 Sources:
@@ -17,6 +18,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
+from urdfkit.ros.catalog.plugins import find
 from urdfkit.ros.targets import CLASSIC, GAZEBO
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
@@ -68,7 +70,7 @@ def _help(context: Context) -> str:
 
 
 def _coupled(model: RobotModel) -> set[str]:
-    """The joints that a control plugin, a transmission or a mimic plugin moves."""
+    """The joints that a control plugin, a transmission or another plugin couples."""
     names = {
         element.get("name") or ""
         for owner in (*model.ros2_controls, *model.transmissions)
@@ -77,6 +79,14 @@ def _coupled(model: RobotModel) -> set[str]:
     }
     for block in model.gazebo:
         for plugin in block.all("plugin"):
-            if "mimic" in (plugin.get("filename") or ""):
-                names.update(element.text.strip() for element in plugin.walk())
+            filename = plugin.get("filename") or ""
+            named = {element.text.strip() for element in plugin.walk()}
+            if "mimic" in filename:
+                names |= named
+            elif not find(filename):  # a library of its own, such as the differential of a rover
+                names.update(
+                    joint.name
+                    for joint in model.joints
+                    if joint.mimic and {joint.name, joint.leader} <= named
+                )
     return names
