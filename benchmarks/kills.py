@@ -65,6 +65,13 @@ CASES = {
     "bundle zip": Case(
         f"bundle {ARM} -o made.zip --for ros --force", ("good",), first=f"bundle {ARM} -o made.zip"
     ),
+    "convert": Case(f"convert {ARM} --to mjcf -o made", ("good",), together="made"),
+    "convert --force": Case(
+        f"convert {ARM} --to urdf -o made --force",
+        ("good",),
+        first=f"convert {ARM} --to mjcf -o made",
+        together="made",
+    ),
     "baseline": Case("check gazebo_pkg --baseline known.json --write-baseline", BAD),
     "cache": Case("check gazebo_pkg --exit-zero", BAD, lambda name: name.startswith("cache/")),
     "scan": Case("scan good -o out", ("good",), lambda name: name.startswith("out/")),

@@ -37,6 +37,18 @@ Explain a code: urdfkit explain ABC123
     )
 
 
+@pytest.mark.parametrize(
+    ("message", "whole"),
+    [("link {}", 5), ("link {}: " + 9 * "the mesh ", 3)],
+    ids=["short", "long"],
+)
+def test_of_many_long_notes_only_the_first_have_their_messages(message: str, whole: int) -> None:
+    related = tuple(Related(ARM, message.format(number)) for number in range(5))
+    text = shown(diagnostic(ARM, severity=Severity.ERROR, related=related))
+    assert text.count("  note: line 2:14: link") == whole
+    assert ("  note: 2 more places: line 2:14, line 2:14" in text) == (whole < 5)
+
+
 def test_nothing_found() -> None:
     assert render(report()) == "no findings in 1 file\n"
 

@@ -13,6 +13,8 @@ from urdfkit.text.terminal import columns, frame, printable, wrap
 
 #: Calls of one macro, and steps of one trace, that are shown.
 MAX_CALLS = 8
+#: Most notes longer than a line that are shown with their messages.
+MAX_NOTES = 3
 #: Least number of common words at the end of two messages that are not repeated.
 CLAUSE = 4
 #: Colours of severities.
@@ -84,16 +86,28 @@ class TextPage:
         return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
 
     def _notes(self, diagnostic: Diagnostic) -> Iterator[str]:
-        """Notes on related locations; locations with the same message share a note."""
+        """Notes on related locations; locations with the same message share a note.
+
+        Of many notes that are longer than a line, only the first have their messages.
+        """
+        notes: list[tuple[str, list[Span]]] = []
         by_message = by_key((related.message, related.span) for related in diagnostic.related)
         for message, spans in by_message.items():
-            first = spans[0]
-            places = [self._near(first, diagnostic.span)]
-            places += [self._near(span, last) for last, span in pairwise(spans)]
+            places = self._places(spans, diagnostic.span)
             text = (
                 f"{message}: {few(places, MAX_CALLS)}" if spans[1:] else f"{places[0]}: {message}"
             )
+            notes.append((text, spans))
+        is_long = any(columns(f"  note: {text}") > self.width for text, _ in notes)
+        shown = MAX_NOTES if is_long and len(notes) > MAX_NOTES + 1 else len(notes)
+        for text, _ in notes[:shown]:
             yield self._labelled("note", text)
+        if more := [span for _, spans in notes[shown:] for span in spans]:
+            where = few(self._places(more, diagnostic.span), MAX_CALLS)
+            yield self._labelled("note", f"{counted(len(more), 'more place')}: {where}")
+
+    def _places(self, spans: Sequence[Span], near: Span) -> list[str]:
+        return [self._near(span, last) for last, span in pairwise((near, *spans))]
 
     def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
         line, carets = frame(span, self.width - _GUTTER)
