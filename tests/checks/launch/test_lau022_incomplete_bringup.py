@@ -178,16 +178,20 @@ def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("parameters", "own", "count"),
+    ("parameters", "own", "stamped", "reported_words"),
     [
-        ("", "cmd_vel", 1),
-        ("", "/drive/cmd_vel", 0),
-        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", 0),
-        ("use_stamped_vel: false", "/cmd_vel", 1),
+        ("", "cmd_vel", "False", "which nothing reads; velocity commands are read on"),
+        ("", "/drive/cmd_vel", "False", "Twist on '/drive/cmd_vel', where TwistStamped is read"),
+        ("", "/drive/cmd_vel", "True", ""),
+        ("", "/drive/cmd_vel", "unknown", ""),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "False", ""),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "True", "where Twist is read"),
+        ("use_stamped_vel: false", "/drive/cmd_vel", "False", "where TwistStamped is read"),
+        ("use_stamped_vel: false", "/cmd_vel", "False", "which nothing reads"),
     ],
 )
 def test_velocity_commands_of_a_controller(
-    tmp_path: Path, parameters: str, own: str, count: int
+    tmp_path: Path, parameters: str, own: str, stamped: str, reported_words: str
 ) -> None:
     files = {
         "c.yaml": "controller_manager: {ros__parameters: "
@@ -197,7 +201,27 @@ def test_velocity_commands_of_a_controller(
     text = (
         NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
         + SPAWNER.format(["drive"])
-        + TELEOP.format(f"remappings=[('cmd_vel', '{own}')]")
+        + TELEOP.format(
+            f"remappings=[('cmd_vel', '{own}')], "
+            f"parameters=[{{'publish_stamped_twist': {stamped}}}]"
+        )
     )
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    assert [one.message.startswith("'teleop_node' publishes") for one in found] == [True] * count
+    assert [reported_words in one.message for one in found] == [True] * bool(reported_words)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "count"),
+    [
+        ("parameters=['{}/mux.yaml']", 1),
+        ("", 0),  # the default depends on the distribution
+        ("arguments=['--ros-args', '-p', 'use_stamped:=true']", 0),
+    ],
+)
+def test_type_of_velocity_commands(tmp_path: Path, parameters: str, count: int) -> None:
+    files = {"mux.yaml": "mux: {ros__parameters: {use_stamped: true}}\n"}
+    given = f"remappings=[('cmd_vel_out', '/drive/cmd_vel')], {parameters}"
+    text = MUX.format(given).replace("{}", str(tmp_path)) + COMMANDS
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    words = "'twist_mux' publishes TwistStamped on '/drive/cmd_vel', where Twist is read"
+    assert [one.message for one in found] == [words] * count

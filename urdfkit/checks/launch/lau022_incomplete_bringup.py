@@ -23,6 +23,8 @@
   programs of the workspace, and the publishers of the robot in RViz, are known.
 - Nothing reads the velocity commands of twist_mux or a teleoperation node, while a drive reads them
   on another topic. Reported only if all programs of the workspace are known.
+- A teleoperation node publishes `Twist` on the topic of a drive that reads `TwistStamped`, as those
+  of ros2_control do: no message arrives, without an error.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
 
@@ -30,6 +32,7 @@ Sources:
     ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
     ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
+    ros-controls/gz_ros2_control#474: https://github.com/ros-controls/gz_ros2_control/issues/474
     ros-controls/gz_ros2_control#720: https://github.com/ros-controls/gz_ros2_control/issues/720
     turtlebot/turtlebot4#571: https://github.com/turtlebot/turtlebot4/issues/571
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
@@ -38,7 +41,11 @@ Sources:
 from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
-from urdfkit.checks.launch.unread_commands import is_part_of_ros, unread_commands
+from urdfkit.checks.launch.unread_commands import (
+    is_part_of_ros,
+    mistyped_commands,
+    unread_commands,
+)
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -91,6 +98,7 @@ def check(context: Context) -> Findings:
         yield from mismatched_names.unpublished_description(context, started)
         yield from unpublished_inputs(context)
         yield from unread_commands(context, started)
+        yield from mistyped_commands(context, started)
         yield from mismatched_names.manager_in_another_namespace(context, started)
 
 

@@ -1,7 +1,8 @@
 """Velocity commands that a node publishes but nothing reads.
 
-Reported only if all programs of the workspace are known, and velocity commands are read on another
-topic.
+- Nothing reads their topic. Reported only if all programs of the workspace are known, and velocity
+  commands are read on another topic.
+- All that reads their topic expects ``TwistStamped`` instead of ``Twist``, or the reverse.
 
 Sources: ``twist_mux.cpp`` of ros-teleop/twist_mux, ``teleop_twist_joy.cpp`` of
 ros2/teleop_twist_joy, ``diff_drive_controller.cpp`` of ros2_controllers (all of humble to rolling).
@@ -13,6 +14,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog import data
@@ -21,6 +23,7 @@ from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.node_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers, topic_name
 from urdfkit.text.source import Span
@@ -39,17 +42,20 @@ _DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Contr
 #: The parameter of a drive for stamped commands, and the suffix of the topic without stamps.
 _STAMPED, _PLAIN = "use_stamped_vel", "_unstamped"
 _COMMAND = re.compile(r"cmd_vel|reference")
+_TWIST, _TWIST_STAMPED = "Twist", "TwistStamped"
+
+
+class _Reader(Record):
+    """A topic on which velocity commands are read."""
+
+    topic: str
+    message: str  # Twist or TwistStamped
+    at: Span
 
 
 def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands nothing reads."""
-    published: dict[str, str] = data("nodes")["commands"]
-    sources = [
-        (node, topic)
-        for node in started
-        if (name := published.get(f"{node.package}/{node.executable}"))
-        and (topic := topic_name(name, node))
-    ]
+    sources = list(_sources(started))
     if not sources or is_included(context.source.path, context.resolver):
         return
     launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
@@ -64,7 +70,7 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
         return  # unknown controllers may read any topic
     if not all(are_all_known(robot.model) for _, robot in context.described_robots):
         return
-    readers = dict(_readers(context, programs))
+    readers = {reader.topic: reader.at for reader in _readers(context, programs)}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
@@ -78,6 +84,42 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
                 f"remap {topic} to {other}",
                 related=(Related(readers[other], "the reader"),),
             )
+
+
+def mistyped_commands(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Nodes whose velocity commands have another type than their readers expect."""
+    for node, topic in _sources(started):
+        switch, default = data("nodes")["stamped"].get(_key(node), ("", ""))
+        is_stamped = given_parameter(node, switch, context.resolver)
+        if is_stamped is None or (is_stamped or default).lower() not in ("true", "false"):
+            continue
+        message = _TWIST_STAMPED if (is_stamped or default).lower() == "true" else _TWIST
+        # Without stamps a drive has another topic until Humble, and later none.
+        topics = (topic, f"{topic}{_PLAIN}")
+        readers = [reader for reader in _readers(context, started) if reader.topic in topics]
+        expected = [_TWIST_STAMPED if x.topic != topic else x.message for x in readers]
+        if readers and message not in expected:
+            reader, who = readers[0], f"'{node.executable}' publishes {message} on '{topic}'"
+            set_parameter = f"set its parameter {switch}: {str(message == _TWIST).lower()}"
+            yield Finding(
+                Location(node.span, node.frame),
+                f"{who}, where {expected[0]} is read",
+                set_parameter if reader.topic == topic else f"remap {topic} to {reader.topic}",
+                related=(Related(reader.at, "the reader"),),
+            )
+
+
+def _sources(started: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:
+    """The nodes that publish velocity commands, and the topics of these."""
+    published: dict[str, str] = data("nodes")["commands"]
+    for node in started:
+        name = published.get(_key(node))
+        if name and (topic := topic_name(name, node)):
+            yield node, topic
+
+
+def _key(started: StartedProgram) -> str:
+    return f"{started.package}/{started.executable}"
 
 
 def is_part_of_ros(path: str) -> bool:
@@ -101,22 +143,25 @@ def _is_known(started: StartedProgram) -> bool:
     return started.package in _SMOOTHERS or bool(_OTHERS.fullmatch(started.package))
 
 
-def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[tuple[str, Span]]:
+def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_Reader]:
     """Topics on which the bridge and wheel controllers read velocity commands."""
     defined = defined_controllers(context)
     for node in programs:
         for topic in bridged_topics(node, context.resolver):
-            is_twist = topic.ros_type.endswith(("/Twist", "/TwistStamped"))
+            message = topic.ros_type.rpartition("/")[2]
             name = topic_name(topic.ros_topic, node)
+            is_twist = message in (_TWIST, _TWIST_STAMPED)
             if is_twist and topic.direction != FROM_GAZEBO and name:
-                yield name, topic.span
+                yield _Reader(name, message, topic.span)
         for word in controllers(node):
             controller = defined.get((word.text or "").strip("/"))
             kind = controller.type.rpartition("/")[2] if controller and controller.ros == 2 else ""
             if controller and _DRIVE.fullmatch(kind):
                 name = "reference" if "Steering" in kind or "Mecanum" in kind else "cmd_vel"
                 stamped = [value.text.lower() for value in controller.section.values(_STAMPED)]
-                yield f"/{controller.name}/{name}{_PLAIN * ('false' in stamped)}", word.span
+                is_plain = "false" in stamped
+                topic_of_drive = f"/{controller.name}/{name}{_PLAIN * is_plain}"
+                yield _Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, word.span)
 
 
 def _is_named(topic: str, launches: Iterable[Launch], context: Context) -> bool:

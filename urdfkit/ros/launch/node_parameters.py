@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.text.located_yaml import Key, Node, load, mapping
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 _PARAMETERS = "ros__parameters"
 
@@ -35,3 +37,26 @@ def node_parameters(source: Source) -> Iterator[NodeParameters]:
             (key, value) for key, value in reversed(mapping(node).items()) if isinstance(key, Key)
         ]
         stack += [(value, key, inner_namespace) for key, value in keys]
+
+
+def given_parameter(started: StartedProgram, name: str, resolver: Resolver) -> str | None:
+    """A parameter of a node, from the launch file or its parameter files.
+
+    Returns:
+        An empty string if it is not given; None if it is known only at run time.
+    """
+    given = started.parameters
+    if name in given.values:
+        return given.values[name]
+    if not given.is_whole or any(name in (word.text or name) for word in started.words):
+        return None
+    values: set[str | None] = set()
+    for source in map(resolver.readable, given.files):
+        if source is None:
+            return None
+        nodes = (node.values for node in node_parameters(source) if name in node.values)
+        values.update(
+            value.text if isinstance(value, Value) else None
+            for value in (parameters[name] for parameters in nodes)
+        )
+    return next(iter(values), "") if len(values) < 2 else None
