@@ -8,18 +8,22 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from urdfkit.cli import main, options, quick
-from urdfkit.cli.check import command
-from urdfkit.cli.options import CHECK, Option, UsageError
+from urdfkit.cli import main, options, output, quick
+from urdfkit.cli.group import group
+from urdfkit.cli.options import CHECK, COLOR, Option, UsageError
 
-FLAGS = [option.flag for option in CHECK]
+KNOWN = (*CHECK, COLOR)
+FLAGS = [option.flag for option in KNOWN]
 
 
 def by_click(words: list[str]) -> dict[str, Any] | None:
     """What click makes of a command line; None if it refuses it, or gives help."""
+    command = group.get_command(click.Context(group), "check")
+    assert command is not None
     try:
         # As in the group: click keeps the option for help that is made first.
-        return command.make_context("check", list(words), help_option_names=["-h", "--help"]).params
+        made = command.make_context("check", list(words), help_option_names=["-h", "--help"])
+        return made.params | {"color": output.used_color()}
     except (click.UsageError, click.exceptions.Exit):
         return None
 
@@ -38,7 +42,7 @@ def ordinary(option: Option) -> st.SearchStrategy[list[str]]:
 FILES = st.one_of(
     st.just("-"), st.text(max_size=8).filter(lambda word: not word.startswith("-"))
 ).map(lambda word: [word])
-ORDINARY = st.lists(st.one_of(FILES, *map(ordinary, CHECK)), max_size=8).map(
+ORDINARY = st.lists(st.one_of(FILES, *map(ordinary, KNOWN)), max_size=8).map(
     lambda parts: [word for part in parts for word in part]
 )
 MANGLED = [

@@ -68,8 +68,16 @@ def test_the_page_names_every_option_of_its_command_and_no_other(command: str) -
     assert text.startswith(f"# urdfkit {command}\n")
     named = set(re.findall(r"(?<=[`\[])--?[a-z][a-z-]*", text))
     others = set().union(*map(option_names, COMMANDS)) - option_names(command)
-    assert option_names(command) <= named
+    assert option_names(command) - {"--color"} <= named
     assert named - option_names(command) <= others
+
+
+@pytest.mark.parametrize("command", [name for name in COMMANDS if name != "mesh"])
+def test_every_command_has_colours_which_the_page_of_check_explains(command: str) -> None:
+    (option,) = [param for param in COMMANDS[command].params if "--color" in param.opts]
+    assert isinstance(option.type, click.Choice)
+    assert [*option.type.choices] == ["auto", "always", "never"]
+    assert "`--color WHEN`" in (transcripts.DIRECTORY / "check.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="the pages show a Unix shell")

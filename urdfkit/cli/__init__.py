@@ -122,9 +122,11 @@ def _replay_or_run(words: list[str]) -> int:
 
 
 def _run(words: list[str]) -> int:
-    from urdfkit.cli import quick
+    from urdfkit.cli import output, quick
+    from urdfkit.cli.options import COLOR
 
     values = quick.parse(words)
+    output.use_color(values.pop(COLOR.key) if values else "auto")
     if values is None:
         from urdfkit.cli.group import run
 

@@ -5,22 +5,8 @@ from typing import Any
 import click
 
 from urdfkit.cli.checking import run_check
-from urdfkit.cli.decorators import described
-from urdfkit.cli.options import CHECK, FILES, Option
-
-
-def click_option(option: Option) -> click.Option:
-    """An option of the table as a click option."""
-    return click.Option(
-        [flag for flag in (option.short, option.flag) if flag],
-        help=option.help,
-        is_flag=not option.metavar,
-        metavar=option.metavar or None,
-        multiple=option.many,
-        type=click.Choice(option.choices) if option.choices else None,
-        default=None if option.many else option.initial,
-        show_default=bool(option.choices),
-    )
+from urdfkit.cli.decorators import click_option, described
+from urdfkit.cli.options import CHECK, FILES
 
 
 @described("check")

@@ -111,7 +111,7 @@ def _write_file(report: Report, name: str, file: str, values: Mapping[str, Any])
 
 def _print(report: Report, name: str, _: str, values: Mapping[str, Any]) -> bytes:
     """Print a report; return the output, or b"" for a huge report."""
-    color = output.has_color(values["color"])
+    color = output.has_color()
     texts = formats.stream(name, report, color=color, width=output.width(), quiet=values["quiet"])
     if _is_huge(report):
         for text in texts:
@@ -190,7 +190,7 @@ def _add_ignores(values: Mapping[str, Any], settings: Options) -> int:
     findings = [found for found in report.diagnostics if found.severity.rank <= least.rank]
     added = add_ignores(findings, files, settings, force=values["force"])
     if values["diff"]:
-        output.write_diff("".join(file.diff() for file in added.files), values["color"])
+        output.write_diff("".join(file.diff() for file in added.files))
         return int(bool(added.files))
     rewriting.write(added.files)
     if not values["quiet"]:
@@ -251,7 +251,7 @@ def apply_fixes(
                 options=settings,
             )
         if values["diff"]:
-            output.write_diff(fixes.diff(), values["color"])
+            output.write_diff(fixes.diff())
             return fixes
         if values.get("check"):
             return fixes

@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 
 import click
 
+from urdfkit.cli.options import Option
 from urdfkit.core import limits
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -60,6 +61,21 @@ def option(
     return click.option(*names, help=help, **more)
 
 
+def click_option(option: Option, **more: Any) -> click.Option:
+    """An option of the table (`urdfkit.cli.options`) as a click option."""
+    return click.Option(
+        [flag for flag in (option.short, option.flag) if flag],
+        help=option.help,
+        is_flag=not option.metavar,
+        metavar=option.metavar or None,
+        multiple=option.many,
+        type=click.Choice(option.choices) if option.choices else None,
+        default=None if option.many else option.initial,
+        show_default=bool(option.choices),
+        **more,
+    )
+
+
 def choice(*names: str, of: Iterable[str], help: str) -> Callable[[Command], Command]:
     """Add an option with a choice of words to a command; the first word is the default."""
     words = list(of)
@@ -99,12 +115,6 @@ ISOLATED = option("--isolated", "Ignore all configuration files.")
 CONFIG = option("--config FILE", "Configuration file. [default: the nearest one]")
 VARIANT = option("--variant NAME", "Variant in the configuration.", default="", show_default=False)
 TARGET = option("--target NAMES", "Target program. [default: detected]", multiple=True)
-COLOR = option(
-    "--color WHEN",
-    "Colours on standard output: auto, always or never.",
-    type=click.Choice(["auto", "always", "never"]),
-    default="auto",
-)
 DIFF = option("--diff", "Show what --write would change.")
 SEED = click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
 RULES = option(

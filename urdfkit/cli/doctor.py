@@ -33,6 +33,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.rule_packages import installed
 from urdfkit.ros.targets import Targets, parse
 from urdfkit.text.source import Source, shown
+from urdfkit.text.terminal import YELLOW
 from urdfkit.workspace.resolve import Resolver
 
 #: Python packages with their purpose and their extra.
@@ -95,7 +96,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     if words:
         describe = _directory if os.path.isdir(near) else _file
         lines += ["", *describe(near, values, config or Config())]
-    output.page(lines)
+    output.page(lines, {r"\bmissing(?= {7}\S)": YELLOW})
     return 0
 
 

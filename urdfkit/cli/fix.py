@@ -7,9 +7,8 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, check_settings, fail_on
-from urdfkit.cli.decorators import described, option
+from urdfkit.cli.decorators import click_option, described, option
 from urdfkit.core.words import counted, few
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
@@ -17,7 +16,7 @@ from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
-    "quiet unsafe-fixes diff force select ignore rules preview min-confidence target color "
+    "quiet unsafe-fixes diff force select ignore rules preview min-confidence target "
     "package trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
 #: Most line numbers that are listed for one kind of finding.
@@ -109,7 +108,8 @@ def _left(fixes: Fixes) -> Iterator[str]:
     for path, kinds in sorted(groups.items(), key=lambda of_file: (min(of_file[1])[0], of_file[0])):
         yield f"left in {printable(path)}:"
         for (_, title, reason), findings in sorted(kinds.items(), key=lambda kind: kind[0]):
-            yield _row(title + (f" ({_why(reason, findings[0])})" if reason else ""), findings)
+            row = _row(title + (f" ({_why(reason, findings[0])})" if reason else ""), findings)
+            yield output.colored(row, output.SEVERITIES)
         yield ""
 
 

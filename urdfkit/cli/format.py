@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.decorators import COLOR, CONFIG, ISOLATED, described, option, with_options
+from urdfkit.cli.decorators import CONFIG, ISOLATED, described, option, with_options
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
@@ -20,7 +20,7 @@ from urdfkit.text.source import STANDARD_INPUT, shown
 @option("--width COLUMNS", f"Line width. [default: {WIDTH}]", type=click.IntRange(40, 400))
 @option("-q, --quiet", "Print errors and nothing else.")
 @option("--force", "Also format files that are generated, read-only or ignored by git.")
-@with_options(COLOR, ISOLATED, CONFIG)
+@with_options(ISOLATED, CONFIG)
 def command(
     files: tuple[str, ...],
     check: bool,
@@ -28,7 +28,6 @@ def command(
     width: int | None,
     quiet: bool,
     force: bool,
-    color: str,
     **configured: Any,
 ) -> int:
     """Format URDF and xacro files without changing the model.
@@ -47,10 +46,10 @@ def command(
     settings = options.config({**configured, "trust": False}, near)
     width = width or (settings.width if settings else 0)
     if is_stdin:
-        return _standard_input(width or WIDTH, check=check, diff=diff, color=color)
+        return _standard_input(width or WIDTH, check=check, diff=diff)
     result = format_files(*files, width=width, force=force, check=check or diff, config=settings)
     if diff:
-        output.write_diff(result.diff(), color)
+        output.write_diff(result.diff())
     elif not check:
         result.write()
     _print_result(result, "would be reformatted" if check or diff else "reformatted", quiet=quiet)
@@ -59,11 +58,11 @@ def command(
     return int(bool(result.files) and (check or diff))
 
 
-def _standard_input(width: int, *, check: bool, diff: bool, color: str) -> int:
+def _standard_input(width: int, *, check: bool, diff: bool) -> int:
     source = stdin.read(STANDARD_INPUT)
     rewrite = Rewrite(source.path, source.data, formatted(source, width))
     if diff:
-        output.write_diff(rewrite.diff(), color)
+        output.write_diff(rewrite.diff())
     elif not check:
         output.write(rewrite.after.decode())
     return int((check or diff) and rewrite.after != rewrite.before)

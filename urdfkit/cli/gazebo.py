@@ -13,9 +13,10 @@ from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion, SimulatedJoin
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
 from urdfkit.text.source import shown
-from urdfkit.text.terminal import printable
+from urdfkit.text.terminal import RED, YELLOW, printable
 
 VERSION = 1
+COLORS = {r"(?<= )rejects this robot(?=:$)": RED, r"(?<=[\d-]  )dropped(?=: )": YELLOW}
 
 
 @described("gazebo")
@@ -47,7 +48,7 @@ def show(context: Context, format: str, *, old: bool) -> int:
     conversion = SdfConversion(context.tree, OLD if old else NEW)
     rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
-    output.json_or_page(format, lambda: as_json(conversion, rejected), lines)
+    output.json_or_page(format, lambda: as_json(conversion, rejected), lines, COLORS)
     return 0
 
 

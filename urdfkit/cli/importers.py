@@ -16,8 +16,10 @@ from urdfkit.ros.importers.imported import Imported, ImportedBody, ImportedJoint
 from urdfkit.ros.importers.index_map import IndexMap, index_map
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span, shown
+from urdfkit.text.terminal import RED
 
 VERSION = 1
+COLORS = {"(?<= )may reject this robot(?=: 'urdfkit check)": RED}
 
 #: Rules about the graph of links and joints, for programs that are not targets.
 STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
@@ -59,7 +61,7 @@ def command(inputs: dict[str, Any], names: tuple[str, ...], pair: str | None, fo
         return 0
     errors = {item.name: _errors(inputs, context, item) for item in facts} if programs else {}
     lines = _reports(robots, errors) if programs else _overview(robots)
-    output.json_or_page(format, lambda: _as_json(robots, errors), lines)
+    output.json_or_page(format, lambda: _as_json(robots, errors), lines, COLORS)
     return 0
 
 

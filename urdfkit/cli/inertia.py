@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, choice, described, in_formats, limited, option
+from urdfkit.cli.decorators import DIFF, choice, described, in_formats, limited, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.grouping import by_key
@@ -34,7 +34,6 @@ VERSION = 1
 @option("--lump", "Treat links connected by fixed joints as one body.")
 @option("--write", "Write the suggested values into the source files.")
 @DIFF
-@COLOR
 @in_formats("text", "json")
 @one_robot
 @limited
@@ -46,7 +45,6 @@ def command(
     links: tuple[str, ...],
     write: bool,
     diff: bool,
-    color: str,
     format: str,
     **geometry: Any,
 ) -> int:
@@ -73,17 +71,17 @@ def command(
         proposals = propose(context, mass=mass, density=density, links=links, **geometry)
     subset = [proposal for proposal in proposals if links or proposal.is_doubtful]
     if write or diff:
-        return _write(subset, color, is_diff=diff)
+        return _write(subset, is_diff=diff)
     output.json_or_page(format, lambda: as_json(proposals), [*table(proposals), *proposed(subset)])
     return 0
 
 
-def _write(proposals: Sequence[InertiaProposal], color: str, *, is_diff: bool) -> int:
+def _write(proposals: Sequence[InertiaProposal], *, is_diff: bool) -> int:
     """Write suggested values, or print them as a diff; the exit code is 1 if a write fails."""
     lines: list[str] = []
     files, unchanged = rewrites(proposals)
     if is_diff:
-        output.write_diff("".join(file.diff() for file in files), color)
+        output.write_diff("".join(file.diff() for file in files))
     else:
         rewriting.write(files)
         lines += [f"wrote {shown(file.path)}" for file in files]

@@ -8,6 +8,9 @@ from typing import Any
 
 import click
 
+from urdfkit.cli import output
+from urdfkit.cli.decorators import click_option
+from urdfkit.cli.options import COLOR
 from urdfkit.core.installation import install_command
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
@@ -22,6 +25,15 @@ _ELSEWHERE = {
     "help": "--help",
     "version": "--version",
 }
+
+
+#: The option that a group adds to each of its commands.
+_COLOR = click_option(
+    COLOR,
+    expose_value=False,
+    is_eager=True,  # for the errors of the other options
+    callback=lambda context, option, when: output.use_color(when),
+)
 
 
 class MissingExtra(UrdfkitError):
@@ -93,4 +105,6 @@ class LazyGroup(click.Group):
                 f"'{ctx.command_path}' needs {error.name}, which is not installed: {install}"
             ) from error
         assert isinstance(command, click.Command)
+        if not isinstance(command, click.Group) and _COLOR not in command.params:
+            command.params.append(_COLOR)
         return command

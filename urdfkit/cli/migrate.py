@@ -6,7 +6,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import COLOR, described
+from urdfkit.cli.decorators import described
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
@@ -19,8 +19,7 @@ from urdfkit.text.terminal import printable, wrap
 @click.option(
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
 )
-@COLOR
-def command(inputs: dict[str, Any], target: str, color: str) -> int:
+def command(inputs: dict[str, Any], target: str) -> int:
     """Show the changes that a model needs for another Gazebo.
 
     Replacements are printed as a diff for 'patch -p0'; nothing is written. Changes that need a
@@ -41,7 +40,7 @@ def command(inputs: dict[str, Any], target: str, color: str) -> int:
             output.note(f"{file}: has no links; macros change with the robot that calls them")
     for file, reason in migration.unread.items():
         output.log(f"error: {file}: {reason}; see 'urdfkit check {file}'")
-    output.write_diff("".join(render(migration, target)), color)
+    output.write_diff("".join(render(migration, target)))
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 
 

@@ -108,13 +108,6 @@ CHECK = (
     Option("--trust", "Let the model run any expression and read any file."),
     Option("--xacro-seconds", "Processor time of one expansion. [default: 5]", "N"),
     Option("--xacro-megabytes", "Memory of one expansion. [default: 512]", "N"),
-    Option(
-        "--color",
-        "Colours on standard output: auto, always or never.",
-        "WHEN",
-        ("auto", "always", "never"),
-        default="auto",
-    ),
     Option("--changed", "FILEs are changed files: check the robots that use them."),
     Option("--no-cache", "Do not read or write the cache."),
     Option("--jobs", "Number of parallel processes. [default: auto]", "N"),
@@ -124,6 +117,15 @@ CHECK = (
     Option("--baseline", "Do not report findings that are in FILE.", "FILE"),
     Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
     Option("--stdin-filename", "File name of standard input ('-').", "FILE"),
+)
+
+#: The option that all commands have.
+COLOR = Option(
+    "--color",
+    "Colours: auto (on a terminal), always or never.",
+    "WHEN",
+    ("auto", "always", "never"),
+    default="auto",
 )
 
 

@@ -1,31 +1,54 @@
 """Standard output and standard error: colours, width, encoding and errors."""
 
 import os
+import re
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.source import shown_text
-from urdfkit.text.terminal import columns, printable, wrap
+from urdfkit.text.terminal import CYAN, RED, YELLOW, columns, painted, printable, wrap
 
 #: Units for terminals whose encoding lacks these letters, such as kg m^2.
 _ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
 #: ANSI colour codes of the lines in a diff, by prefix.
-_DIFF = {"---": 1, "+++": 1, "@@": 36, "-": 31, "+": 32}
+_DIFF = {"---": "1", "+++": "1", "@@": "36", "-": "31", "+": "32"}
+#: ANSI colour codes of the words that begin a line of standard error.
+_LABELS = {"error": RED, "warning": YELLOW}
+#: Colours of a severity that begins a line, for `colored`.
+SEVERITIES = {r"^ *error\b": RED, r"^ *warning\b": YELLOW, r"^ *info\b": CYAN}
+
+_color = "auto"
 
 
-def has_color(when: str) -> bool:
-    """True if the output has colours: ``always``, ``never``, or ``auto`` by the environment.
+def use_color(when: str) -> None:
+    """Set the colours of this process: ``always``, ``never``, or ``auto`` by the environment."""
+    global _color  # noqa: PLW0603 - one process answers one command line
+    _color = when
+
+
+def used_color() -> str:
+    """The colours of this process, as they were set."""
+    return _color
+
+
+def has_color() -> bool:
+    """True if standard output has colours.
 
     Source: https://no-color.org and https://force-color.org; only non-empty values count.
     """
-    if when != "auto":
-        return when == "always"
+    return _has_color(is_terminal())
+
+
+def _has_color(is_shown: bool) -> bool:
+    """True if a stream has colours; ``is_shown`` if it is a terminal."""
+    if _color != "auto":
+        return _color == "always"
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR"):
         return True
-    return is_terminal() and os.environ.get("TERM") != "dumb"
+    return is_shown and os.environ.get("TERM") != "dumb"
 
 
 def width() -> int:
@@ -72,7 +95,7 @@ def write(text: str) -> bytes:
     return data
 
 
-def write_diff(text: str, when: str) -> None:
+def write_diff(text: str) -> None:
     """Write a diff, in the colours of git if colours are enabled (`has_color`).
 
     In a file it stays a patch even with FORCE_COLOR, which CI servers set.
@@ -80,14 +103,14 @@ def write_diff(text: str, when: str) -> None:
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
     """
-    if has_color(when) and (is_terminal() or when == "always"):
-        text = "\n".join(map(_colored, text.split("\n")))
+    if has_color() and (is_terminal() or _color == "always"):
+        text = "\n".join(map(_colored_diff, text.split("\n")))
     write(text)
 
 
-def _colored(line: str) -> str:
-    code = next((code for start, code in _DIFF.items() if line.startswith(start)), 0)
-    return f"\x1b[{code}m{line}\x1b[0m" if code else line
+def _colored_diff(line: str) -> str:
+    code = next((code for start, code in _DIFF.items() if line.startswith(start)), "")
+    return painted(line, code) if code else line
 
 
 def handle_write_error(error: OSError) -> None:
@@ -166,13 +189,28 @@ def indented(text: str, first: str = "  ", rest: str = "    ") -> list[str]:
     )
 
 
-def page(lines: Iterable[str]) -> None:
+def page(lines: Iterable[str], colors: Mapping[str, str] = {}) -> None:
     """Write lines of text, with control characters escaped.
+
+    Args:
+        colors: see `colored`.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
     """
-    write("".join(f"{printable(line)}\n" for line in lines))
+    write("".join(f"{colored(printable(line), colors)}\n" for line in lines))
+
+
+def colored(line: str, colors: Mapping[str, str]) -> str:
+    """A printable line, in which words have colours if standard output has any.
+
+    Args:
+        colors: ANSI codes by regular expression; of each expression, the first match is coloured.
+    """
+    if colors and has_color():
+        for words, code in colors.items():
+            line = re.sub(words, painted(r"\g<0>", code), line, count=1)
+    return line
 
 
 def note(text: str) -> None:
@@ -182,14 +220,27 @@ def note(text: str) -> None:
 
 def log(*texts: str) -> None:
     """Write lines to standard error; they are wrapped for a terminal only."""
+    if sys.stderr is None:
+        return
+    is_shown = sys.stderr.isatty()
     for text in map(printable, map(shown_text, texts)):
-        if sys.stderr is not None:
-            is_shown = sys.stderr.isatty()
-            print(wrap(text, width(), indent=2) if is_shown else text, file=sys.stderr, flush=True)
+        line = wrap(text, width(), indent=2) if is_shown else text
+        label = line.partition(":")[0]
+        if label in _LABELS and _has_color(is_shown):
+            line = painted(label, _LABELS[label]) + line.removeprefix(label)
+        print(line, file=sys.stderr, flush=True)
 
 
-def json_or_page(format: str, document: Callable[[], object], lines: Iterable[str]) -> None:
+def json_or_page(
+    format: str,
+    document: Callable[[], object],
+    lines: Iterable[str],
+    colors: Mapping[str, str] = {},
+) -> None:
     """Write the result of a command, as JSON or as lines of text.
+
+    Args:
+        colors: of words in the text, see `colored`.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
@@ -199,7 +250,7 @@ def json_or_page(format: str, document: Callable[[], object], lines: Iterable[st
 
         write(dumped(document()))
     else:
-        page(lines)
+        page(lines, colors)
 
 
 def encode(text: str) -> bytes:

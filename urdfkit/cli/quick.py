@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from urdfkit.cli.options import CHECK, FILES
+from urdfkit.cli.options import CHECK, COLOR, FILES
 from urdfkit.core.static_typing import Any
 
 
@@ -16,9 +16,10 @@ def parse(words: Sequence[str]) -> dict[str, Any] | None:
     """
     if not words or words[0] != "check":
         return None
-    options = {option.flag: option for option in CHECK}
-    options.update((option.short, option) for option in CHECK if option.short)
-    values: dict[str, Any] = {option.key: option.initial for option in CHECK}
+    known = (*CHECK, COLOR)
+    options = {option.flag: option for option in known}
+    options.update((option.short, option) for option in known if option.short)
+    values: dict[str, Any] = {option.key: option.initial for option in known}
     files: list[str] = []
     rest = iter(words[1:])
     for word in rest:

@@ -45,7 +45,8 @@ def _text(rules: Sequence[Rule]) -> str:
     is_narrow = output.is_terminal() and 24 + longest + max(map(len, titles)) > output.width()
     text = ""
     for rule, title in zip(rules, titles, strict=True):
-        text += f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
+        severity = output.colored(f"{rule.severity.value:<7}", output.SEVERITIES)
+        text += f"{rule.code}  {severity}  {'fix' if rule.fixable else '   '}  "
         if is_narrow:
             below = output.indented(title, " " * 8, " " * 8)
             text += "\n".join((rule.name, *below, ""))

@@ -13,9 +13,11 @@ from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import motion, simulate
 from urdfkit.output.simulation.verdicts import Simulation
 from urdfkit.text.source import shown
+from urdfkit.text.terminal import GREEN, RED, YELLOW
 
 #: Pixels of the image and of the animation.
 SIZE, MOVING = (1280, 720), (640, 400)
+COLORS = {r"(?<=^  )FAILS\b": RED, r"(?<=^  )warns\b": YELLOW, r"(?<=^  )passes\b": GREEN}
 
 
 @described("simulate")
@@ -58,7 +60,7 @@ def command(
 
         output.write(render(simulation, context.source.path))
     else:
-        output.json_or_page(format, lambda: simulation.facts, _page(simulation))
+        output.json_or_page(format, lambda: simulation.facts, _page(simulation), COLORS)
     return int(not simulation.passes)
 
 

@@ -53,7 +53,7 @@ def _checked(check: Check, values: Mapping[str, Any]) -> _Queries:
     """Check in a new process, so that no state is kept between checks."""
     context: Any = multiprocessing.get_context("fork" if hasattr(os, "fork") else "spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_check, args=(check, values, sender))
+    process = context.Process(target=_check, args=(check, values, output.used_color(), sender))
     process.start()
     sender.close()
     try:
@@ -67,7 +67,8 @@ def _checked(check: Check, values: Mapping[str, Any]) -> _Queries:
     return queries
 
 
-def _check(check: Check, values: Mapping[str, Any], sender: Connection) -> None:
+def _check(check: Check, values: Mapping[str, Any], color: str, sender: Connection) -> None:
+    output.use_color(color)
     log, since = FileLog(), time.time_ns()
     disk.log_to(log)
     if guarded(lambda _: check(values), []) != 130:

@@ -10,6 +10,8 @@ _TAB = "    "
 _Cell = tuple[str, int, bool]
 #: Marks the end at which a line is cut.
 _CUT = "..."
+#: ANSI colour codes.
+RED, YELLOW, CYAN, GREEN = "1;31", "1;33", "1;36", "32"
 _COMMAND = r"(?:(?<=\s)|^):(?=:)|#(?=#(?:\[|vso))"
 
 
@@ -25,6 +27,11 @@ def printable(text: str) -> str:
     if "::" in text or "##" in text:
         text = re.sub(_COMMAND, lambda match: f"\\x{ord(match[0]):x}", text)
     return text
+
+
+def painted(text: str, code: str) -> str:
+    """A printable text in an ANSI colour."""
+    return f"\x1b[{code}m{text}\x1b[0m"
 
 
 def _printable(char: str) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import COLOR, DIFF, described, limited, option
+from urdfkit.cli.decorators import DIFF, described, limited, option
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -18,7 +18,6 @@ from urdfkit.text.source import shown
 @option("--most N", "Maximum number of convex pieces.", type=int, default=8)
 @option("--write", "Write the collisions and their mesh files.")
 @DIFF
-@COLOR
 @one_robot
 @limited
 def command(
@@ -28,7 +27,6 @@ def command(
     most: int,
     write: bool,
     diff: bool,
-    color: str,
 ) -> int:
     """Suggest simple collision geometry to replace detailed meshes.
 
@@ -53,7 +51,7 @@ def command(
         edits = edited(context, proposals)
         unchanged = edits.left
         if diff:
-            output.write_diff("".join(file.diff() for file in edits.files), color)
+            output.write_diff("".join(file.diff() for file in edits.files))
             lines = [f"# new file {shown(path)}" for path in edits.meshes]
         else:
             lines += [f"wrote {shown(path)}" for path in edits.write()]

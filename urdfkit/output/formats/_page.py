@@ -9,7 +9,7 @@ from urdfkit.lint.grouping import without_search
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
-from urdfkit.text.terminal import columns, frame, printable, wrap
+from urdfkit.text.terminal import CYAN, RED, YELLOW, columns, frame, painted, printable, wrap
 
 #: Calls of one macro, and steps of one trace, that are shown.
 MAX_CALLS = 8
@@ -18,7 +18,7 @@ MAX_NOTES = 3
 #: Least number of common words at the end of two messages that are not repeated.
 CLAUSE = 4
 #: Colours of severities.
-COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
+COLORS = {Severity.ERROR: RED, Severity.WARNING: YELLOW, Severity.INFO: CYAN}
 
 _STEPS = {
     "macro": "expanded from macro '{}' at",
@@ -180,7 +180,7 @@ class TextPage:
         return wrap(printable(text), self.width, indent=indent, used=used)
 
     def paint(self, text: str, code: str) -> str:
-        return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
+        return painted(text, code) if self.color else text
 
 
 def _lines(blocks: Iterable[str]) -> str:
