@@ -5,7 +5,8 @@
   `-name`, respectively.
 - A required option is missing: the program stops.
 - The file does not exist, or is a xacro file, which is not expanded. A missing file outside the
-  workspace is a warning: the robot may have it. A file in `/tmp` is not reported.
+  workspace is a warning: the robot may have it. A file in `/tmp` is not reported, nor one that
+  another command of the launch file names, which may write it.
 - The topic is misspelt: the program waits for ever.
 
 Sources:
@@ -80,7 +81,8 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
         yield Finding(place, message, f"spawn -topic {_TOPIC}, or an expanded -file")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
         is_inside = context.resolver.allows(text, context.source.path)
-        if not disk.exists(text) and (is_inside or not text.startswith("/tmp/")):
+        is_made = _is_mentioned(context, text) or (not is_inside and text.startswith("/tmp/"))
+        if not disk.exists(text) and not is_made:
             yield Finding(
                 place,
                 f"file not found: {text}",
@@ -93,6 +95,12 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
         if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], CLOSE_TYPO):
             message = f"unknown {option} '{name}'; did you mean '{_TOPIC}'?"
             yield Finding(place, message, f"write {_TOPIC}")
+
+
+def _is_mentioned(context: Context, path: str) -> bool:
+    """True if a program of the launch file, not a node, has a path: it probably writes the file."""
+    programs = (started for started in context.launch.started if not started.package)
+    return any(path in (word.text or "") for program in programs for word in program.words)
 
 
 def _is_expanded(context: Context, path: str) -> bool:

@@ -150,12 +150,20 @@ def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Fi
         is_known = users and all(map(_has_known_name, users)) and not launch.has_scopes
         if not names or not is_known or any("*" in name for name in names):
             continue
-        if names.isdisjoint((*costmap_parameters.COSTMAPS, *(user.name for user in users))):
-            node = users[0]
+        unserved = [user for user in users if not _has_section(user, files)]
+        known = (*costmap_parameters.COSTMAPS, *(user.name for user in users))
+        if unserved and names.isdisjoint(known):
+            node = unserved[0]
             likely = node.executable if node.executable in names else nearest(node.name, names)
             section = next((each for each in sections if each.name == likely), sections[0])
             help = f"write {node.name}, or name the node {section.name}"
             yield _of_other_name(section, node, node.name, help)
+
+
+def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -> bool:
+    """True if one of the files of a node has parameters of it: others may be of other nodes."""
+    sections = chain.from_iterable(files.get(path, ()) for path in node.parameters.files)
+    return any(section.name == node.name for section in sections)
 
 
 def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
