@@ -289,3 +289,26 @@ def test_file_passed_to_a_launch_file_of_ros(tmp_path: Path, name: str, count: i
     found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
     assert len(found) == count
     assert all("the node is 'slam_toolbox'" in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("package", "executable", "old", "count"),
+    [
+        ("controller_manager", "spawner", "/drive/cmd_vel", 1),
+        ("controller_manager", "spawner", "~/cmd_vel", 1),
+        ("controller_manager", "spawner", "/controller_manager/list_controllers", 0),
+        ("controller_manager", "ros2_control_node", "/drive/cmd_vel", 0),
+        ("robot_state_publisher", "robot_state_publisher", "/drive/cmd_vel", 1),
+        ("robot_state_publisher", "robot_state_publisher", "/joint_states", 0),
+    ],
+)
+def test_remappings_of_a_controller(
+    tmp_path: Path, package: str, executable: str, old: str, count: int
+) -> None:
+    node = 'Node(package="{}", executable="{}", arguments=["drive"], remappings=[("{}", "/x")])'
+    other = 'Node(package="controller_manager", executable="spawner", arguments=["drive"])'
+    nodes = f"{node.format(package, executable, old)}, {other}"
+    text = f"from launch_ros.actions import Node\n\nnodes = [{nodes}]\n"
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text)
+    words = f"remapping of '{old}' has no effect"
+    assert [one.message.partition(":")[0] for one in found] == [words] * count

@@ -24,6 +24,8 @@
   `planning_pipelines` (warning; the builder stops). Or the solvers are not below
   `robot_description_kinematics` (info: in Humble they may also be at the top level).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
+- A spawner or robot_state_publisher remaps the topics of a controller (warning), whose node is the
+  controller manager.
 - static_transform_publisher has an unknown option or a wrong number of arguments: a period after
   the frames belongs to ROS 1.
 
@@ -32,6 +34,7 @@ Sources:
     robot_localization, state estimation: https://docs.ros.org/en/noetic/api/robot_localization/html/state_estimation_nodes.html
     MoveIt, since Iron: https://github.com/Interbotix/interbotix_ros_manipulators/issues/133
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
+    ros2_controllers, topics of controllers: https://github.com/ros-controls/ros2_controllers/issues/262
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
 """
 
@@ -40,6 +43,7 @@ from itertools import chain
 from urdfkit.checks.launch import costmap_parameters, parameter_types
 from urdfkit.checks.launch.lifecycle import not_activated
 from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
+from urdfkit.checks.launch.unread_remappings import unread_remappings
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (
@@ -103,6 +107,7 @@ def check(context: Context) -> Findings:
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from relative_meshes(context)
+    yield from unread_remappings(context)
     yield from reported(context, "LAU024")
     for started in context.launch.started:
         yield from _unknown_pipeline(started)
