@@ -11,7 +11,7 @@ from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
 from urdfkit import Context, frames, load, read, to_yourdfpy
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableRobot
-from urdfkit.robot.kinematics import SLIDING, TURNING, laws
+from urdfkit.robot.kinematics import laws
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("yourdfpy")
@@ -32,7 +32,7 @@ def positions(robot: Context) -> dict[str, float]:
     free = [
         joint.name
         for joint in robot.tree.spanning
-        if joint.kind in (*TURNING, *SLIDING) and laws(joints)[joint.name].leader == joint.name
+        if joint.is_single_dof and laws(joints)[joint.name].leader == joint.name
     ]
     return {name: 0.3 + 0.7 * number / len(free) for number, name in enumerate(free)}
 

@@ -53,15 +53,29 @@ def test_soft_bounds(content: str, bounds: tuple[float, float] | None) -> None:
     assert joints.soft_bounds(one("continuous", content)) == bounds
 
 
-def test_units() -> None:
-    assert (joints.unit(one("revolute", "")), joints.effort_unit(one("revolute", ""))) == (
-        "rad",
-        "N·m",
-    )
-    assert (joints.unit(one("prismatic", "")), joints.effort_unit(one("prismatic", ""))) == (
-        "m",
-        "N",
-    )
+@pytest.mark.parametrize(
+    ("kind", "is_rotational", "is_prismatic", "unit", "effort_unit"),
+    [
+        ("revolute", True, False, "rad", "N·m"),
+        ("continuous", True, False, "rad", "N·m"),
+        ("prismatic", False, True, "m", "N"),
+    ],
+)
+def test_single_dof_joints(
+    kind: str, is_rotational: bool, is_prismatic: bool, unit: str, effort_unit: str
+) -> None:
+    joint = one(kind, "")
+    assert joint.is_single_dof
+    assert (joint.is_rotational, joint.is_prismatic) == (is_rotational, is_prismatic)
+    assert (joint.unit, joint.effort_unit) == (unit, effort_unit)
+
+
+@pytest.mark.parametrize("kind", ["fixed", "planar", "floating", ""])
+def test_other_joints(kind: str) -> None:
+    joint = one(kind, "")
+    assert not joint.is_single_dof
+    assert not joint.is_rotational
+    assert not joint.is_prismatic
 
 
 @pytest.mark.parametrize(

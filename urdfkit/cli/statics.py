@@ -14,7 +14,6 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.lint.context import Context
-from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
 from urdfkit.robot.values import number
@@ -116,7 +115,7 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     first = "at pose" if posed else "at zero"
     rows = [("joint", f"{first:>9} {'worst':>9}  {'effort':>8}  {'used':>6}")]
     for load in loads.loads:
-        unit = effort_unit(model.joints_by_name[load.joint])
+        unit = model.joints_by_name[load.joint].effort_unit
         limit = "unknown" if load.effort is None else f"{load.effort:.4g}"
         used = "" if load.used is None else f"{load.used:.0%}"
         held = output.aligned((load.at_pose, load.worst), NOISE)
@@ -129,7 +128,7 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         yield from output.wrapped(f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}")
     for load in loads.loads:
         if load.is_exceeded:
-            unit = effort_unit(model.joints_by_name[load.joint])
+            unit = model.joints_by_name[load.joint].effort_unit
             yield f"{load.joint} exceeds its effort limit: needs >= {load.worst:.4g} {unit}"
 
 

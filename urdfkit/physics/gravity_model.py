@@ -25,7 +25,7 @@ from urdfkit.core.spatial import (
 )
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, direction, laws
+from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
@@ -158,10 +158,10 @@ def _bodies(
         joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
         if joint is not None:
             parent, frame = placed[joint.parent_name]
-            at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING
-            if joint.kind in (*TURNING, *SLIDING):
+            at, axis, turns = frame @ joint.origin, direction(joint), joint.is_rotational
+            if joint.is_single_dof:
                 law = followed[joint.name]
-                if law.leader not in joints or joints[law.leader].kind not in (*TURNING, *SLIDING):
+                if law.leader not in joints or not joints[law.leader].is_single_dof:
                     law = MimicLaw("", 0.0, law.shift)
         back = transposed(at.rotation)
         bodies.append(MovingBody(parent, at, back, axis, turns, law, mass, moment))

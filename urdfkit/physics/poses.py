@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.robot.joints import bounds, unit
-from urdfkit.robot.kinematics import SLIDING, TURNING
+from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 from urdfkit.robot.values import number, numbers
 from urdfkit.text.source import Source
@@ -67,7 +66,7 @@ def outside_limits(tree: KinematicTree, positions: Mapping[str, float]) -> list[
     for name, position in positions.items():
         ends = bounds(tree.model.joints_by_name[name])
         if ends and not ends[0] - 1e-9 <= position <= ends[1] + 1e-9:
-            symbol = unit(tree.model.joints_by_name[name])
+            symbol = tree.model.joints_by_name[name].unit
             sentences.append(
                 f"joint '{name}' at {position:.4g} {symbol} is outside its limits "
                 f"{ends[0]:.4g} to {ends[1]:.4g} {symbol}"
@@ -119,7 +118,7 @@ def _states(srdf: Srdf) -> dict[str, dict[str, str]]:
 
 def _is_posable(tree: KinematicTree, name: str) -> bool:
     joint = tree.model.joints_by_name.get(name)
-    return joint is not None and joint.kind in (*TURNING, *SLIDING) and joint.mimic is None
+    return joint is not None and joint.is_single_dof and joint.mimic is None
 
 
 def _read(path: str) -> dict[str, str]:
@@ -163,11 +162,11 @@ def _positions(tree: KinematicTree, values: Mapping[str, str | float]) -> dict[s
             raise PoseError(f"no joint '{name}'{suggested}")
         if joint.leader:
             raise PoseError(f"joint '{name}' mimics '{joint.leader}'; set '{joint.leader}' instead")
-        if joint.kind not in (*TURNING, *SLIDING):
+        if not joint.is_single_dof:
             is_free = joint.kind in DEGREES_OF_FREEDOM
             why = "has several degrees of freedom and cannot be set" if is_free else "does not move"
             raise PoseError(f"joint '{name}' is {joint.kind or 'without a type'}: it {why}")
-        positions[name] = _position(name, value, turns=joint.kind in TURNING)
+        positions[name] = _position(name, value, turns=joint.is_rotational)
     return positions
 
 

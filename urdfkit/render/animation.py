@@ -93,11 +93,11 @@ def sweep(
     joints = context.model.joints_by_name
     if joint not in joints:
         raise AnimationError(f"no joint '{joint}'{did_you_mean(joint, list(joints))}")
-    kind = joints[joint].kind
-    if kind not in (*kinematics.TURNING, *kinematics.SLIDING) or joints[joint].mimic:
-        raise AnimationError(f"joint '{joint}' is {kind or 'of no type'}: it cannot be swept")
-    ends = bounds(joints[joint])
-    if ends is None and kind in kinematics.SLIDING:
+    swept = joints[joint]
+    if not swept.is_single_dof or swept.mimic:
+        raise AnimationError(f"joint '{joint}' is {swept.kind or 'of no type'}: it cannot be swept")
+    ends = bounds(swept)
+    if ends is None and swept.is_prismatic:
         raise AnimationError(f"joint '{joint}' has no limits")
     for number in range(frames):
         part = number / frames

@@ -23,7 +23,7 @@ from urdfkit.render.scene import Label, Scene, SceneItem, build, placed
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, positions
+from urdfkit.robot.kinematics import direction, positions
 from urdfkit.robot.model import Joint, Link
 
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
@@ -144,9 +144,9 @@ def _joints(scene: Scene, context: Context, size: float, pose: Mapping[str, floa
         here = joint.origin @ Transform(transposed(basis(direction(joint))))
         yield sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
         yield Label(joint.name, ends[0], joint.origin.position)
-        if joint.kind in TURNING:
+        if joint.is_rotational:
             yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
-        elif joint.kind in SLIDING:
+        elif joint.is_prismatic:
             yield from _sliding(ends[0], joint, here, BALL * size, at[joint.name])
 
 

@@ -10,7 +10,7 @@ from math import hypot
 from urdfkit.core.spatial import basis
 from urdfkit.robot.inertia import MassProperties, rotated, shifted
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
+from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -41,7 +41,7 @@ def is_effort_excessive(joint: Joint, body: MassProperties) -> bool:
         body: mass properties in the frame of the joint.
     """
     limit, force = joint.limit, effort(joint)
-    if limit is None or force is None or joint.kind not in TURNING:
+    if limit is None or force is None or not joint.is_rotational:
         return False
     about_joint = shifted(body.tensor, body.mass, body.center)
     moment = rotated(about_joint, basis(direction(joint))).izz
@@ -91,9 +91,9 @@ def maximum_loads(tree: KinematicTree) -> dict[str, float]:
                 hypot(*joint.origin.position) + _travel(joint)
             )
     own = {
-        joint.name: GRAVITY * (mass if joint.kind in SLIDING else lever)[joint.child_name]
+        joint.name: GRAVITY * (mass if joint.is_prismatic else lever)[joint.child_name]
         for joint in tree.model.joints
-        if joint.child_name and (joint.kind in TURNING or joint.kind in SLIDING)
+        if joint.child_name and joint.is_single_dof
     }
     return _with_followers(tree, own)
 
@@ -108,7 +108,7 @@ def _with_followers(tree: KinematicTree, own: Mapping[str, float]) -> dict[str, 
 
 def _travel(joint: Joint) -> float:
     """Largest distance of the child of a prismatic joint from the joint's origin, in m."""
-    return max(map(abs, span(joint))) if joint.kind in SLIDING else 0.0
+    return max(map(abs, span(joint))) if joint.is_prismatic else 0.0
 
 
 def light_joints(tree: KinematicTree) -> list[Joint]:

@@ -9,9 +9,6 @@ from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span
 
-#: Joints with one coordinate, an angle or a distance.
-MOVING = ("revolute", "continuous", "prismatic")
-
 #: Joints with a lower and an upper limit.
 BOUNDED = ("revolute", "prismatic")
 
@@ -31,7 +28,7 @@ _MAX_RELATED = 20
 def can_move(joint: Joint) -> bool:
     """True for a joint with one degree of freedom whose limits are not equal."""
     ends = bounds(joint)
-    return joint.kind in MOVING and (ends is None or ends[0] != ends[1])
+    return joint.is_single_dof and (ends is None or ends[0] != ends[1])
 
 
 def bounds(joint: Joint) -> tuple[float, float] | None:
@@ -46,7 +43,7 @@ def bounds(joint: Joint) -> tuple[float, float] | None:
     for key, placed in (("lower", limit.lower), ("upper", limit.upper)):
         if placed is None and key in limit.at.attributes:
             return None
-    return _value(limit.lower), _value(limit.upper)
+    return limit.ends
 
 
 def overshoot(driven: tuple[float, float], own: tuple[float, float]) -> float:
@@ -62,10 +59,10 @@ def span(joint: Joint) -> tuple[float, float]:
     of more than one turn is cut to the turn nearest to zero. A prismatic joint stays within `FAR`
     of zero, and at zero without limits. A joint of another type stays at 0.
     """
-    if joint.kind not in MOVING:
+    if not joint.is_single_dof:
         return 0.0, 0.0
     lower, upper = bounds(joint) or (0.0, -1.0)
-    if joint.kind == "prismatic":
+    if joint.is_prismatic:
         lower, upper = (min(max(end, -FAR), FAR) for end in (lower, upper))
         return (lower, upper) if lower <= upper else (0.0, 0.0)
     if lower > upper:
@@ -93,19 +90,6 @@ def soft_bounds(joint: Joint) -> tuple[float, float] | None:
     values = [number(safety.get(key)) if key in safety.attributes else 0.0 for key in SOFT_LIMITS]
     lower, upper = values
     return None if lower is None or upper is None else (lower, upper)
-
-
-def _value(placed: Placed[float] | None) -> float:
-    return placed.value if placed else 0.0
-
-
-def unit(joint: Joint) -> str:
-    """The unit of a joint position."""
-    return "m" if joint.kind == "prismatic" else "rad"
-
-
-def effort_unit(joint: Joint) -> str:
-    return "N" if joint.kind == "prismatic" else "N·m"
 
 
 def driven(model: RobotModel) -> frozenset[str]:

@@ -13,9 +13,6 @@ from urdfkit.core.spatial import Transform, Vector, rotation_about, times, unit
 from urdfkit.robot.model import Joint, Mimic, UnknownLink
 from urdfkit.robot.tree import KinematicTree
 
-#: Types of joints with one coordinate.
-TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
-
 
 class MimicLaw(Record):
     """Mimic relation of a joint: ``position = factor * position of the leader + shift``."""
@@ -80,7 +77,7 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
     relations = laws(joints)
     values: dict[str, float] = {}
     for name, joint in joints.items():
-        if joint.kind in TURNING or joint.kind in SLIDING:
+        if joint.is_single_dof:
             leader, factor, shift = relations[name]
             position = factor * given.get(leader, 0.0) + shift
             values[name] = position if isfinite(position) else 0.0
@@ -132,9 +129,9 @@ def motion(joint: Joint, position: float) -> Transform:
     if position == 0:
         return Transform()
     axis = direction(joint)
-    if joint.kind in SLIDING:
+    if joint.is_prismatic:
         return Transform(position=times(axis, position))
-    if joint.kind in TURNING:
+    if joint.is_rotational:
         return Transform(rotation_about(axis, position))
     return Transform()
 

@@ -35,6 +35,8 @@ class UnknownLink(UrdfkitError):
 
 #: By joint type; a planar joint has two translations and a rotation.
 DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
+#: Types of joints with one coordinate, an angle or a distance.
+SINGLE_DOF = ("revolute", "continuous", "prismatic")
 
 
 class Placed(Generic[T]):
@@ -155,6 +157,12 @@ class Limit(Record):
     effort: Placed[float] | None
     velocity: Placed[float] | None
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The lower and the upper limit; 0 if it is missing or unreadable, as in urdfdom."""
+        lower, upper = (end.value if end else 0.0 for end in (self.lower, self.upper))
+        return lower, upper
+
 
 class Mimic(Record):
     """``<mimic>``: position = multiplier * position of the leader + offset."""
@@ -182,6 +190,29 @@ class Joint(Record):
     def kind(self) -> str:
         """The type as written; empty if it is missing."""
         return self.type.value if self.type else ""
+
+    @property
+    def is_rotational(self) -> bool:
+        """True if its position is an angle."""
+        return self.kind in ("revolute", "continuous")
+
+    @property
+    def is_prismatic(self) -> bool:
+        return self.kind == "prismatic"
+
+    @property
+    def is_single_dof(self) -> bool:
+        """True if its position is one number, in rad or m; also for a mimic joint."""
+        return self.kind in SINGLE_DOF
+
+    @property
+    def unit(self) -> str:
+        """The unit of its position."""
+        return "m" if self.is_prismatic else "rad"
+
+    @property
+    def effort_unit(self) -> str:
+        return "N" if self.is_prismatic else "N·m"
 
     @property
     def parent_name(self) -> str:

@@ -11,7 +11,7 @@ from random import Random
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, best_angle, direction, motion
+from urdfkit.robot.kinematics import best_angle, direction, motion
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -60,20 +60,16 @@ def _chains(tree: KinematicTree) -> list[list[Joint]]:
         while above and len(chain) <= MAX_JOINTS:
             chain.append(above[0])
             above = tree.parents[above[0].parent_name]
-        while chain and not _moves(chain[-1]):
+        while chain and not chain[-1].is_single_dof:
             chain.pop()
         if chain:
             chains.append(chain[::-1])
     return chains
 
 
-def _moves(joint: Joint) -> bool:
-    return joint.kind in TURNING or joint.kind in SLIDING
-
-
 def _length(chain: list[Joint]) -> float:
     """Upper bound of the reach: the length of the straightened chain."""
-    travel = sum(max(map(abs, span(joint))) for joint in chain if joint.kind in SLIDING)
+    travel = sum(max(map(abs, span(joint))) for joint in chain if joint.is_prismatic)
     return travel + sum(hypot(*joint.origin.position) for joint in chain[1:])
 
 
@@ -86,7 +82,9 @@ def _reach(chain: list[Joint]) -> Reach:
     optima = [_climb(chain, ranges, start) for start in starts]
     distance, pose = max(optima, key=lambda optimum: optimum[0])
     named = {
-        joint.name: position for joint, position in zip(chain, pose, strict=True) if _moves(joint)
+        joint.name: position
+        for joint, position in zip(chain, pose, strict=True)
+        if joint.is_single_dof
     }
     return Reach(distance, chain[0].name, chain[-1].child_name, named)
 
@@ -101,7 +99,7 @@ def _climb(
         tip: Vector = ORIGIN
         for index in range(len(chain) - 1, -1, -1):
             joint = chain[index]
-            if _moves(joint):
+            if joint.is_single_dof:
                 pose[index] = _best(joint, ranges[index], bases[index], tip, pose[index])
             tip = motion(joint, pose[index]).apply(tip)
             if index:
@@ -129,7 +127,7 @@ def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, no
     parabola that opens upwards for a prismatic joint.
     """
     axis = direction(joint)
-    if joint.kind in SLIDING:
+    if joint.is_prismatic:
         along = dot(axis, minus(tip, base))
         return max(ends, key=lambda q: abs(q + along))
     b = dot(base, tip) - dot(axis, base) * dot(axis, tip)

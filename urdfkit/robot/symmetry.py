@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 from urdfkit.core.spatial import Vector
-from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -109,7 +108,7 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     children: dict[str, str] = {}  # child links of moving joints
     siblings: dict[str, dict[str, Vector]] = {}
     for child, (joint, parent) in above.items():
-        if joint.kind in MOVING and joint.name:
+        if joint.is_single_dof and joint.name:
             children[joint.name] = child
             siblings.setdefault(parent, {})[joint.name] = joint.origin.position
     names = pairs(children)

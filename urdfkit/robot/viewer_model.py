@@ -6,7 +6,7 @@ from typing import Any
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
+from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.model import Link, RobotModel
 from urdfkit.robot.tree import KinematicTree
 
@@ -53,7 +53,7 @@ def _joints(
             "axis": list(direction(joint)),
         }
         law = followed.get(joint.name)
-        if joint.kind in (*TURNING, *SLIDING) and law is not None:
+        if joint.is_single_dof and law is not None:
             entry |= {"leader": law.leader, "factor": law.factor, "shift": law.shift}
             entry |= {"limits": bounds(joint)}
         entries.append(entry)

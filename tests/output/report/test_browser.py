@@ -16,7 +16,7 @@ from urdfkit.core.spatial import Transform
 from urdfkit.lint.loading import read
 from urdfkit.output.report.writing import report
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.kinematics import TURNING, frames
+from urdfkit.robot.kinematics import frames
 
 pytestmark = needs_browser
 for module in ("jinja2", "numpy", "selenium", "trimesh"):
@@ -78,7 +78,7 @@ def test_joints_move_the_links_as_our_kinematics_does(
     given = {
         joint.name: random_.uniform(-2, 2)
         for joint in context.model.joints
-        if joint.kind in (*TURNING, "prismatic") and not joint.mimic
+        if joint.is_single_dof and not joint.mimic
     }
     assert given
     for name, position in given.items():

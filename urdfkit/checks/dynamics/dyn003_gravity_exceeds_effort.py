@@ -18,7 +18,6 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import overloadable_joints
-from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 
@@ -62,7 +61,7 @@ def _finding(joint: Joint, load: Load) -> Finding:
 
     assert joint.limit is not None
     assert joint.limit.effort is not None
-    unit = effort_unit(joint)
+    unit = joint.effort_unit
     message = (
         f"joint '{joint.name}' needs {load.worst:.4g} {unit} to hold against gravity at "
         f"{worst_pose(load)}; its effort limit is {load.effort:.4g} {unit}"

@@ -17,7 +17,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.joints import BOUNDED, effort_unit, unit
+from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.robot.samples import arm_xml
 
@@ -36,13 +36,13 @@ def check(context: Context) -> Findings:
 def _incomplete(model: RobotModel) -> Findings:
     """Joints whose limit lacks values that urdfdom requires."""
     for joint in model.joints:
-        units = {"effort": effort_unit(joint), "velocity": f"{unit(joint)}/s"}
+        units = {"effort": joint.effort_unit, "velocity": f"{joint.unit}/s"}
         if joint.limit is None:
             if joint.kind in BOUNDED:
                 yield Finding(
                     joint.at,
                     f"joint '{joint.name}' is {joint.kind} and has no <limit>",
-                    f"add <limit> with lower and upper in {unit(joint)}, effort in "
+                    f"add <limit> with lower and upper in {joint.unit}, effort in "
                     f"{units['effort']} and velocity in {units['velocity']}",
                 )
             continue

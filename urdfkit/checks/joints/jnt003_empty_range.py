@@ -20,7 +20,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -50,8 +50,8 @@ def check(context: Context) -> Findings:
 def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
     lower, upper = ends
     message = (
-        f"joint '{joint.name}': lower limit {lower:g} {unit(joint)} is above upper limit "
-        f"{upper:g} {unit(joint)}"
+        f"joint '{joint.name}': lower limit {lower:g} {joint.unit} is above upper limit "
+        f"{upper:g} {joint.unit}"
     )
     for key in ("lower", "upper"):
         if key not in limit.at.attributes:
@@ -69,7 +69,7 @@ def _swapped(limit: Limit) -> Fix | None:
 
 def _equal(joint: Joint, limit: Limit, value: float, is_wanted: bool) -> Finding:
     written = [key for key in ("lower", "upper") if key in limit.at.attributes]
-    why = f"lower and upper limit are both {value:g} {unit(joint)}"
+    why = f"lower and upper limit are both {value:g} {joint.unit}"
     if not written:
         why = "lower and upper limit are not written, so both are 0 (none for Drake and PyBullet)"
     elif len(written) == 1:

@@ -27,8 +27,7 @@ from math import hypot
 
 from urdfkit.core.spatial import Vector, length
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import MOVING
-from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.model import SINGLE_DOF, Joint, Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import fix_value
 
@@ -53,7 +52,7 @@ _MOTION = {"prismatic": "moves along", "planar": "moves in the plane across"}
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         at = joint.at.child("axis")
-        if joint.kind not in (*MOVING, "planar"):
+        if joint.kind not in (*SINGLE_DOF, "planar"):
             continue
         if at is None:
             motion = _MOTION.get(joint.kind, "turns about")
@@ -78,7 +77,7 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
         message = f"{who} has length {norm:.4g}, not 1"
         help = "write a vector of length 1 in the direction of the axis"
         yield Finding(axis, message, help, fix_value(axis.at, normalized))
-    elif joint.kind in MOVING:
+    elif joint.is_single_dof:
         yield from _noise(joint, axis)
 
 

@@ -27,16 +27,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import (
-    MOVING,
-    can_move,
-    driven,
-    effort_unit,
-    limits_of,
-    related,
-    several,
-    unit,
-)
+from urdfkit.robot.joints import can_move, driven, limits_of, related, several
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -54,7 +45,7 @@ _HELP = {
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
     """One finding per kind of limit: exporters write the same number for every joint."""
-    joints = [joint for joint in context.model.joints if joint.kind in MOVING]
+    joints = [joint for joint in context.model.joints if joint.is_single_dof]
     active = driven(context.model)
     reads_none = _is_for_gazebo_alone(context.targets)
     for key in _HELP:
@@ -86,7 +77,7 @@ def _finding(
     limits: list[tuple[Joint, Placed[float]]], key: str, value: str, severity: Severity
 ) -> Finding:
     first, limit = limits[0]
-    in_unit = effort_unit(first) if key == "effort" else f"{unit(first)}/s"
+    in_unit = first.effort_unit if key == "effort" else f"{first.unit}/s"
     sign = ", below 0" if limit.value < 0 else ""
     return Finding(
         limit,
@@ -99,8 +90,8 @@ def _finding(
 
 def _negative_dynamics(joint: Joint) -> Findings:
     dynamics = joint.at.child("dynamics")
-    effort = effort_unit(joint)
-    for key, in_unit in (("damping", f"{effort}·s/{unit(joint)}"), ("friction", effort)):
+    effort = joint.effort_unit
+    for key, in_unit in (("damping", f"{effort}·s/{joint.unit}"), ("friction", effort)):
         value = number(dynamics.get(key)) if dynamics else None
         if dynamics and value is not None and value < 0:
             message = f"joint '{joint.name}': the {key} is {value:g} {in_unit}, below 0"

@@ -101,7 +101,7 @@ def _limits(model: RobotModel) -> Findings:
     suspects = [
         (joint, ends)
         for joint in model.joints
-        if joint.kind == "prismatic"
+        if joint.is_prismatic
         and (ends := bounds(joint))
         and _MIN_TRAVEL <= max(map(abs, ends)) <= 10_000
         and all(end == int(end) for end in ends)

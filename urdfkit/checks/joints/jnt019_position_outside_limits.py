@@ -28,7 +28,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
+from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -68,7 +68,7 @@ class _Soft(Record):
 
     @property
     def shown(self) -> str:
-        return f"soft limits [{self.soft[0]:g}, {self.soft[1]:g}] {unit(self.joint)}"
+        return f"soft limits [{self.soft[0]:g}, {self.soft[1]:g}] {self.joint.unit}"
 
 
 @rule(Severity.WARNING)
@@ -90,7 +90,7 @@ def check(context: Context) -> Findings:
         lower, upper = bounds(joints[0]) or (0.0, 0.0)
         yield _finding(
             [(joint, joint.limit.at) for joint in joints if joint.limit],
-            f"position 0 is outside the limits [{lower:g}, {upper:g}] {unit(joints[0])}",
+            f"position 0 is outside the limits [{lower:g}, {upper:g}] {joints[0].unit}",
             "set an initial position, or rotate its origin so that 0 is within the limits",
         )._replace(severity=Severity.INFO)
 
@@ -132,7 +132,7 @@ def _calibration(joint: Joint) -> Findings:
         if value is not None and not lower - allowed <= value <= upper + allowed:
             yield Finding(
                 calibration.attributes[edge],
-                f"joint '{joint.name}': {edge} edge at {value:g} {unit(joint)} is outside the "
+                f"joint '{joint.name}': {edge} edge at {value:g} {joint.unit} is outside the "
                 f"limits [{lower:g}, {upper:g}]",
                 f"correct {edge}, or the limits",
             )

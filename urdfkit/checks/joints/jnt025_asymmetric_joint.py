@@ -27,8 +27,8 @@ from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.joints import bounds, effort_unit, unit
-from urdfkit.robot.kinematics import TURNING, direction
+from urdfkit.robot.joints import bounds
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import hand_xml
 from urdfkit.robot.values import number
@@ -85,8 +85,8 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
     if one is None or other is None:
         return
     for name, a, b, unit_of_value in (
-        ("effort", one.effort, other.effort, effort_unit(first)),
-        ("velocity", one.velocity, other.velocity, f"{unit(first)}/s"),
+        ("effort", one.effort, other.effort, first.effort_unit),
+        ("velocity", one.velocity, other.velocity, f"{first.unit}/s"),
     ):
         if a and b and _differ(a, b):
             yield f"{name} {b.value:g}, not {a.value:g} {unit_of_value}"
@@ -95,7 +95,7 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
         return
     if not (_same(ours, theirs) or _same((-ours[1], -ours[0]), theirs)):
         yield (
-            f"limits [{theirs[0]:g}, {theirs[1]:g}], not [{ours[0]:g}, {ours[1]:g}] {unit(first)}"
+            f"limits [{theirs[0]:g}, {theirs[1]:g}], not [{ours[0]:g}, {ours[1]:g}] {first.unit}"
         )
 
 
@@ -104,8 +104,8 @@ def _losses(first: Joint, second: Joint) -> Iterator[str]:
     one, other = (joint.at.child("dynamics") for joint in (first, second))
     if one is None or other is None or first.mimic or second.mimic:
         return
-    of = effort_unit(first)
-    for key, dimension in (("damping", f"{of}·s/{unit(first)}"), ("friction", of)):
+    of = first.effort_unit
+    for key, dimension in (("damping", f"{of}·s/{first.unit}"), ("friction", of)):
         a, b = number(one.get(key)), number(other.get(key))
         if a and b and max(a, b) > _LOSSES * min(a, b) > 0:
             yield f"{key} {b:g}, not {a:g} {dimension}"
@@ -125,7 +125,7 @@ def _axes(context: Context) -> Findings:
     """Joints that turn about an axis other than that of their counterparts."""
     frames = context.tree.frames
     for left, right in context.symmetric_joints:
-        if left.kind not in TURNING or right.kind not in TURNING:
+        if not left.is_rotational or not right.is_rotational:
             continue
         one, other = (frames.get(joint.child_name) for joint in (left, right))
         if one is None or other is None or not _are_mirrored(one, other):

@@ -12,8 +12,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import MOVING, effort_unit, unit
-from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.model import SINGLE_DOF, Joint, Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
 _LIMIT = '<limit lower="-2" upper="2" effort="80" velocity="3"/>'
@@ -38,8 +37,8 @@ _OTHERS = 3
 
 @rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
 def check(context: Context) -> Findings:
-    joints = [joint for joint in context.model.joints if joint.kind in MOVING and joint.limit]
-    for kind in MOVING:  # wheels have other motors than arms
+    joints = [joint for joint in context.model.joints if joint.is_single_dof and joint.limit]
+    for kind in SINGLE_DOF:  # wheels have other motors than arms
         same_kind = [joint for joint in joints if joint.kind == kind]
         for key, times in _TIMES.items():
             yield from _outlier(same_kind, key, times)
@@ -65,7 +64,7 @@ def _limit(joint: Joint, key: str) -> Placed[float] | None:
 
 
 def _finding(joint: Joint, limit: Placed[float], key: str, ratio: str) -> Finding:
-    in_unit = effort_unit(joint) if key == "effort" else f"{unit(joint)}/s"
+    in_unit = joint.effort_unit if key == "effort" else f"{joint.unit}/s"
     return Finding(
         limit,
         f"joint '{joint.name}': {key} limit {limit.value:g} {in_unit} is {ratio} of the other "

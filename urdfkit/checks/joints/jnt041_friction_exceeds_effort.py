@@ -13,7 +13,6 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint_loads import effort
-from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -38,13 +37,13 @@ def check(context: Context) -> Findings:
     for joint in context.model.joints:
         dynamics = joint.at.child("dynamics")
         limit = effort(joint)
-        if dynamics and limit and joint.kind in MOVING and not joint.mimic:
+        if dynamics and limit and joint.is_single_dof and not joint.mimic:
             yield from _excessive(joint, dynamics, limit)
 
 
 def _excessive(joint: Joint, dynamics: Element, limit: float) -> Findings:
     friction, damping = (number(dynamics.get(key)) or 0.0 for key in ("friction", "damping"))
-    who, of = f"joint '{joint.name}'", effort_unit(joint)
+    who, of = f"joint '{joint.name}'", joint.effort_unit
     if friction > limit:
         message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {limit:g} {of}"
         yield Finding(
@@ -55,11 +54,11 @@ def _excessive(joint: Joint, dynamics: Element, limit: float) -> Findings:
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = limit / damping if damping > 0 else speed
-    if reached < min(_CREEPS[unit(joint)], _SLOW * speed):
+    if reached < min(_CREEPS[joint.unit], _SLOW * speed):
         yield Finding(
             dynamics.attributes["damping"],
-            f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {limit:g} "
-            f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
+            f"{who}: with damping {damping:g} {of}·s/{joint.unit}, the effort limit of {limit:g} "
+            f"{of} reaches {reached:.2g} {joint.unit}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
             group_key="damping",
         )

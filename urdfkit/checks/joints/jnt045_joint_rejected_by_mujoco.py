@@ -18,8 +18,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import BOUNDED, MOVING, several
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joints import BOUNDED, several
+from urdfkit.robot.model import SINGLE_DOF, Joint
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import number
 
@@ -86,7 +86,7 @@ def _without_autolimits(context: Context) -> Findings:
 def _is_limited(joint: Joint) -> bool:
     """True if MuJoCo reads a range of positions or forces."""
     has_range = joint.kind in (*BOUNDED, "planar", "spherical") and _lower(joint) is not None
-    has_effort = joint.kind in (*MOVING, "planar")
+    has_effort = joint.kind in (*SINGLE_DOF, "planar")
     return has_range or (has_effort and bool(joint.limit and number(joint.limit.at.get("effort"))))
 
 

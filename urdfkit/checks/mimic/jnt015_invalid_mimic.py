@@ -18,8 +18,8 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import MOVING, related, several
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.joints import related, several
+from urdfkit.robot.model import SINGLE_DOF, Joint, RobotModel
 from urdfkit.robot.samples import hand_xml
 from urdfkit.text.schema import JOINT_TYPES
 
@@ -31,7 +31,7 @@ GOOD = hand_xml("prismatic", [_LIMIT], [_LIMIT, _OF_LEFT])
 #: Number of joints that a message lists.
 _MAX_NAMES = 6
 
-_IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)
+_IMMOBILE = frozenset(JOINT_TYPES) - frozenset(SINGLE_DOF)
 
 
 @rule(Severity.ERROR)
@@ -94,7 +94,7 @@ def _immobile(context: Context) -> Findings:
             continue
         if joint.kind in _IMMOBILE and drake:
             found.setdefault(f"<mimic> on a {joint.kind} joint", []).append(joint)
-        elif leader.kind in _IMMOBILE and joint.kind in MOVING:
+        elif leader.kind in _IMMOBILE and joint.is_single_dof:
             reason = f"<mimic> of '{leader.name}', which is {leader.kind}"
             found.setdefault(reason, []).append(joint)
     for reason, joints in found.items():

@@ -15,7 +15,7 @@ Sources:
 
 from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.joints import bounds, overshoot, unit
+from urdfkit.robot.joints import bounds, overshoot
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Mimic
 from urdfkit.robot.samples import hand_xml
@@ -52,7 +52,7 @@ def _limits(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
     yield Finding(
         mimic.at,
         f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
-        f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
+        f"{taken[1]:g}] {joint.unit}, beyond its limits [{own[0]:g}, {own[1]:g}]",
         _advice(mimic, leading, taken, own),
         related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
         group_key="beyond",

@@ -15,7 +15,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.robot.joints import related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.catalog.plugins import find
@@ -49,7 +49,7 @@ def check(context: Context) -> Findings:
     joints = [
         joint
         for joint in context.model.joints
-        if joint.mimic and joint.kind in MOVING and joint.name not in coupled
+        if joint.mimic and joint.is_single_dof and joint.name not in coupled
     ]
     if joints and joints[0].mimic:
         yield Finding(

@@ -17,7 +17,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
@@ -100,12 +100,12 @@ def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
     """Lower limit, upper limit and unit of a joint; None without limits."""
     if interface == "position":
         limits = bounds(joint)
-        return (*limits, unit(joint)) if limits and limits[0] < limits[1] else None
+        return (*limits, joint.unit) if limits and limits[0] < limits[1] else None
     limit = joint.limit
     most = {"velocity": limit.velocity, "effort": limit.effort}.get(interface) if limit else None
     if most is None or most.value <= 0:
         return None
-    unit_name = f"{unit(joint)}/s" if interface == "velocity" else effort_unit(joint)
+    unit_name = f"{joint.unit}/s" if interface == "velocity" else joint.effort_unit
     return -most.value, most.value, unit_name
 
 

@@ -16,7 +16,6 @@ from collections.abc import Iterable
 
 from urdfkit.core.repeats import repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.joints import unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER
@@ -60,8 +59,8 @@ def _value(state: str, element: Element, joint: Joint) -> Findings:
     if not lower - _ROUNDING <= value <= upper + _ROUNDING:
         yield Finding(
             element,
-            f"{who}: {value:g} {unit(joint)} is outside its limits "
-            f"[{lower:g}, {upper:g}] {unit(joint)}",
+            f"{who}: {value:g} {joint.unit} is outside its limits "
+            f"[{lower:g}, {upper:g}] {joint.unit}",
             "write a value within the limits",
         )
 

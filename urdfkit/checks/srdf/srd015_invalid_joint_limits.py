@@ -21,7 +21,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.robot.joints import MOVING, bounds, unit
+from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
@@ -64,7 +64,7 @@ def _missing_acceleration(context: Context) -> Findings:
     lacking = [
         joint
         for joint in context.model.joints
-        if joint.kind in MOVING and joint.child_name in links
+        if joint.is_single_dof and joint.child_name in links
         if joint.mimic is None and joint.name not in passive
         if not (joint.limit and joint.limit.at.get("acceleration"))
         if joint.name not in planned or not planned[joint.name].is_on(switch)
@@ -108,11 +108,11 @@ def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float,
     velocity = planned.bound("max_velocity", "has_velocity_limits")
     limit = joint.limit
     if velocity is not None and limit and limit.velocity and limit.velocity.value > 0:
-        yield "max_velocity", velocity, limit.velocity.value, f"{unit(joint)}/s"
+        yield "max_velocity", velocity, limit.velocity.value, f"{joint.unit}/s"
     for name, allowed in zip(("min_position", "max_position"), bounds(joint) or (), strict=False):
         position = planned.bound(name, "has_position_limits")
         if position is not None:
-            yield name, position, allowed, unit(joint)
+            yield name, position, allowed, joint.unit
 
 
 def _is_wider(name: str, planned: float, allowed: float) -> bool:

@@ -22,7 +22,7 @@ from urdfkit.output.conversion.mjcf_geoms import (
     has_few_vertices,
 )
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
-from urdfkit.output.conversion.mjcf_robot import NARROWEST, ONE_WAY
+from urdfkit.output.conversion.mjcf_robot import NARROWEST
 from urdfkit.output.conversion.text_reading import TextReading
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import laws
@@ -84,9 +84,9 @@ def joints(model: Any, robot: Context) -> Iterator[tuple[float, str]]:
     indices, by_name = names(model, "njnt"), robot.model.joints_by_name
     followed, coupled = laws(by_name), 0
     for joint in by_name.values():
-        if joint.kind in ONE_WAY:
+        if joint.is_single_dof:
             leader = by_name.get(followed[joint.name].leader) if joint.mimic else None
-            coupled += leader is not None and leader.kind in ONE_WAY
+            coupled += leader is not None and leader.is_single_dof
             index = indices.get(joint.name)
             yield (WHOLE if index is None else _joint(model, index, joint)), joint.name
     yield (WHOLE if coupled != model.neq else 0.0), ""
@@ -96,7 +96,7 @@ def _joint(model: Any, at: int, joint: Joint) -> float:
     limit, effort_limit, dof = joint.limit, effort(joint), model.jnt_dofadr[at]
     limits = force = None
     if limit is not None and joint.kind != "continuous":
-        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
+        lower, upper = limit.ends
         limits = lower, max(upper, lower + NARROWEST)
     if effort_limit is not None:
         force = -effort_limit, effort_limit

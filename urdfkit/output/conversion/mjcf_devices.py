@@ -55,7 +55,7 @@ def add_actuators(mjcf: MjcfRobot, robot: Context) -> None:
     """Add an actuator for each joint without ``<mimic>``; a motor if no interface is defined."""
     commands = dict(_commands(robot))
     for joint in robot.model.joints:
-        if joint.mimic or joint.kind not in ("revolute", "continuous", "prismatic"):
+        if joint.mimic or not joint.is_single_dof:
             continue
         kind, at = commands.get(joint.name, ("effort", None))
         _actuator(mjcf, joint, kind)

@@ -15,7 +15,7 @@ from urdfkit.output.conversion.mjcf_pieces import WrittenShape, quaternion
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.joint_loads import effort
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
+from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -27,8 +27,6 @@ NARROWEST = 1e-6
 
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
-#: Joint types with one degree of freedom.
-ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -125,8 +123,8 @@ class MjcfRobot:
         keep(at, what if joint.kind != "fixed" else "body without a joint")
         for tag in ("origin", "parent", "child"):
             keep(at.child(tag), "pose of the body")
-        if joint.kind in ONE_WAY:
-            kind = _SLIDE if joint.kind == "prismatic" else _HINGE
+        if joint.is_single_dof:
+            kind = _SLIDE if joint.is_prismatic else _HINGE
             mj_joint = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
             self._limits(mj_joint, joint)
@@ -162,7 +160,7 @@ class MjcfRobot:
             return
         attributes = limit.at.attributes
         self.losses.keep(limit.at, "range")
-        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
+        lower, upper = limit.ends
         if joint.kind == "continuous":
             reason = "a continuous joint has no range"
             self.losses.lose(attributes.get("lower"), reason)
@@ -233,7 +231,7 @@ class MjcfRobot:
             if mimic is None:
                 continue
             leader, factor, shift = couplings[joint.name]
-            if not {joint.kind, joints[leader].kind if leader else ""} <= set(ONE_WAY):
+            if not (joint.is_single_dof and leader and joints[leader].is_single_dof):
                 self._lose_mimic(joint, leader)
                 continue
             equality = self.spec.add_equality(
@@ -250,14 +248,14 @@ class MjcfRobot:
         """Record why a ``<mimic>`` is lost; ``leader`` is empty if the leader does not exist."""
         if joint.kind == "fixed":
             return
-        if joint.kind not in ONE_WAY:
+        if not joint.is_single_dof:
             why = f"a {joint.kind} joint cannot follow another joint"
         elif leader:
             kind = self._tree.model.joints_by_name[leader].kind
             why = f"'{leader}' is a {kind} joint, which cannot lead a mimic joint"
         else:
             why = "no independent joint leads it"
-        free = " and has no actuator" if joint.kind in ONE_WAY else ""
+        free = " and has no actuator" if joint.is_single_dof else ""
         self.losses.lose(joint.at.child("mimic"), f"{why}: the joint moves freely{free}")
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform, rotate
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.body_inertia import homogeneous
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, frames, laws
+from urdfkit.robot.kinematics import direction, frames, laws
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 
@@ -27,7 +27,7 @@ class OwnDynamics:
     def __init__(self, tree: KinematicTree) -> None:
         self._tree = tree
         self._laws = laws(tree.model.joints_by_name)
-        moving = (joint for joint in tree.model.joints if joint.kind in (*TURNING, *SLIDING))
+        moving = (joint for joint in tree.model.joints if joint.is_single_dof)
         self._moving = {joint.name: joint for joint in moving}
         self.columns = tuple(name for name, joint in self._moving.items() if not joint.mimic)
         self._numbers = {name: number for number, name in enumerate(self.columns)}
@@ -77,7 +77,7 @@ class OwnDynamics:
             axis = np.array(rotate(frame.rotation, direction(joint)))
             turning = np.concatenate([axis, np.cross(frame.position, axis)])
             sliding = np.concatenate([np.zeros(3), axis])
-            axes[name] = turning if joint.kind in TURNING else sliding
+            axes[name] = turning if joint.is_rotational else sliding
         return axes
 
     def _composites(self, pose: Mapping[str, float]) -> dict[str, Floats]:

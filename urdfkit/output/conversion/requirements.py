@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.robot.kinematics import SLIDING, TURNING
-from urdfkit.robot.model import Joint, reads_quaternions
+from urdfkit.robot.model import SINGLE_DOF, Joint, reads_quaternions
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Element
 from urdfkit.text.schema import JOINT_TYPES
@@ -70,10 +69,10 @@ def _invalid(joint: Joint) -> Iterator[tuple[Span, str]]:
     if joint.kind not in JOINT_TYPES:
         kinds = ", ".join(JOINT_TYPES)
         yield joint.at.span, f"its type is '{joint.kind}', not a type of URDF; use one of {kinds}"
-    moves = joint.kind in (*TURNING, *SLIDING, "planar")
+    moves = joint.kind in (*SINGLE_DOF, "planar")
     if moves and joint.axis is not None and not any(joint.axis.value):
         yield joint.axis.span, "its axis is 0 0 0; write a direction"
     if moves and joint.kind != "continuous" and joint.limit is not None:
-        lower, upper = (end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
+        lower, upper = joint.limit.ends
         if lower > upper:
             yield joint.limit.at.span, "its lower limit is above the upper limit; swap them"

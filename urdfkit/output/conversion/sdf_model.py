@@ -209,8 +209,7 @@ def _axis(joint: Joint) -> Tag:
 
 def _limit(tag: Tag, limit: Limit, *, has_range: bool) -> None:
     if has_range:
-        bounds = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
-        for name, bound in zip(("lower", "upper"), sorted(bounds), strict=True):
+        for name, bound in zip(("lower", "upper"), sorted(limit.ends), strict=True):
             set_value(tag, name, number_text(bound))
     for name, largest in (("effort", limit.effort), ("velocity", limit.velocity)):
         set_value(tag, name, number_text(largest.value if largest else 0.0))

@@ -10,7 +10,7 @@ from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.sdf_reader import Sdf, pose, text
 from urdfkit.output.conversion.sdf_values import SNAP
 from urdfkit.robot.inertia import ZERO, MassProperties, combined
-from urdfkit.robot.kinematics import SLIDING, TURNING, frames, positions
+from urdfkit.robot.kinematics import frames, positions
 from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
@@ -148,7 +148,7 @@ def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[flo
         if joint.child_name in conversion.dropped or joint.kind == "fixed":
             continue
         tag = sdf.joints.get(joint.name)
-        kind = "prismatic" if joint.kind in SLIDING else "revolute"
+        kind = "prismatic" if joint.is_prismatic else "revolute"
         parent = joint.parent_name
         if (
             tag is None
@@ -164,10 +164,11 @@ def _joints(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Iterator[flo
 def _limits(tag: Element, joint: Joint) -> Iterator[float]:
     axis = tag.child("axis")
     limit = axis.child("limit") if axis else None
-    if joint.limit is None or limit is None or joint.kind not in (*TURNING, *SLIDING):
+    if joint.limit is None or limit is None or not joint.is_single_dof:
         return
-    ends = sorted(end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper))
-    limits = dict(zip(("lower", "upper"), ends, strict=True)) if joint.kind != "continuous" else {}
+    limits = {}
+    if joint.kind != "continuous":
+        limits["lower"], limits["upper"] = sorted(joint.limit.ends)
     for name, bound in (("effort", joint.limit.effort), ("velocity", joint.limit.velocity)):
         limits[name] = bound.value if bound else 0.0
     for name, value in limits.items():

@@ -20,7 +20,7 @@ from urdfkit.output.conversion.body_inertia import (
 )
 from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.usd_shapes import converted_shapes, shape_difference
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
@@ -242,7 +242,7 @@ def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
             yield (_WHOLE if moves and joint.name else 0.0), joint.name
         elif prim.GetTypeName() != _TYPES.get(joint.kind) or not _joins(stage, prim, joint):
             yield _WHOLE, joint.name
-        elif joint.kind in (*TURNING, *SLIDING):
+        elif joint.is_single_dof:
             parts = (*_limits(prim, joint), *_resistance(prim, joint), *_mimic(stage, prim, joint))
             yield max(parts), joint.name
 
@@ -259,11 +259,11 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
     yield 0.0
     if joint.kind == "continuous" or joint.limit is None:
         return
-    bounds = [end.value if end else 0.0 for end in (joint.limit.lower, joint.limit.upper)]
+    bounds = joint.limit.ends
     largest = max(*map(abs, bounds), 1e-9)
     for name, ours in zip(("lower", "upper"), bounds, strict=True):
         theirs = float(prim.GetAttribute(f"physics:{name}Limit").Get())
-        if joint.kind == "prismatic":
+        if joint.is_prismatic:
             yield abs(theirs - ours) / largest
         else:
             yield abs(theirs - degrees(ours)) / degrees(largest)
@@ -271,7 +271,7 @@ def _limits(prim: Any, joint: Joint) -> Iterator[float]:
 
 def _resistance(prim: Any, joint: Joint) -> Iterator[float]:
     """Relative differences of velocity limit, damping and friction."""
-    per_degree = 1.0 if joint.kind == "prismatic" else degrees(1.0)
+    per_degree = 1.0 if joint.is_prismatic else degrees(1.0)
     for path, (name, power) in RESISTANCE.items():
         tag, _, written = path.partition("@")
         element = joint.at.child(tag)
@@ -289,7 +289,7 @@ def _mimic(stage: Stage, prim: Any, joint: Joint) -> Iterator[float]:
     leader = stage.joints.get(joint.mimic.joint.value) if joint.mimic.joint else None
     targets = prim.GetRelationship("newton:mimicJoint").GetTargets()
     yield 0.0 if leader is not None and targets == [leader.GetPath()] else _WHOLE
-    offset = joint.mimic.offset if joint.kind == "prismatic" else degrees(joint.mimic.offset)
+    offset = joint.mimic.offset if joint.is_prismatic else degrees(joint.mimic.offset)
     for name, ours in (("mimicCoef0", offset), ("mimicCoef1", joint.mimic.multiplier)):
         theirs = float(prim.GetAttribute(f"newton:{name}").Get())
         yield abs(theirs - ours) / max(abs(ours), 1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.tree import KinematicTree
@@ -59,11 +59,11 @@ def axis(joint: Joint) -> str:
 def limits(joint: Joint) -> list[str]:
     """The defined limits of a joint: position, effort and velocity."""
     texts: list[str] = []
-    of, ends = unit(joint), bounds(joint)
+    of, ends = joint.unit, bounds(joint)
     if ends:
         texts.append(f"{ends[0]:.4g} to {ends[1]:.4g} {of}")
     if joint.limit and joint.limit.effort and joint.kind in DEGREES_OF_FREEDOM:
-        texts.append(f"{joint.limit.effort.value:.4g} {effort_unit(joint)}")
+        texts.append(f"{joint.limit.effort.value:.4g} {joint.effort_unit}")
     if joint.limit and joint.limit.velocity and joint.kind in DEGREES_OF_FREEDOM:
         texts.append(f"{joint.limit.velocity.value:.4g} {of}/s")
     return texts

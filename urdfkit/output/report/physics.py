@@ -4,7 +4,6 @@ from urdfkit.core.progress import Progress
 from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.report.tables import Row
-from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of
 
 #: Number of sampled poses for statics and for collisions; the separate commands sample more.
@@ -32,7 +31,7 @@ def statics(context: Context) -> Row:
         "joints": [
             {
                 "joint": load.joint,
-                "unit": effort_unit(joints[load.joint]),
+                "unit": joints[load.joint].effort_unit,
                 "at_zero": _round(load.at_zero),
                 "worst": _round(load.worst),
                 "effort": load.effort,

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import mujoco
 
-from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged, unit_of
+from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
 from urdfkit.robot.model import Joint
@@ -41,7 +41,7 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     sign = 1.0 if upper - start >= start - lower else -1.0
     room = max(upper - start, start - lower) - _LEAST
     fastest, enough = 0.0, min(PART * velocity, SPEED)
-    unit, force = unit_of(joint)
+    unit, force = joint.unit, joint.effort_unit
     pushed = f"its effort of {effort:g} {force}"
     friction = float(model.dof_frictionloss[dof])
     if effort <= friction:  # in MuJoCo it creeps

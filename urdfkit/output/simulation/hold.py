@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, unit_of
+from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.physics.overloads import overloads, worst_pose
 
@@ -46,7 +46,7 @@ def _overloads(robot: SimulatedRobot) -> Iterator[Verdict]:
         assert joint.limit is not None
         assert joint.limit.effort is not None
         effort = joint.limit.effort
-        _, force = unit_of(joint)
+        force = joint.effort_unit
         text = (
             f"joint '{joint.name}' needs {load.worst:.3g} {force} to hold its load at "
             f"{worst_pose(load)}, its effort is {effort.value:g} {force}"
@@ -78,10 +78,10 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
     weak = [joint for joint in sags if is_weak[robot.dof(joint.name)]]
     for joint in weak or sags:
         dof = robot.dof(joint.name)
-        unit, force = unit_of(joint)
+        force = joint.effort_unit
         text = (
-            f"joint '{joint.name}' gives way by {sags[joint]:.2g} {unit} in {HELD:g} s: to hold "
-            f"still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
+            f"joint '{joint.name}' gives way by {sags[joint]:.2g} {joint.unit} in {HELD:g} s: to "
+            f"hold still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
             f"{most[dof]:g} {force}"
         )
         place = robot.joint(joint.name)

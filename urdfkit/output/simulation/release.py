@@ -12,7 +12,6 @@ from urdfkit.output.simulation.simulated_robot import (
     FINE_STEP,
     SimulatedRobot,
     diverged,
-    unit_of,
 )
 from urdfkit.output.simulation.timestep import light_link
 from urdfkit.output.simulation.verdicts import Verdict
@@ -87,9 +86,9 @@ def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
         written = dynamics.attributes.get("damping") if dynamics else None
         damping = number(written.value) if written else None
         if written and damping is not None and damping < 0:
-            position, force = unit_of(joint)
             text = (
-                f"joint '{joint.name}' is driven by its damping of {damping:g} {force}·s/{position}"
+                f"joint '{joint.name}' is driven by its damping of {damping:g} "
+                f"{joint.effort_unit}·s/{joint.unit}"
             )
             yield Verdict("energy", False, text, damping, 0.0, (joint.name,), written.span)
 

@@ -14,10 +14,10 @@ from urdfkit.mesh.geometry import Floats
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, ignore_warning
-from urdfkit.output.conversion.mjcf_robot import ONE_WAY, MjcfRobot
+from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.joint_loads import GRAVITY, STEP
-from urdfkit.robot.kinematics import SLIDING, laws
+from urdfkit.robot.kinematics import laws
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.srdf import Srdf, read_named
 from urdfkit.text.source import Span
@@ -57,7 +57,7 @@ class SimulatedRobot:
         joints = robot.model.joints_by_name
         couplings = laws(joints)
         #: Laws of the revolute, continuous and prismatic joints.
-        self._laws = {name: couplings[name] for name in joints if joints[name].kind in ONE_WAY}
+        self._laws = {name: couplings[name] for name in joints if joints[name].is_single_dof}
         self.leaders = [joints[name] for name, law in self._laws.items() if law.leader == name]
         self.followers = {
             name: law.leader for name, law in self._laws.items() if law.leader not in (name, "")
@@ -217,11 +217,6 @@ def diverged(data: Any) -> int | None:
         if data.warning[kind].number:
             return int(data.warning[kind].lastinfo)
     return None
-
-
-def unit_of(joint: Joint) -> tuple[str, str]:
-    """Units of a joint's position and effort."""
-    return ("m", "N") if joint.kind in SLIDING else ("rad", "N·m")
 
 
 def _add_lock(made: MjcfRobot, joint: Joint) -> None:

@@ -9,11 +9,11 @@ import mujoco
 import numpy as np
 
 from urdfkit.output.simulation.hold import SAG, torques
-from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot, unit_of
+from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.joints import overshoot, span
-from urdfkit.robot.kinematics import SLIDING, MimicLaw, laws, positions
+from urdfkit.robot.kinematics import MimicLaw, laws, positions
 from urdfkit.robot.model import Joint
 
 #: Number of positions of a joint that are tested in its range.
@@ -40,17 +40,16 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
         start = poses.start[joint.name]
         lower, upper = robot.range(joint.name) or (start - pi, start + pi)
         least = min(least, (_free_part(poses, joint.name, lower, upper), joint.name))
-        step = min(PART * (upper - lower), SLIDE if joint.kind in SLIDING else TURN)
+        step = min(PART * (upper - lower), SLIDE if joint.is_prismatic else TURN)
         near = [at for at in (start - step, start + step) if lower <= at <= upper]
         hits = [(at, poses.collision(joint.name, at)) for at in near]
         jam = next(((at, *hit) for at, hit in hits if hit), None)
         if jam and all(hit for _, hit in hits) and poses.is_jammed(joint.name, near):
             jams = True
             at, names, depth = jam
-            unit, _ = unit_of(joint)
             links = " and ".join(f"'{name}'" for name in names)
             text = (
-                f"joint '{joint.name}' is jammed: at {at:.3g} {unit} {links} overlap "
+                f"joint '{joint.name}' is jammed: at {at:.3g} {joint.unit} {links} overlap "
                 f"by {depth * 1e3:.3g} mm"
             )
             yield Verdict("sweep", False, text, depth, OVERLAP, names, robot.collision(names[0]))
@@ -156,10 +155,10 @@ def _stopped(robot: SimulatedRobot) -> Iterator[Verdict]:
         low, high = sorted(law.factor * end + law.shift for end in leading)
         beyond = overshoot((low, high), own)
         if beyond > 0:
-            joint, (unit, _) = joints[name], unit_of(joints[name])
+            joint = joints[name]
             text = (
                 f"joint '{name}': its <mimic> of '{leader}' drives it through [{low:.3g}, "
-                f"{high:.3g}] {unit}, its own range is [{own[0]:.3g}, {own[1]:.3g}]: "
+                f"{high:.3g}] {joint.unit}, its own range is [{own[0]:.3g}, {own[1]:.3g}]: "
                 f"{_blocked(joints[leader], law, leading, own)}"
             )
             place = joint.mimic.at.span if joint.mimic else None
@@ -176,17 +175,16 @@ def _blocked(
         return f"no position of '{leader.name}' is within it"
     if low == high:
         return f"'{leader.name}' cannot move"
-    return f"'{leader.name}' can only move from {low:.3g} to {high:.3g} {unit_of(leader)[0]}"
+    return f"'{leader.name}' can only move from {low:.3g} to {high:.3g} {leader.unit}"
 
 
 def _lag(
     robot: SimulatedRobot, name: str, deviation: float, is_at: float, should: float
 ) -> Verdict:
     joint = robot.robot.model.joints_by_name[name]
-    unit, _ = unit_of(joint)
     text = (
-        f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} {unit} "
-        f"where <mimic> takes it to {should:.3g} {unit}"
+        f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} "
+        f"{joint.unit} where <mimic> takes it to {should:.3g} {joint.unit}"
     )
     place = joint.mimic.at.span if joint.mimic else None
     return Verdict("mimic", False, text, deviation, SAG, (name,), place)

@@ -15,7 +15,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, direction, laws
+from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -190,7 +190,7 @@ def tree_arrays(tree: KinematicTree) -> TreeArrays:
     axes = tuple(
         Axis(j.name, *span(j), start_of(j))
         for j in tree.model.joints_by_name.values()
-        if j.kind in (*TURNING, *SLIDING) and not j.leader
+        if j.is_single_dof and not j.leader
     )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
@@ -208,10 +208,10 @@ def tree_arrays(tree: KinematicTree) -> TreeArrays:
 def _step(
     joint: Joint, parent: int, child: int, law: MimicLaw, columns: Mapping[str, int]
 ) -> TreeStep:
-    does_move = joint.kind in (*TURNING, *SLIDING)
+    does_move = joint.is_single_dof
     origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
     x, y, z = direction(joint)
-    turns = joint.kind in TURNING
+    turns = joint.is_rotational
     sine = np.zeros((4, 4))
     if turns:
         sine[:3, :3] = ((0, -z, y), (z, 0, -x), (-y, x, 0))

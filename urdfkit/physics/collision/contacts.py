@@ -18,7 +18,7 @@ from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
 from urdfkit.physics.collision.closed_forms import point_distance, signed_distance
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, frames, laws, motion
+from urdfkit.robot.kinematics import LOCKED, frames, laws, motion
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.exact import ExactDistances
@@ -297,7 +297,7 @@ class Contacts:
         names = dict.fromkeys(
             self._laws[joint.name].leader
             for joint in joints
-            if joint.kind in (*TURNING, *SLIDING) and joint.name in self._laws
+            if joint.is_single_dof and joint.name in self._laws
         )
         return [self._joints[name] for name in names if name in self._joints]
 

@@ -210,7 +210,7 @@ def _joint_model(joint: Joint) -> tuple[pin.JointModel, Transform]:
     axis = direction(joint)
     if joint.kind == "revolute":
         return pin.JointModelRevoluteUnaligned(np.array(axis)), Transform()
-    if joint.kind == "prismatic":
+    if joint.is_prismatic:
         return pin.JointModelPrismaticUnaligned(np.array(axis)), Transform()
     if joint.kind == "continuous":
         return pin.JointModelRUBZ(), Transform(_with_z(axis))

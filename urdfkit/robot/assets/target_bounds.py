@@ -72,7 +72,7 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
         axis = rotate(bodies[0].origin.rotation, (0.0, 0.0, 1.0))
     else:
         joints = robot.tree.parents.get(link.name, [])
-        turning = [joint for joint in joints if joint.kind in ("continuous", "revolute")]
+        turning = [joint for joint in joints if joint.is_rotational]
         if not turning:
             return None
         axis = direction(turning[0])

@@ -80,7 +80,7 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[DrivenWheel]:
     for reference in driven(use):
         joint = tree.model.joints_by_name.get(reference.name)
         name = reference.parameter.name.lower()
-        if joint is None or joint.kind not in ("continuous", "revolute") or "steer" in name:
+        if joint is None or not joint.is_rotational or "steer" in name:
             continue
         side = "left" if "left" in name else "right" if "right" in name else ""
         if wheel := wheel_of(joint, tree):
