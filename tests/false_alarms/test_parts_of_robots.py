@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.workspaces import add_file
+from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
@@ -47,6 +47,26 @@ def test_a_part_without_a_name_that_nothing_includes(tmp_path: Path) -> None:
     add_file(tmp_path / "imu.xacro", SENSOR.replace(b' name="rover"', b"").replace(b"gps", b"imu"))
     report = engine.check(tmp_path, select=["REF", "XAC", "URD003"])
     assert (report.diagnostics, len(report.files)) == ((), 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "launched", "severity"),
+    [
+        ("vehicle.xacro", "sensors.xacro", Severity.WARNING),
+        ("vehicle.xacro", "vehicle.xacro", Severity.ERROR),
+        ("vehicle.urdf.xacro", "sensors.xacro", Severity.ERROR),
+        ("vehicle.urdf", "sensors.xacro", Severity.ERROR),
+    ],
+)
+def test_a_part_without_a_name_for_another_package(
+    tmp_path: Path, name: str, launched: str, severity: Severity
+) -> None:
+    """Autoware's vehicle.xacro, which the xacro of its launch package includes."""
+    add_package(tmp_path, "vehicle_description")
+    add_file(tmp_path / "launch/a.launch.py", f"urdf = '{launched}'\n".encode())
+    path = add_file(tmp_path / "urdf" / name, b'<robot><link name="base_link"/></robot>')
+    (found,) = engine.check(path, select=["URD003"]).diagnostics
+    assert found.severity == severity
 
 
 def test_a_whole_robot_is_checked_whatever_a_comment_says(tmp_path: Path) -> None:

@@ -4,7 +4,8 @@ If an attribute is missing in a joint or in `<robot>`, urdfdom (RViz, MoveIt, Ga
 rejects the robot. In a link, urdfdom logs one line and drops every visual and collision of that
 link. A `<dynamics>` needs at least one of its two attributes. Values in elements or as text,
 `<box><size>1 1 1</size></box>` or `<parent>base</parent>`, are SDF: in URDF they are attributes.
-The name of the robot is optional only in a xacro file that others include.
+The name of the robot is optional only in a xacro file that others include (a warning if a file
+of another package may include it: it is not called `.urdf.xacro`, and no launch file names it).
 
 urdfdom reads an empty name, but TF ignores such a frame, Drake rejects the link and PyBullet
 crashes. In a xacro an empty name is usually a prefix with nothing after it.
@@ -35,8 +36,7 @@ def check(context: Context) -> Findings:
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None and element.parent is None:
             if not context.is_part:
-                fix = _named_for_file(element)
-                yield Finding(element, "<robot> has no name", 'write <robot name="...">', fix)
+                yield _nameless(context, element)
             continue
         if attribute is not None and not suggested:
             yield Finding(attribute, f"a {element.tag} has an empty name", "give it a name")
@@ -56,6 +56,25 @@ def check(context: Context) -> Findings:
             f"rename {attribute.name} to {suggested}",
             Fix.of(f"rename {attribute.name} to {suggested}", edits),
         )
+
+
+def _nameless(context: Context, robot: Element) -> Finding:
+    message, help, severity = "<robot> has no name", 'write <robot name="...">', None
+    if _may_be_part(context):
+        message += ", which is right only if a file of another package includes this one"
+        severity = Severity.WARNING
+    return Finding(robot, message, help, _named_for_file(robot), severity=severity)
+
+
+def _may_be_part(context: Context) -> bool:
+    """True for a xacro that is not named like a robot, and that no launch file names."""
+    from urdfkit.workspace.launch_files import launch_files
+
+    name = os.path.basename(context.source.path)
+    if not name.endswith(".xacro") or name.endswith(".urdf.xacro"):
+        return False
+    workspace = context.resolver.packages.workspace(context.source.path)
+    return not any(launch_files(workspace, name, context.resolver))
 
 
 def _as_attribute(element: Element, missing: str) -> str:
