@@ -20,6 +20,7 @@ Image = pytest.importorskip("PIL.Image")
 from tests.output.conversion.test_mjcf import INERTIAL, LIMIT, arm, loaded
 from tests.own_robots import PICKER
 from tests.physics.dynamics.test_against_pinocchio import robots
+from urdfkit.output.conversion import mjcf_inputs
 
 #: Two triangles with an image, a part without, which is red, and a triangle that is blue.
 OBJ = """\
@@ -543,7 +544,7 @@ def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
         '<mujoco><compiler balanceinertia="true" autolimits="true"/>'
         '<option timestep="0.004" gravity="0 -3 1"><flag contact="disable" gravity="disable"/>'
         '</option><size memory="10M" nuserdata="3"/></mujoco><mujoco_inputs><raw_inputs>'
-        '<option integrator="implicitfast"/><actuator/></raw_inputs></mujoco_inputs>'
+        '<option integrator="implicitfast"/><sensor/></raw_inputs></mujoco_inputs>'
     )
     outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')
     model, parts = loaded(
@@ -562,7 +563,59 @@ def test_options_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
     assert parts["mujoco/size@nuserdata"] == "lost: urdfkit does not convert it"
     assert parts["mujoco_inputs/raw_inputs/option"] == "kept: option"
     merged = "lost: mujoco_ros2_control merges it into the MJCF; urdfkit does not"
-    assert parts["mujoco_inputs/raw_inputs/actuator"] == merged
+    assert parts["mujoco_inputs/raw_inputs/sensor"] == merged
+
+
+def inputs(actuators: str) -> str:
+    return (
+        f"<mujoco_inputs><raw_inputs><actuator>{actuators}</actuator></raw_inputs></mujoco_inputs>"
+    )
+
+
+def test_actuators_of_mujoco_in_the_urdf(tmp_path: Path) -> None:
+    """They are those that MuJoCo itself reads from the same text, and replace our own."""
+    text = (
+        '<position joint="turn" kp="30" dampratio="1" ctrlrange="-1 1" forcerange="-5 5"/>'
+        '<velocity joint="turn" kv="2"/><general tendon="t"/>'
+    )
+    model, parts = loaded(arm(LIMIT, more=inputs(text)), tmp_path / "o")
+    expected = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><joint name="turn"/><geom size="1"/></body></worldbody>'
+        f"<actuator>{text.partition('<general')[0]}</actuator></mujoco>"
+    )
+    assert [model.actuator(number).name for number in range(model.nu)] == ["turn", "turn_velocity"]
+    for field in "gainprm gaintype biastype ctrlrange forcerange ctrllimited gear".split():
+        ours, theirs = (getattr(one, f"actuator_{field}") for one in (model, expected))
+        assert ours.tolist() == theirs.tolist()
+    assert model.actuator("turn").biasprm[1] == -30
+    block = "mujoco_inputs/raw_inputs/actuator"
+    assert parts[f"{block}/position@kp"] == "kept: position"
+    assert parts[f"{block}/general"].startswith("lost: only actuators of joints")
+
+
+def test_all_fields_of_an_actuator_are_copied() -> None:
+    """But what belongs to its specification, and what actuators of joints do not use."""
+    own = "classname compiler id info name plugin signature target trntype type userdata".split()
+    of_sites = ["refsite", "slidersite"]
+    actuator = mujoco.MjSpec().add_actuator()
+    fields = {name for name in dir(actuator) if not name.startswith("_")}
+    values = {name for name in fields if not callable(getattr(actuator, name))}
+    assert values - {*own, *of_sites} == set(mjcf_inputs._ACTUATOR_FIELDS)
+
+
+@pytest.mark.parametrize(
+    ("actuator", "message"),
+    [
+        ('<position joint="trun"/>', "<position> is for an unknown joint 'trun'; correct it"),
+        ('<position joint="turn" kpp="1"/>', "unrecognized attribute: 'kpp'; correct it"),
+        ('<servo joint="turn"/>', "MuJoCo rejects <servo>"),
+    ],
+)
+def test_a_wrong_actuator_of_mujoco_is_an_error(
+    actuator: str, message: str, tmp_path: Path
+) -> None:
+    with pytest.raises(UrdfkitError, match=message):
+        convert(read(arm(LIMIT, more=inputs(actuator))), tmp_path / "o")
 
 
 def test_an_option_that_mujoco_rejects_is_an_error(tmp_path: Path) -> None:

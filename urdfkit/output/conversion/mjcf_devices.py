@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import mujoco
 
 from urdfkit.lint.context import Context
+from urdfkit.output.conversion.mjcf_inputs import add_given_actuators
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.model import Joint
@@ -52,10 +53,14 @@ def add_frictions(mjcf: MjcfRobot, robot: Context) -> None:
 
 
 def add_actuators(mjcf: MjcfRobot, robot: Context) -> None:
-    """Add an actuator for each joint without ``<mimic>``; a motor if no interface is defined."""
+    """Add an actuator for each joint without ``<mimic>``; a motor if no interface is defined.
+
+    Actuators in ``<mujoco_inputs>`` take precedence.
+    """
+    driven = add_given_actuators(mjcf, robot)
     commands = dict(_commands(robot))
     for joint in robot.model.joints:
-        if joint.mimic or not joint.is_single_dof:
+        if joint.mimic or not joint.is_single_dof or joint.name in driven:
             continue
         kind, at = commands.get(joint.name, ("effort", None))
         _actuator(mjcf, joint, kind)
