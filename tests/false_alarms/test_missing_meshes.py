@@ -171,3 +171,23 @@ def test_an_installed_mesh_of_another_package(tmp_path: Path, name: str, is_know
     (found,) = robot(tmp_path / "setup" / "urdf" / "arm.urdf", installed)
     assert (found.help == "did you mean 'package://gripper/meshes/finger.stl'?") is is_known
     assert (found.fix is not None) is is_known
+
+
+@pytest.mark.parametrize(
+    ("file", "severity"), [("meshes/arm.stl", "warning"), ("parts/arm.stl", "error")]
+)
+def test_a_mesh_in_a_submodule_that_is_not_checked_out(
+    tmp_path: Path, file: str, severity: str
+) -> None:
+    """akros2_description: all of its meshes are a repository of their own."""
+    package(tmp_path, "arm")
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".gitmodules").write_text('[submodule "meshes"]\n\tpath = meshes\n\turl = u\n')
+    (tmp_path / "meshes").mkdir()
+    urdf = tmp_path / "urdf" / "arm.urdf"
+    (found,) = robot(urdf, f"package://arm/{file}")
+    assert found.severity.value == severity
+    assert ("git submodule update --init" in str(found.help)) == (severity == "warning")
+    put(tmp_path, "meshes/other.stl")
+    (found,) = robot(urdf, f"package://arm/{file}")
+    assert found.severity.value == "error"

@@ -16,6 +16,7 @@ from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.package_references import package_references
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
+from urdfkit.workspace.submodules import absent_submodules
 
 MAX_BYTES = 1024 * 1024
 #: Directories of a package that are searched for descriptions.
@@ -23,7 +24,6 @@ MAX_DIRECTORIES = 200
 
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
-_SUBMODULE = rb"(?m)^\s*path\s*=\s*(.+?)\s*$"
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
 #: Tags that every package.xml has.
@@ -98,18 +98,7 @@ def is_known_dependency(name: str, path: str, resolver: Resolver) -> bool:
     return (
         comes_with_ros(name)
         or (manifest is not None and name in manifest.dependencies)
-        or _lacks_submodule(resolver.packages.root(path).directory)
-    )
-
-
-def _lacks_submodule(repository: str) -> bool:
-    """True if a submodule of a repository is an empty directory."""
-    text = read_head(os.path.join(repository, ".gitmodules"), MAX_BYTES)
-    return any(
-        not disk.names(directory) if disk.is_directory(directory) else True
-        for directory in (
-            os.path.join(repository, os.fsdecode(path)) for path in re.findall(_SUBMODULE, text)
-        )
+        or bool(absent_submodules(resolver.packages.root(path).directory))
     )
 
 

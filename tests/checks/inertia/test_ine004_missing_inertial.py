@@ -88,7 +88,8 @@ def test_a_fixed_joint_that_gazebo_keeps_needs_a_mass() -> None:
     robot = BASE + link("arm", VISUAL) + joint("base", "arm")
     kept = "<gazebo reference='arm_joint'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
     assert reported(robot) == []
-    assert len(reported(robot + kept)) == 1
+    (found,) = reported(robot + kept)
+    assert found.help == "give it an <inertial>, or remove <preserveFixedJoint> of the joint"
 
 
 def test_the_mission_s_model_has_a_massless_root_and_nothing_is_said() -> None:

@@ -26,7 +26,7 @@ Sources:
 
 from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, SdfConversion
 from urdfkit.ros.targets import GAZEBO, TargetFacts
@@ -126,8 +126,17 @@ def _without_mass(context: Context) -> Findings:
         reported = body.joint is not None and zero  # INE001
         if not reported and (body.joint or context.targets.any_of(GAZEBO)):
             finding = _finding(body, context)
-            if finding:
+            if finding and body.joint and body.joint.kind == "fixed":
+                yield finding._replace(help=_help_of_fixed(context, body.joint.name))
+            elif finding:
                 yield finding._replace(help=_HELP_OF_ZERO) if zero else finding
+
+
+def _help_of_fixed(context: Context, joint: str) -> str:
+    """Help for a link whose joint is fixed already; a tag may keep Gazebo from merging it."""
+    blocks = [block for block in context.model.gazebo if block.get("reference") == joint]
+    kept = [tag for tag in KEEPING_TAGS for block in blocks if block.child(tag)]
+    return "give it an <inertial>" + (f", or remove <{kept[0]}> of the joint" if kept else "")
 
 
 def _finding(body: RigidBody, context: Context) -> Finding | None:

@@ -15,6 +15,7 @@ never committed. XAC011 reports packages that are not found. Also reported:
   computer only, and urdfkit does not read it (a warning).
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
   cannot check whether it exists (a warning).
+- A file of a git submodule that is not checked out (a warning): run `git submodule update --init`.
 - An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
   warning).
 - A relative path that is found from a parent directory: only PyBullet and Isaac search there (a
@@ -50,6 +51,7 @@ from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import OUTSIDE
+from urdfkit.workspace.submodules import absent_submodules
 
 BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 FIXED = GOOD = BAD.replace("forarm", "forearm")
@@ -95,7 +97,7 @@ def check(context: Context) -> Findings:
             help = "move it into the package, name its directory with --package, or pass --trust"
             yield Finding(mesh.at, message, help, severity=Severity.WARNING)
         elif id(mesh) in missing:
-            yield _of_installation(mesh) or _missing(context, mesh)
+            yield _of_installation(mesh) or _of_submodule(context, mesh) or _missing(context, mesh)
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
@@ -139,6 +141,19 @@ def _of_installation(mesh: MeshReference) -> Finding | None:
     message = f"{mesh.who} is in {directory}, which is not on this computer: not checked"
     help = "write package://PACKAGE/..., which is found wherever the package is installed"
     return Finding(mesh.at, message, help, severity=Severity.WARNING, group_key=directory)
+
+
+def _of_submodule(context: Context, mesh: MeshReference) -> Finding | None:
+    """Finding about a file of a git submodule that is not checked out; else None."""
+    repository = context.resolver.packages.root(context.source.path).directory
+    for directory in absent_submodules(repository):
+        if any(path.startswith(os.path.join(directory, "")) for path in mesh.located.tried):
+            name = os.path.relpath(directory, repository)
+            message = f"{mesh.who} is in git submodule '{name}', which is not there: not checked"
+            help = "run git submodule update --init"
+            severity = Severity.WARNING
+            return Finding(mesh.at, message, help, group_key=directory, severity=severity)
+    return None
 
 
 def _missing(context: Context, mesh: MeshReference) -> Finding:
