@@ -1,7 +1,10 @@
 """Sensors whose topics look alike and carry different data."""
 
+from pathlib import Path
+
 import pytest
 
+from tests.launched import reported
 from urdfkit import check
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
@@ -35,3 +38,33 @@ def test_a_topic_of_two_sensors() -> None:
     (message,) = _found(*both)
     assert message.endswith("both publish on 'scan'")
     assert _found(*both, target="classic-ros2") == []
+
+
+LIDARS = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:arg name="lidar" default="3d"/><link name="base"/><gazebo reference="base">
+<xacro:if value="${'$(arg lidar)' == '3d'}">
+<sensor name="front" type="gpu_lidar"><topic>/lidar_3d</topic></sensor></xacro:if>
+<xacro:if value="${'$(arg lidar)' == '2d'}">
+<sensor name="front" type="gpu_lidar"><topic>/scan</topic></sensor></xacro:if></gazebo></robot>"""
+BRIDGE = """\
+from launch_ros.actions import Node
+from launch.substitutions import Command, FindPackageShare, PathJoinSubstitution
+
+robot = PathJoinSubstitution([FindPackageShare("arm"), "urdf", "r.urdf.xacro"])
+nodes = [
+    Node(package="robot_state_publisher", executable="robot_state_publisher",
+         parameters=[{"robot_description": Command(["xacro ", robot])}]),
+    Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=[
+         "%s@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"]),
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("topic", "count"), [("/scan", 0), ("/scan/points", 0), ("/lidar_3d/ranges", 1), ("/front", 1)]
+)
+def test_a_bridge_for_the_lidars_of_all_arguments(tmp_path: Path, topic: str, count: int) -> None:
+    """A robot with a lidar in 2D or 3D, of which one file bridges the topics."""
+    files = {"urdf/r.urdf.xacro": LIDARS}
+    found = reported(tmp_path / "arm", "LAU020", "a.launch.py", BRIDGE % topic, files)
+    assert len(found) == count

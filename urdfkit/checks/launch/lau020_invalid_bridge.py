@@ -13,7 +13,7 @@ Reported as a warning:
 - No sensor or system of the robot uses the topic, while another topic with the same message type
   is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
   `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next
-  to its images.
+  to its images. A topic that the xacro has with other arguments is not reported.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
 - No sensor or system of the robot uses the message type, and the world contains no other model
   that may.
@@ -47,6 +47,7 @@ from urdfkit.ros.launch.bridges import (
     ros_messages,
 )
 from urdfkit.ros.launch.worlds import worlds
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import CallFrame
 
 NAME = "robot.launch.py"
@@ -68,6 +69,9 @@ _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
     "Twist",
 )  # fmt: skip
+
+#: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
+_TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
@@ -134,6 +138,7 @@ def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
     of_robot = list(_topics(context))
     passed = {topic.topic for topic, _ in bridged}
     is_known = _is_known(context)
+    others = set(_topics_of_other_arguments(context))
     unnamed: set[str] = set()
     unbridged = [gz for gz in of_robot if not any(map(gz.is_called, passed))]
     for topic, frame in bridged:
@@ -145,6 +150,8 @@ def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
             at = Location(topic.at("direction"), frame)
             help = f"write {right if topic.places else SIGNS[right]}"
             yield Finding(at, message, help, severity=Severity.WARNING)
+        if not own and {topic.topic.strip("/"), topic.topic.strip("/").rpartition("/")[0]} & others:
+            continue
         kind = topic.gz_type.rpartition(".")[2]
         waiting = [gz for gz in unbridged if gz.message == kind and gz.is_read is not only]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
@@ -210,3 +217,20 @@ def _topics(context: Context) -> Iterator[GazeboTopic]:
     for description, robot in context.described_robots:
         if description.is_whole:
             yield from topics(robot.model)
+
+
+def _topics_of_other_arguments(context: Context) -> Iterator[str]:
+    """Topics in the xacro files of the robots that they only have with other arguments."""
+    for _, robot in context.described_robots:
+        if robot.reading.xacro is None:
+            continue
+        used = {
+            element.text.strip().strip("/")
+            for element in robot.document.root.walk()
+            if "topic" in element.tag
+        }
+        for source in robot.reading.xacro.sources:
+            for tag, argument in re.findall(_TOPIC, blank_comments(source.data)):
+                name = (tag or argument).decode("utf-8", "replace").strip("/")
+                if name not in used:
+                    yield name
