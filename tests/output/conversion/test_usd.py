@@ -136,11 +136,12 @@ def test_warnings_have_source_lines(tmp_path: Path) -> None:
     assert parts["link/tip/collision/geometry/capsule"] == "lost: Invalid geometry type"
 
 
-def test_a_small_rotation_is_kept(tmp_path: Path) -> None:
-    """USD makes no rotation of 3e-4 rad in single precision."""
-    text = arm(LIMIT).data.replace(b'xyz="0 0 0.5"', b'xyz="0 0 0.5" rpy="3e-4 0 0"')
+@pytest.mark.parametrize("angle", [3e-4, 7.5e-8])
+def test_a_small_rotation_is_kept(angle: float, tmp_path: Path) -> None:
+    """USD makes no rotation of 3e-4 rad in single precision, and evaluates 7.5e-8 with an error."""
+    text = arm(LIMIT).data.replace(b'xyz="0 0 0.5"', b'xyz="0 0 0.5" rpy="%r 0 0"' % angle)
     proof = convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof
-    assert proof.differences["frames"] < 1e-8
+    assert proof.differences["frames"] < 1e-15
 
 
 def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:

@@ -60,7 +60,7 @@ class Stage:
 
     def __init__(self, stage: Any, robot: Context) -> None:
         self._stage = stage  # keeps its prims alive
-        self._cache = UsdGeom.XformCache()
+        self._poses: dict[Any, Floats] = {}  # in the world, (4, 4), by path
         root = stage.GetDefaultPrim()
         self.joints = {
             _name(prim): prim
@@ -101,12 +101,23 @@ class Stage:
 
     def forget_placements(self) -> None:
         """Clear cached poses, after a change of the stage."""
-        self._cache.Clear()
+        self._poses.clear()
 
     def difference(self, prim: Any, at: Transform) -> float:
         """Difference of a prim from a frame, in m or in entries of the rotation."""
-        pose = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        return float(np.abs(pose - homogeneous(*at)).max())
+        return float(np.abs(self._pose(prim) - homogeneous(*at)).max())
+
+    def _pose(self, prim: Any) -> Floats:
+        """Pose of a prim in the world, (4, 4)."""
+        above = []
+        while prim and prim.GetPath() not in self._poses:
+            above.append(prim)
+            prim = prim.GetParent()
+        pose = self._poses[prim.GetPath()] if prim else np.eye(4)
+        for prim in reversed(above):
+            pose = pose @ _local_pose(prim)
+            self._poses[prim.GetPath()] = pose
+        return pose
 
     def inertia(self, prim: Any) -> tuple[float, Floats, Floats]:
         """Mass in kg, (3,) centre in m and (3, 3) tensor about that, in the frame of a prim."""
@@ -149,9 +160,24 @@ class Stage:
         placed = []
         for relation in (joint.GetBody0Rel(), joint.GetBody1Rel()):
             bodies = [self._stage.GetPrimAtPath(path) for path in relation.GetTargets()]
-            at = self._cache.GetLocalToWorldTransform(bodies[0]) if bodies else Gf.Matrix4d(1)
-            placed.append(np.array(at).T)
+            placed.append(self._pose(bodies[0]) if bodies else np.eye(4))
         return np.asarray(np.linalg.inv(placed[0]) @ placed[1])
+
+
+def _local_pose(prim: Any) -> Floats:
+    """Pose of a prim in its parent, (4, 4).
+
+    USD computes rotations from their angle, the arc cosine of a number near 1 if it is small, with
+    an error up to 1e-8 rad.
+    """
+    pose = np.eye(4)
+    for op in UsdGeom.Xformable(prim).GetOrderedXformOps() if prim.IsA(UsdGeom.Xformable) else ():
+        is_rotation = op.GetOpType() == UsdGeom.XformOp.TypeOrient
+        transform = op.GetOpTransform(Usd.TimeCode.Default())
+        pose = pose @ (
+            homogeneous(rotation_of(op.Get()), (0, 0, 0)) if is_rotation else np.array(transform).T
+        )
+    return pose
 
 
 def _axis_token(prim: Any) -> str:
