@@ -135,3 +135,14 @@ def test_a_path_that_is_written_in_another_way(tmp_path: Path, named: str, count
     reported(tmp_path / "arm", "PKG002", "a.launch", "", files)
     found = check(tmp_path / "arm" / "urdf" / "r.urdf", select=["PKG002"]).diagnostics
     assert len(found) == count
+
+
+@pytest.mark.parametrize(("installed", "count"), [("urdf launch", 0), ("urdf", 1)])
+def test_a_launch_file_in_a_directory_of_the_model(
+    tmp_path: Path, installed: str, count: int
+) -> None:
+    """Plankton's tutorial: ros2 launch finds the file anywhere below share/<package>."""
+    place = "share/${PROJECT_NAME}/models/rov"
+    text = f"project(arm)\ninstall(DIRECTORY {installed} DESTINATION {place})\n"
+    found = reported(tmp_path / "arm", "PKG002", "a.launch.py", "", {"CMakeLists.txt": text})
+    assert len(found) == count

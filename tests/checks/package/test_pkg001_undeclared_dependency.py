@@ -77,6 +77,18 @@ def test_the_help_names_the_tag_of_the_format(tmp_path: Path) -> None:
     assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
 
 
+@pytest.mark.parametrize(
+    ("path", "tag"), [("test/a.xacro", "test_depend"), ("urdf/test/a.xacro", "run_depend")]
+)
+def test_what_a_test_uses_is_a_dependency_of_the_tests(tmp_path: Path, path: str, tag: str) -> None:
+    reported(tmp_path, HAND)
+    file = tmp_path / "arm" / path
+    file.parent.mkdir(parents=True)
+    (tmp_path / "arm" / "arm.xacro").rename(file)
+    (found,) = check(file, select=["PKG001"]).diagnostics
+    assert found.help == f"add <{tag}>hand</{tag}> to package.xml"
+
+
 def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
     """xarm_ros2: its description uses the controller package, which depends on it."""
     arm = tmp_path / "arm" / "arm.xacro"

@@ -68,11 +68,14 @@ def test_a_macro_that_adds_the_prefix_itself(tmp_path: Path) -> None:
     assert reported(tmp_path, "", f"{P}base", extra) == []
 
 
-def renamed(directory: Path, name: str, default: str, given: dict[str, str]) -> list[str]:
+def renamed(
+    directory: Path, name: str, default: str, given: dict[str, str], prefix: str = ""
+) -> list[str]:
     """Findings of a robot with a forgotten prefix, whose prefix is an argument of any name."""
-    prefix = f"$(arg {name})"
+    prefix = prefix or f"$(arg {name})"
     text = xacro_xml(
         f'<xacro:arg name="{name}" default="{default}"/><xacro:arg name="mesh" default=""/>',
+        f'<xacro:property name="{name}" value="$(arg {name})"/>',
         f'<link name="{prefix}base"/><link name="{prefix}tip"/>',
         f'<joint name="{prefix}end" type="fixed"><parent link="base"/>',
         f'<child link="{prefix}tip"/></joint>',
@@ -82,8 +85,9 @@ def renamed(directory: Path, name: str, default: str, given: dict[str, str]) -> 
     return [one.help for one in check(path, arguments=given, select=["XAC024"]).diagnostics]
 
 
-def test_a_prefix_of_another_name(tmp_path: Path) -> None:
-    assert renamed(tmp_path, "robot_ns", "", {}) == ["write ${robot_ns}base"]
+@pytest.mark.parametrize("prefix", ["$(arg robot_ns)", "${robot_ns}"])
+def test_a_prefix_of_another_name(tmp_path: Path, prefix: str) -> None:
+    assert renamed(tmp_path, "robot_ns", "", {}, prefix) == [f"write {prefix}base"]
 
 
 @pytest.mark.parametrize(("default", "value", "count"), [("", "", 1), ("a_", "", 1), ("", "a_", 0)])

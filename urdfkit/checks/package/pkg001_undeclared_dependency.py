@@ -56,14 +56,15 @@ def check(context: Context) -> Findings:
     if manifest is None:
         return
     is_of_launch = is_launch(context.source.path)
-    tag = manifest.dependency_tag
+    usual = manifest.dependency_tag
     seen = {manifest.package, *manifest.dependencies}
-    if is_of_launch and manifest.ros == 2 and tag == "exec_depend":
+    if is_of_launch and manifest.ros == 2 and usual == "exec_depend":
         yield from _of_ros(context, manifest)
     for name, span in _launched(context) if is_of_launch else _referenced(context):
         if name in seen or comes_with_ros(name):
             continue
         seen.add(name)
+        tag = "test_depend" if _is_test(span.source.path, manifest) else usual
         help_, fix = f"add <{tag}>{name}</{tag}> to package.xml", None
         if not depends_on(name, manifest.package, span.source.path, context.resolver):
             fix = _fix(context.resolver.read(manifest.path), name, tag)
@@ -79,6 +80,12 @@ def check(context: Context) -> Findings:
             group_key="undeclared" if fix else "",
             severity=Severity.INFO if is_of_launch else None,
         )
+
+
+def _is_test(path: str, manifest: Manifest) -> bool:
+    """True for a file in the tests of a package."""
+    relative = os.path.relpath(path, os.path.dirname(manifest.path))
+    return relative.partition(os.sep)[0] in ("test", "tests")
 
 
 def _of_ros(context: Context, manifest: Manifest) -> Findings:

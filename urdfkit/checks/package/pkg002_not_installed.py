@@ -67,7 +67,11 @@ def _uninstalled(
         is_there = disk.exists(os.path.join(directory, relative))
         if top in reported or not is_there:
             continue
-        misplaced = rules.misplaced(relative) if span.start or span.end else ""
+        is_itself = not (span.start or span.end)
+        misplaced = rules.misplaced(relative)
+        if is_itself and misplaced.startswith(f"share/{name}/"):
+            continue  # ros2 launch searches all directories of the package
+        misplaced = "" if is_itself else misplaced
         message = f"'{relative}' is not installed by {rules.file}"
         if misplaced:
             message = f"{rules.file} installs '{relative}' as {misplaced}"

@@ -3,7 +3,7 @@
 The robot is right while the prefix is empty, and breaks with any other prefix: with
 `prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. To compare the names, urdfkit
 expands the robot once more with a value for each empty argument, independent of its name. Write
-`${prefix}` in the reference, too.
+`${prefix}` or `$(arg prefix)` in the reference, too.
 
 The same is true for a link that `<xacro:if value="${with_camera}">` adds: if it is the parent of a
 joint outside of the condition, the robot breaks with `with_camera:=false`. A `<gazebo>` block
@@ -15,13 +15,14 @@ Sources:
     ros-industrial/universal_robot#432: https://github.com/ros-industrial/universal_robot/issues/432
 """
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 
 BAD = xacro_xml(
     '<xacro:arg name="prefix" default=""/>',
@@ -69,14 +70,21 @@ def _forgotten_prefixes(context: Context) -> Findings:
         names = {name for name, _ in _definitions(other.root)}
         lost = {name for name in suspects - names if f"{_PREFIX}{name}" in names}
         for name, span, element in _references(other.root, lost):
+            written = _written(name, span, element.frame) or span
             yield Finding(
-                Location(_written(name, span, element.frame) or span, element.frame),
+                Location(written, element.frame),
                 f"'{name}' is called '{_PREFIX}{name}' if {argument} is '{_PREFIX}'; "
                 f"<{element.tag}> names it without",
-                f"write ${{{argument}}}{name}",
+                f"write {_expression(argument, written.source)}{name}",
                 related=tuple(_defined(root, name)),
             )
         suspects -= lost
+
+
+def _expression(argument: str, source: Source) -> str:
+    """The value of an argument, as a file writes it: a macro without it has no such property."""
+    used = re.search(rb"\$\{[^}]*\b" + argument.encode() + rb"\b", source.data)
+    return f"${{{argument}}}" if used else f"$(arg {argument})"
 
 
 def _empty_arguments(context: Context) -> list[str]:
