@@ -16,6 +16,8 @@ Rotation = tuple[Vector, Vector, Vector]
 
 IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 ORIGIN: Vector = (0.0, 0.0, 0.0)
+#: The unit vectors of a frame.
+AXES = X_AXIS, Y_AXIS, Z_AXIS = IDENTITY
 
 
 class Transform(Record):
@@ -153,7 +155,7 @@ def unit(vector: Vector) -> Vector:
 def basis(z: Vector) -> Rotation:
     """Right-handed orthonormal basis with a given third vector."""
     least = min(range(3), key=lambda i: abs(z[i]))  # well-conditioned cross product
-    y = unit(cross(z, (float(least == 0), float(least == 1), float(least == 2))))
+    y = unit(cross(z, AXES[least]))
     return (cross(y, z), y, z)
 
 

@@ -13,8 +13,8 @@ from math import pi
 
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, rotate, times
-from urdfkit.physics.gravity_model import UP, GravityModel, rest, rotated
+from urdfkit.core.spatial import ORIGIN, Z_AXIS, Vector, cross, dot, rotate, times
+from urdfkit.physics.gravity_model import GravityModel, rest, rotated
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.kinematics import best_angle
 
@@ -212,7 +212,7 @@ class _Climb:
 
     def _ups(self, path: list[int]) -> tuple[list[Vector], Vector]:
         """The upward direction in the frame of each joint of a path, and of the last body."""
-        up, directions = UP, []
+        up, directions = Z_AXIS, []
         for number in path:
             body = self._bodies[number]
             directions.append(rotate(body.back, up))

@@ -13,6 +13,7 @@ from math import cos, sin
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
     ORIGIN,
+    Z_AXIS,
     Rotation,
     Transform,
     Vector,
@@ -28,8 +29,6 @@ from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
-
-UP: Vector = (0.0, 0.0, 1.0)
 
 
 class MovingBody(Record):
@@ -99,7 +98,7 @@ class GravityModel:
             pose: positions of these joints; the others are at 0.
         """
         places = self.places(pose)
-        ups = [UP] * len(self.bodies)
+        ups = [Z_AXIS] * len(self.bodies)
         for number, body in enumerate(self.bodies):
             if body.parent >= 0:
                 ups[number] = rotated(body, rotate(body.back, ups[body.parent]), -places[number])
@@ -155,7 +154,7 @@ def _bodies(
     for body in rigid_bodies(tree):
         placed.update((link.name, (len(bodies), frame)) for link, frame in body.links)
         mass, moment = _load(body, payload, weightless)
-        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
+        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, Z_AXIS, False
         if joint is not None:
             parent, frame = placed[joint.parent_name]
             at, axis, turns = frame @ joint.origin, direction(joint), joint.is_rotational

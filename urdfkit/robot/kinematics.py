@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, rotation_about, times, unit
+from urdfkit.core.spatial import X_AXIS, Transform, Vector, rotation_about, times, unit
 from urdfkit.robot.model import Joint, Mimic, UnknownLink
 from urdfkit.robot.tree import KinematicTree
 
@@ -138,7 +138,7 @@ def motion(joint: Joint, position: float) -> Transform:
 
 def direction(joint: Joint) -> Vector:
     """The unit vector of the axis; x if it is missing or zero."""
-    return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
+    return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else X_AXIS
 
 
 def best_angle(a: float, b: float, ends: tuple[float, float]) -> float:

@@ -10,14 +10,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import cos, inf, sin, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
 #: Direction components below this are 0: the ray is parallel to a face or an axis.
 _SMALL = 1e-9
-_UP: Vector = (0.0, 0.0, 1.0)
-_DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Scan(Record):
@@ -103,7 +101,7 @@ def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] 
 
 def crosses_plane(shape: Primitive) -> bool:
     """True if a shape intersects the scan plane of the sensor in whose frame it is."""
-    return shape.reach(_UP) >= 0 and shape.reach(_DOWN) >= 0
+    return shape.reach(Z_AXIS) >= 0 and shape.reach((0.0, 0.0, -1.0)) >= 0
 
 
 def beams_on(

@@ -10,7 +10,7 @@ from functools import cached_property
 from math import dist, hypot, pi, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, transposed, vector
+from urdfkit.core.spatial import AXES, Transform, Vector, dot, minus, rotate, transposed, vector
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor
@@ -31,8 +31,6 @@ SIZES = {
 #: Two shapes of a link are in different units if one is longer by this factor (GEO004); which of
 #: them is correct is unknown.
 OTHER_UNIT = 5.0
-
-AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class BoundingBox(Record):

@@ -199,6 +199,10 @@ class Element:
                 return child
         return None
 
+    def child_or_self(self, tag: str) -> Element:
+        """The first child with a tag; this element, the place of a missing child, without any."""
+        return self.child(tag) or self
+
     def all(self, tag: str) -> list[Element]:
         return [child for child in self.children if child.tag == tag]
 

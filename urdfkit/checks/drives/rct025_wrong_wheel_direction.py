@@ -199,7 +199,7 @@ def _opposite(context: Context) -> Findings:
 
 
 def _axis(joint: Joint) -> Element:
-    return joint.at.child("axis") or joint.at
+    return joint.at.child_or_self("axis")
 
 
 def _note(joint: Joint) -> Related:

@@ -22,7 +22,7 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
-from urdfkit.core.spatial import Transform, cross, length, minus, rotate
+from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.mesh_defects import MeshDefect
@@ -143,7 +143,7 @@ def _rotated(one: VisualCollisionPair) -> Finding:
     others = one.link.collisions if is_visual else one.link.visuals
     rpy = rounded(turn.rpy, 4)
     return Finding(
-        turn.body.at.child("origin") or turn.body.at,
+        turn.body.at.child_or_self("origin"),
         f"link '{one.link.name}': the bounding boxes of visual and collision have "
         f'{one.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
         f"would be {turn.overlap:.0%}",
@@ -210,7 +210,7 @@ def _turns_about_own_axis(body: Body, joint: Joint) -> bool:
     """True for a cylinder along the axis of its joint."""
     if body.shape is None or body.shape.kind != "cylinder" or joint.axis is None:
         return False
-    axis, own = joint.axis.value, rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+    axis, own = joint.axis.value, rotate(body.origin.rotation, Z_AXIS)
     return joint.kind != "fixed" and length(cross(axis, own)) < _PARALLEL * length(axis)
 
 

@@ -34,7 +34,7 @@ def check(context: Context) -> Findings:
         mistake = center_mistake(inertia)
         outline, center = inertia.outline, inertia.inertial.origin.position
         yield Finding(
-            inertia.inertial.at.child("origin") or inertia.inertial.at,
+            inertia.inertial.at.child_or_self("origin"),
             f"link '{inertia.link.name}': the centre of mass at {spaced(center, 3)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
             f"about {spaced(outline.center, 3)}{f'; it {mistake}' if mistake else ''}",

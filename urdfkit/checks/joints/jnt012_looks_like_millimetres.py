@@ -69,10 +69,10 @@ def _origins(model: RobotModel) -> Findings:
     least = min(reach for _, reach in far)
     if evidence := _evidence(model, least, near, len(far)):
         joints = [joint for joint, _ in far]
-        places = [(joint, (joint.at.child("origin") or joint.at).span) for joint in joints]
+        places = [(joint, joint.at.child_or_self("origin").span) for joint in joints]
         first, reach = far[0]
         yield Finding(
-            first.at.child("origin") or first.at,
+            first.at.child_or_self("origin"),
             f"{several(joints)}: the origin is {reach:g} m away, but {evidence}; that looks like "
             "millimetres",
             related=related(places),

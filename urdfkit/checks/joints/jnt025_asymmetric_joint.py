@@ -66,7 +66,7 @@ def check(context: Context) -> Findings:
             )
     for correct, misplaced_joint, reason in misplaced(context):
         yield Finding(
-            misplaced_joint.at.child("origin") or misplaced_joint.at,
+            misplaced_joint.at.child_or_self("origin"),
             f"joint '{misplaced_joint.name}' {reason}",
             "mirror its origin in the plane between the two",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
@@ -133,13 +133,11 @@ def _axes(context: Context) -> Findings:
         a, b = _axis(left, one), _axis(right, other)
         if abs(dot((a[0], -a[1], a[2]), b)) < _ACROSS:
             yield Finding(
-                right.at.child("axis") or right.at,
+                right.at.child_or_self("axis"),
                 f"joint '{right.name}' turns about {rounded(b, 3)} in the root frame, but its "
                 f"counterpart '{left.name}' about {rounded(a, 3)}",
                 "give both the same axis in the root frame, or the opposite one",
-                related=(
-                    Related((left.at.child("axis") or left.at).span, "axis of the counterpart"),
-                ),
+                related=(Related(left.at.child_or_self("axis").span, "axis of the counterpart"),),
                 confidence=Confidence.INFERRED,
             )
 

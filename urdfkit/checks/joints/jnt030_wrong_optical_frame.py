@@ -17,7 +17,7 @@ Sources:
     gazebo_ros_camera.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_camera.cpp
 """
 
-from urdfkit.core.spatial import Rotation, multiply, rotate
+from urdfkit.core.spatial import Z_AXIS, Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -68,7 +68,7 @@ def check(context: Context) -> Findings:
             continue
         where = "forward, but upside down," if is_upside_down else _forward(rotation)
         yield Finding(
-            joint.at.child("origin") or joint.at,
+            joint.at.child_or_self("origin"),
             f"joint '{joint.name}': '{optical}' looks {where} from '{camera}'; an optical frame "
             "looks forward, its x to the right",
             'write rpy="-1.5707963 0 -1.5707963"',
@@ -122,7 +122,7 @@ def _gazebo_cameras(context: Context) -> Findings:
 def _looks_aside(context: Context, optical: str) -> bool:
     """True if z of an optical frame points forward, so that x points aside."""
     joints = context.tree.parents.get(optical, ())
-    return any(rotate(joint.origin.rotation, (0.0, 0.0, 1.0))[0] > 0.99 for joint in joints)
+    return any(rotate(joint.origin.rotation, Z_AXIS)[0] > 0.99 for joint in joints)
 
 
 def _is_rotated(pose: Element | None) -> bool:

@@ -14,14 +14,14 @@ Sources:
 
 from collections.abc import Callable
 
-from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
-from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
+from urdfkit.robot.shapes import LinkSolid, MeshSolid, solid
 
 BAD = robot_xml(
     link_xml("base"),
@@ -64,7 +64,7 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     shape_name = f"{'collision' if body in link.collisions else 'visual'} {shape}"
     if abs(dot(axis, axle)) < _ACROSS:
         yield Finding(
-            joint.at.child("axis") or joint.at,
+            joint.at.child_or_self("axis"),
             f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
             f"axis of its {shape_name} is {rounded(axle, 3)}",
             f"write the axis of the {shape_name}, or rotate the shapes with their <origin>",
@@ -93,7 +93,7 @@ def _rolls(link: Link, axis: Vector) -> bool:
     """True if the joint turns a cylinder of the link about its own axis."""
     for body in (*link.collisions, *link.visuals):
         if body.shape and body.shape.kind == "cylinder":
-            return abs(dot(rotate(body.origin.rotation, (0.0, 0.0, 1.0)), axis)) > _ALONG
+            return abs(dot(rotate(body.origin.rotation, Z_AXIS), axis)) > _ALONG
     return False
 
 
@@ -112,7 +112,7 @@ def _wheel_shape(
             (body,) = bodies
             is_flat = shape.length < 1.5 * shape.radius
             is_centred = max(map(abs, body.origin.position)) < shape.radius
-            axle = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+            axle = rotate(body.origin.rotation, Z_AXIS)
             return (body, axle) if is_flat and is_centred else None
         mesh = mesh_solid(bodies[0]) if len(bodies) == 1 else None
         axle_of_mesh = _axle(solid(bodies, mesh_solid)) if mesh else None

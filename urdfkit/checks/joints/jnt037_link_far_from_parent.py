@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
     for joint, parent, child, (gap, longest) in far:
         if not _is_bridged(context, parent, child, body_of):
             yield Finding(
-                joint.at.child("origin") or joint.at,
+                joint.at.child_or_self("origin"),
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
                 f"neither is longer than {longest:.3g} m",
                 confidence=Confidence.INFERRED,

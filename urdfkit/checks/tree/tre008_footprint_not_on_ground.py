@@ -12,12 +12,12 @@ Sources:
     REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
-from urdfkit.core.spatial import Transform, Vector, dot, rotate, vector
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, vector
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
-from urdfkit.robot.shapes import AXES, primitive
+from urdfkit.robot.shapes import primitive
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
@@ -112,7 +112,7 @@ def _lowest(
     collision, are not measured, and may extend lower.
     """
     ground = tree.frames[footprint]
-    up = rotate(ground.rotation, AXES[2])
+    up = rotate(ground.rotation, Z_AXIS)
     heights: list[tuple[float, str]] = []
     unknown = False
     for name in robot:
@@ -141,7 +141,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
         height: height of the lowest point above the footprint, in m.
     """
     ground = tree.frames[footprint]
-    up = rotate(ground.rotation, AXES[2])
+    up = rotate(ground.rotation, Z_AXIS)
     gaps: dict[str, float] = {}
     for name in robot:
         above = tree.parents[name]

@@ -91,11 +91,10 @@ def check(context: Context) -> Findings:
             yield from _without_coordinates(required, opened)
             yield from _without_defaults(context, opened, loaded)
         for plugin, sensor in required:
-            system = plugin.class_name.rpartition("::")[2]
-            if system not in loaded:
+            if plugin.system not in loaded:
                 yield Finding(
                     opened.place,
-                    f"{opened.title} does not load the system {system}, without which "
+                    f"{opened.title} does not load the system {plugin.system}, without which "
                     f"{sensor.who} ({sensor.type}) publishes no data",
                     _help(plugin, opened),
                     related=(Related(sensor.at.span, sensor.who), *opened.note),
@@ -153,7 +152,7 @@ def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[s
     until = "" if world.adds_defaults() is False else " (up to Gazebo Harmonic)"
     missing = set(_required_defaults(context, opened)) - loaded
     for plugin in all_plugins():
-        system = plugin.class_name.rpartition("::")[2]
+        system = plugin.system
         if system in missing and plugin.generation == GZ and system in default_systems():
             message = f"{opened.title} loads plugins, but not the system {system}: "
             message += f"{_EFFECTS[system]}{until}"

@@ -6,7 +6,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform, rotation
+from urdfkit.core.spatial import AXES, Rotation, Transform, rotation
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
@@ -27,7 +27,6 @@ NARROWEST = 1e-6
 
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
-_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class MjcfRobot:
@@ -130,7 +129,7 @@ class MjcfRobot:
             self._limits(mj_joint, joint)
             self._damping(mj_joint, joint)
         elif joint.kind == "floating":
-            motions = (*((_SLIDE, axis) for axis in _AXES), (_BALL, None))
+            motions = (*((_SLIDE, axis) for axis in AXES), (_BALL, None))
             self._several(body, joint, motions)
             self._lose(joint, ("axis", "limit", "dynamics"), "a floating joint has none")
         elif joint.kind == "planar":

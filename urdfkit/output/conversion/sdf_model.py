@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from xml.etree.ElementTree import Element as Tag
 from xml.etree.ElementTree import SubElement
 
-from urdfkit.core.spatial import ORIGIN, Transform, Vector, to_rpy
+from urdfkit.core.spatial import ORIGIN, X_AXIS, Transform, to_rpy
 from urdfkit.output.conversion.sdf_extensions import GazeboBlocks, child_of, set_value, within
 from urdfkit.output.conversion.sdf_inertia import Inertias
 from urdfkit.output.conversion.sdf_values import number_text, numbers_text, pose_text, snapped_rpy
@@ -191,8 +191,7 @@ def _frame(name: str, attached_to: str, at: Transform | None = None) -> Tag:
 
 def _axis(joint: Joint) -> Tag:
     tag = Tag("axis")
-    direction: Vector = joint.axis.value if joint.axis else (1.0, 0.0, 0.0)
-    set_value(tag, "xyz", numbers_text(direction))
+    set_value(tag, "xyz", numbers_text(joint.axis.value if joint.axis else X_AXIS))
     if joint.mimic and joint.leader:
         mimic = SubElement(tag, "mimic", {"joint": joint.leader})
         set_value(mimic, "multiplier", number_text(joint.mimic.multiplier))

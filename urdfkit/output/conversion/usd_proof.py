@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
-from urdfkit.core.spatial import Transform
+from urdfkit.core.spatial import X_AXIS, Y_AXIS, Z_AXIS, Transform
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.body_inertia import (
@@ -40,7 +40,7 @@ _LEAST = 1e-9
 #: Difference of a part that is missing or of another type.
 _WHOLE = 1.0
 
-_AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+_AXES = {"X": X_AXIS, "Y": Y_AXIS, "Z": Z_AXIS}
 _TYPES = {
     "revolute": "PhysicsRevoluteJoint",
     "continuous": "PhysicsRevoluteJoint",

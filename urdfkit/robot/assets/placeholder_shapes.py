@@ -3,6 +3,7 @@
 import os
 
 from urdfkit.core.spatial import (
+    AXES,
     IDENTITY,
     Rotation,
     Transform,
@@ -99,11 +100,12 @@ def _fitted_part(
     else:
         fitted, reason = _fit(part, bounds, link)
         frame = _seat(part, fitted, bounds, axes)
-    text = "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in fitted))
     assert body.shape is not None
     assert body.shape.filename is not None
     names = (link.name, os.path.basename(body.shape.filename.value))
-    return moved(part.build(fitted, names), frame), f"{part.name}, {text}: {why}; {reason}"
+    return moved(
+        part.build(fitted, names), frame
+    ), f"{part.name}, {_edges(fitted)}: {why}; {reason}"
 
 
 def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
@@ -115,7 +117,7 @@ def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
             if bounds is None:
                 return IDENTITY
             shortest = bounds.size.index(min(bounds.size))
-            axis = (float(shortest == 0), float(shortest == 1), float(shortest == 2))
+            axis = AXES[shortest]
         return _with_z_along(axis)
     # A sensor is aligned with its link, whatever the rotation of the visual.
     link_axes = transposed(body.origin.rotation)
@@ -127,7 +129,7 @@ def _with_z_along(axis: Vector) -> Rotation:
     """A rotation whose third column is an axis."""
     for i in range(3):
         if abs(axis[i]) > _ALMOST:
-            axis = (float(i == 0), float(i == 1), float(i == 2))
+            axis = AXES[i]
     return transposed(basis(axis))
 
 
@@ -157,13 +159,16 @@ def _block(size: Vector, frame: Transform, how: str) -> tuple[Mesh, str]:
     from urdfkit.mesh.parts.building import block
     from urdfkit.mesh.transforms import moved
 
-    text = "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in size))
-    return moved(block(size), frame), f"block, {text}: {how}"
+    return moved(block(size), frame), f"block, {_edges(size)}: {how}"
+
+
+def _edges(size: Vector) -> str:
+    """A size in m as text, such as ``0.1 x 0.2 x 0.3 m``."""
+    return "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in size))
 
 
 def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
     """The counterparts of a shape as one mesh; None without any, or if one cannot be loaded."""
-    from urdfkit.mesh.geometry import Mesh
     from urdfkit.mesh.transforms import moved
 
     bodies, source = counterparts(link, body)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, rotate, transposed
+from urdfkit.core.spatial import IDENTITY, Z_AXIS, Rotation, Transform, Vector, rotate, transposed
 from urdfkit.robot import Robot
 from urdfkit.robot.bounding_box import box_of
 from urdfkit.robot.kinematics import direction
@@ -69,7 +69,7 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
     """
     bodies, _ = counterparts(link, body)
     if len(bodies) == 1 and bodies[0].shape and bodies[0].shape.kind in ("cylinder", "capsule"):
-        axis = rotate(bodies[0].origin.rotation, (0.0, 0.0, 1.0))
+        axis = rotate(bodies[0].origin.rotation, Z_AXIS)
     else:
         joints = robot.tree.parents.get(link.name, [])
         turning = [joint for joint in joints if joint.is_rotational]

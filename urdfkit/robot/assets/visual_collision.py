@@ -13,7 +13,7 @@ from itertools import permutations, product
 from math import hypot, log
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector, cross, length, minus, to_rpy
+from urdfkit.core.spatial import AXES, Rotation, Transform, Vector, cross, length, minus, to_rpy
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
 
@@ -248,9 +248,8 @@ class VisualCollisionPairs:
 
 def _quarters() -> Iterator[Rotation]:
     """The 23 rotations that map a cube onto itself, the smaller ones first."""
-    axes: list[Vector] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
     rotations = []
-    for (a, b), (s, t) in product(permutations(axes, 2), product((1, -1), repeat=2)):
+    for (a, b), (s, t) in product(permutations(AXES, 2), product((1, -1), repeat=2)):
         x, y = (s * a[0], s * a[1], s * a[2]), (t * b[0], t * b[1], t * b[2])
         rotations.append((x, y, cross(x, y)))
     rotations.sort(key=lambda r: -(r[0][0] + r[1][1] + r[2][2]))

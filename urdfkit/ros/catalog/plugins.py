@@ -90,6 +90,11 @@ class Plugin(Record):
     drive: Drive | None = None  # None if it does not drive wheels
     moves: str = ""  # the parameter that names the joint that it moves; ``*`` for any
 
+    @property
+    def system(self) -> str:
+        """The last word of its class, such as ``Sensors``; empty for other generations than gz."""
+        return self.class_name.rpartition("::")[2]
+
     def reads(self, path: str) -> bool:
         """True if it reads a tag or an attribute at a path, or a part of that tag."""
         top = path.partition("/")[0]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, length, minus, rotate, times
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, length, minus, rotate, times
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
@@ -175,7 +175,7 @@ def _tyre(link: Link, frame: Transform, axis: Vector) -> tuple[Vector | None, fl
     shape = body.shape
     if shape is None or shape.kind not in ("cylinder", "sphere") or not shape.radius:
         return None, None
-    along = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+    along = rotate(body.origin.rotation, Z_AXIS)
     if shape.kind == "cylinder" and abs(dot(along, axis)) < _PARALLEL:
         return None, None
     off_axle = minus(body.origin.position, times(axis, dot(body.origin.position, axis)))

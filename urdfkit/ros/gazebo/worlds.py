@@ -113,7 +113,7 @@ def default_systems() -> frozenset[str]:
 def systems_in(files: list[str]) -> frozenset[str]:
     """The systems of gz sim in libraries, by the last word of their class."""
     loaded = (plugin for file in files for plugin in find(file) if plugin.generation == "gz")
-    return frozenset(plugin.class_name.rpartition("::")[2] for plugin in loaded)
+    return frozenset(plugin.system for plugin in loaded)
 
 
 def own_systems(world: World) -> frozenset[str]:
