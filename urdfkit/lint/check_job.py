@@ -6,6 +6,7 @@ import gc
 import sys
 from collections.abc import Callable
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
@@ -128,10 +129,11 @@ def _with_assumed(checked: list[Checked]) -> list[Checked]:
     its rule reports no error with another set: the values are those of another variant.
     """
     sets = [job.assumed for job, _ in checked if job.assumed]
-    sets_by_finding: dict[object, list[str]] = {}
-    for job, result in checked:
-        for diagnostic in result.diagnostics:
-            sets_by_finding.setdefault(_identity(diagnostic), []).append(job.assumed)
+    sets_by_finding = by_key(
+        (_identity(diagnostic), job.assumed)
+        for job, result in checked
+        for diagnostic in result.diagnostics
+    )
 
     errors = [
         {

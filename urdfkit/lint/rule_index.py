@@ -14,6 +14,7 @@ from importlib import import_module
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import ModuleType
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
@@ -295,10 +296,7 @@ def names() -> dict[str, list[str]]:
 
     Rules of two families may have the same name: a package can be missing for xacro and for a mesh.
     """
-    codes_by_name: dict[str, list[str]] = {}
-    for code, module in _known().items():
-        codes_by_name.setdefault(name_of(module), []).append(code)
-    return codes_by_name
+    return by_key((name_of(module), code) for code, module in _known().items())
 
 
 def all_rules() -> list[Rule]:

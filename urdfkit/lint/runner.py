@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING, TypeVar
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
@@ -109,9 +110,7 @@ class _RuleRun:
         Raises:
             Cancelled: the result is no longer needed.
         """
-        families: dict[str, list[str]] = {}
-        for code in chosen:
-            families.setdefault(rule_index.family_of(code), []).append(code)
+        families = by_key((rule_index.family_of(code), code) for code in chosen)
         for family, codes in families.items():
             applicable = self._applicable(family, codes)
             for rule in filter(self._is_chosen, map(rule_index.get, applicable)):

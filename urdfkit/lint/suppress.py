@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.nested_intervals import NestedIntervals
 from urdfkit.core.record import Record
 from urdfkit.lint.ignore_comments import Ignore
@@ -74,9 +75,7 @@ class CommentIndex:
     """Search of ignore comments by place: a file may have thousands of them."""
 
     def __init__(self, comments: Iterable[Ignore]) -> None:
-        by_source: dict[int, list[Ignore]] = {}
-        for comment in comments:
-            by_source.setdefault(id(comment.span.source), []).append(comment)
+        by_source = by_key((id(comment.span.source), comment) for comment in comments)
         self._by_source = {
             key: NestedIntervals((comment.start, comment.end, comment) for comment in group)
             for key, group in by_source.items()

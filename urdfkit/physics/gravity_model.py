@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from math import cos, sin
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
     ORIGIN,
@@ -69,10 +70,9 @@ class GravityModel:
             self.carried[parent] += self.carried[number]
             self._children[parent].append(number)
         #: Bodies that move with each independent joint of one degree of freedom, by its name.
-        self.moved: dict[str, list[int]] = {}
-        for number, body in enumerate(self.bodies):
-            if body.law.leader:
-                self.moved.setdefault(body.law.leader, []).append(number)
+        self.moved = by_key(
+            (body.law.leader, number) for number, body in enumerate(self.bodies) if body.law.leader
+        )
         #: Range of each of these joints.
         self.spans = {name: span(joints[name]) for name in self.moved}
         self._key = (tuple(self.bodies), tuple(self.spans.items()))

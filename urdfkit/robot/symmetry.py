@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
@@ -151,9 +152,7 @@ def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
     Links are numbered in depth-first order, so that a link is a descendant if its range is within
     the range of the other. Links in a cycle are omitted.
     """
-    children: dict[str, list[str]] = {}
-    for child, parent in parents.items():
-        children.setdefault(parent, []).append(child)
+    children = by_key((parent, child) for child, parent in parents.items())
     entered: dict[str, int] = {}
     spans: dict[str, tuple[int, int]] = {}
     stack = [name for name in children if name not in parents]

@@ -13,6 +13,7 @@ Sources:
 
 from collections.abc import Iterable
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
@@ -42,11 +43,12 @@ _INSTEAD = {
 @rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
 def check(context: Context) -> Findings:
     known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
-    unknown: dict[str, list[Element]] = {}
-    for block in context.model.gazebo:
-        for child in block.children:
-            if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
-                unknown.setdefault(child.tag, []).append(child)
+    unknown = by_key(
+        (child.tag, child)
+        for block in context.model.gazebo
+        for child in block.children
+        if child.tag not in known and ":" not in child.tag  # prefixes are for other programs
+    )
     suggester = Suggester(known)
     for tag, elements in unknown.items():
         right = suggested().get(tag) or suggester.suggested(tag)

@@ -16,6 +16,7 @@ Sources:
     gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
@@ -49,10 +50,11 @@ def check(context: Context) -> Findings:
     if names == ["gz-fortress"]:
         return  # which has no material scripts
     in_gz = bool(names) and not any(name.startswith("classic") for name in names)
-    plain: dict[str, list[Material]] = {}
-    for link, _, material in shown:
-        if material.rgba and not material.texture:
-            plain.setdefault(link.name, []).append(material)
+    plain = by_key(
+        (link.name, material)
+        for link, _, material in shown
+        if material.rgba and not material.texture
+    )
     # Of several materials for Gazebo the last counts.
     of_gazebo = {
         block.get("reference") or "": child

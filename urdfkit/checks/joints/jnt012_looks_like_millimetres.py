@@ -19,6 +19,7 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import length
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.joints import bounds, related, several
@@ -148,9 +149,9 @@ def _shapes(model: RobotModel) -> Findings:
 
 def _sizes(model: RobotModel) -> dict[str, list[tuple[float, float, Body]]]:
     """The longest and the shortest edge of each shape, in m, by link name."""
-    sizes: dict[str, list[tuple[float, float, Body]]] = {}
-    for link in model.links:
-        for body in (*link.visuals, *link.collisions):
-            if body.shape and (half := body.shape.half_extents):
-                sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
-    return sizes
+    return by_key(
+        (link.name, (2 * max(half), 2 * min(half), body))
+        for link in model.links
+        for body in (*link.visuals, *link.collisions)
+        if body.shape and (half := body.shape.half_extents)
+    )

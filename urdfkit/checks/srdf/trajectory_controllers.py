@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from itertools import chain, islice
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import RobotModel
@@ -24,9 +25,8 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
     if manifest is None or manifest.ros != 2:
         return
     entries = list(controller_entries(srdf, context.resolver))
-    defined: dict[str, list[Controller]] = {}
-    for controller in _defined(context, srdf) if entries else ():
-        defined.setdefault(controller.name, []).append(controller)
+    controllers = _defined(context, srdf) if entries else ()
+    defined = by_key((controller.name, controller) for controller in controllers)
     served = {
         joint for key, entry in entries if key.strip("/") in defined for joint in _joints(entry)
     }

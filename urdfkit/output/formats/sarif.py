@@ -11,11 +11,12 @@ from collections.abc import Iterable
 from typing import Any
 
 from urdfkit import __version__
+from urdfkit.core.grouping import by_key
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.baseline import fingerprints
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Severity
+from urdfkit.text.diagnostic import Call, Diagnostic, Edit, Fix, Severity
 from urdfkit.text.source import Source, Span
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
@@ -164,15 +165,15 @@ def _utf16(source: Source, offset: int) -> tuple[int, int]:
 
 
 def _fix(fix: Fix) -> dict[str, Any]:
-    by_source: dict[Source, list[dict[str, Any]]] = {}
-    for edit in fix.edits:
-        by_source.setdefault(edit.span.source, []).append(
-            {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.text}}
-        )
+    replacements = by_key((edit.span.source, _replacement(edit)) for edit in fix.edits)
     return {
         "description": {"text": fix.title},
         "artifactChanges": [
-            {"artifactLocation": _artifact(source), "replacements": replacements}
-            for source, replacements in by_source.items()
+            {"artifactLocation": _artifact(source), "replacements": replacements[source]}
+            for source in replacements
         ],
     }
+
+
+def _replacement(edit: Edit) -> dict[str, Any]:
+    return {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.text}}

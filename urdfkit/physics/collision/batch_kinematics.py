@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.joints import span, start_of
@@ -121,10 +122,7 @@ class TreeArrays:
 
     def pairs(self, links: Iterable[int]) -> Iterator[tuple[int, int]]:
         """The pairs of links of the same part; the relative pose of other pairs is unbounded."""
-        of_part: dict[int, list[int]] = {}
-        for link in sorted(links):
-            of_part.setdefault(self.parts[link], []).append(link)
-        for group in of_part.values():
+        for group in by_key((self.parts[link], link) for link in sorted(links)).values():
             yield from combinations(group, 2)
 
     def default_with(self, columns: Sequence[int], positions: Floats) -> Floats:

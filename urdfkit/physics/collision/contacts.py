@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, minus
 from urdfkit.core.static_typing import TYPE_CHECKING
@@ -180,10 +181,8 @@ class Contacts:
         self._start = {name: start_of(joint) for name, joint in self._joints.items()}
         self.adjacency = Adjacency(tree)
         self.frames = frames(tree, self._start)
-        self.bodies: dict[str, list[CollisionBody]] = {}
-        for body in collision_bodies(robot, unit=unit):
-            if body.link in self.frames:
-                self.bodies.setdefault(body.link, []).append(body)
+        bodies = collision_bodies(robot, unit=unit)
+        self.bodies = by_key((body.link, body) for body in bodies if body.link in self.frames)
 
     @cached_property
     def pairs(self) -> tuple[LinkPair, ...]:

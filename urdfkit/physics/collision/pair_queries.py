@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from urdfkit.core.grouping import by_key
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import TreeArrays
 from urdfkit.physics.collision.bodies import TOUCH
@@ -44,9 +45,9 @@ class CollisionModel:
         self.kinematics = kinematics
         number = {name: index for index, name in enumerate(kinematics.links)}
         self._geometries = list(geometries)
-        self._of_link: dict[int, list[int]] = {}
-        for index, geometry in enumerate(self._geometries):
-            self._of_link.setdefault(number[geometry.arrays.link], []).append(index)
+        self._of_link = by_key(
+            (number[geometry.arrays.link], index) for index, geometry in enumerate(self._geometries)
+        )
 
     @cached_property
     def random_rows(self) -> Floats:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import cache, cached_property
 
 from urdfkit.core import disk
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
@@ -129,10 +130,11 @@ class MeshFiles:
     @property
     def copies(self) -> list[tuple[MeshReference, MeshReference]]:
         """References to files with the same contents as an earlier file, each with the latter."""
-        by_size: dict[int, list[MeshReference]] = {}
-        for mesh in self.each_file:
-            if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES:
-                by_size.setdefault(mesh.facts.size, []).append(mesh)
+        by_size = by_key(
+            (mesh.facts.size, mesh)
+            for mesh in self.each_file
+            if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES
+        )
         copies = []
         for same_size in by_size.values():
             first: dict[bytes, MeshReference] = {}
@@ -155,11 +157,11 @@ class MeshFiles:
     @property
     def without_package(self) -> dict[str, list[MeshReference]]:
         """References to missing packages, by package name."""
-        references: dict[str, list[MeshReference]] = {}
-        for mesh in self.meshes:
-            if mesh.located.package is not None and mesh.located.directory is None:
-                references.setdefault(mesh.located.package, []).append(mesh)
-        return references
+        return by_key(
+            (mesh.located.package, mesh)
+            for mesh in self.meshes
+            if mesh.located.package is not None and mesh.located.directory is None
+        )
 
     def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
         """The reference of a missing file, with upper and lower case as on disk."""

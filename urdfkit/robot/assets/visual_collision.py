@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import permutations, product
 from math import hypot, log
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import AXES, Rotation, Transform, Vector, cross, length, minus, to_rpy
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
@@ -213,11 +214,8 @@ class VisualCollisionPairs:
     @cached_property
     def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
         """The links with each mismatch; each link has at most one."""
-        mismatches: dict[Mismatch, list[VisualCollisionPair]] = {}
-        for pair in self._each():
-            if mismatch := self._mismatch(pair):
-                mismatches.setdefault(mismatch, []).append(pair)
-        return mismatches
+        pairs = ((self._mismatch(pair), pair) for pair in self._each())
+        return by_key((mismatch, pair) for mismatch, pair in pairs if mismatch)
 
     @property
     def span(self) -> float:

@@ -1,9 +1,10 @@
 """Comparison of a link's mass and inertia tensor with its shapes."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from math import inf
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.model import Body, Inertial, Link, Tensor
@@ -244,9 +245,6 @@ class LinkInertia:
         return self.mass / most, self.mass / least if least else inf
 
 
-def by_tensor(inertias: Iterable[LinkInertia]) -> Iterator[list[LinkInertia]]:
+def by_tensor(inertias: Iterable[LinkInertia]) -> Iterable[list[LinkInertia]]:
     """Groups of links with the same tensor, in the order of the first link of each."""
-    groups: dict[Tensor, list[LinkInertia]] = {}
-    for link in inertias:
-        groups.setdefault(link.tensor, []).append(link)
-    yield from groups.values()
+    return by_key((link.tensor, link) for link in inertias).values()

@@ -8,6 +8,7 @@ import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint
@@ -37,10 +38,7 @@ class Srdf:
     @cached_property
     def groups_by_name(self) -> dict[str, list[Element]]:
         """The elements of each group; MoveIt merges groups with the same name."""
-        groups: dict[str, list[Element]] = {}
-        for group in self.groups:
-            groups.setdefault(group.get("name") or "", []).append(group)
-        return groups
+        return by_key((group.get("name") or "", group) for group in self.groups)
 
     @cached_property
     def disabled(self) -> dict[frozenset[str], Element]:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable
 
 from urdfkit.core import disk
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.errors import FileChanged, UnwritableFile
 from urdfkit.text.diagnostic import Edit
@@ -34,11 +35,8 @@ def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
     Raises:
         UnwritableFile: a file has changed since it was read.
     """
-    by_source: dict[Source, list[Edit]] = {}
-    for edit in edits:
-        by_source.setdefault(edit.span.source, []).append(edit)
     results = []
-    for source, changes in by_source.items():
+    for source, changes in by_key((edit.span.source, edit) for edit in edits).items():
         before = unchanged(source)
         after = encoded(apply_edits(source.data, changes), source.encoding, before)
         results.append(Rewrite(os.path.normpath(source.path), before, after))
