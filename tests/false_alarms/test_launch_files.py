@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import launch, reported
+from tests.launched import MANIFEST, launch, reported
 from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -398,3 +398,23 @@ def test_an_argument_that_is_passed_is_not_suggested(tmp_path: Path, more: str, 
     text = f'<include file="$(find arm)/launch/b.launch">{passed}</include>'
     (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
     assert ("did you mean 'fake_execution'?" in found.message) is hint
+
+
+@pytest.mark.parametrize(
+    ("build", "messages"),
+    [
+        ("ament_cmake", ["ROS 2 has no $(arg ...)"]),
+        ("catkin", ["unknown attribute 'exec' of <node> in ROS 1"]),
+    ],
+)
+def test_a_file_that_is_half_ported(tmp_path: Path, build: str, messages: list[str]) -> None:
+    """Plankton: `exec` in a file that is still mostly of ROS 1, in a package of ROS 2."""
+    text = (
+        '<arg name="n"/>\n<node pkg="p" type="t" exec="t" name="$(arg n)">\n'
+        '<rosparam command="load" file="a.yaml"/></node>'
+    )
+    depend = f"<buildtool_depend>{build}</buildtool_depend></package>"
+    reported(tmp_path / "arm", "LAU010", "a.launch", text)
+    (tmp_path / "arm/package.xml").write_text(MANIFEST.replace("</package>", depend))
+    found = check(tmp_path / "arm/launch/a.launch", select=["LAU010"]).diagnostics
+    assert [one.message for one in found if "type" not in one.message] == messages

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 
 from urdfkit.core.record import Record
@@ -41,8 +41,12 @@ def _dialect(ros: int) -> _Dialect:
     return record(_Dialect, data("launch")[f"ros{ros}"])
 
 
-def dialect(root: Element) -> int | None:
-    """The ROS version of most of a launch file, 1 or 2; None if undecided."""
+def dialect(root: Element, of_package: Callable[[], int | None]) -> int | None:
+    """The ROS version of a launch file, 1 or 2; None if unknown.
+
+    A file with tags of both is one that is not yet changed to the version of its package; if that
+    is unknown, the version of most of its tags counts.
+    """
     votes = {1: 0, 2: 0}
     for element in root.walk():
         values = [attribute.value for attribute in element.attributes.values()]
@@ -52,7 +56,8 @@ def dialect(root: Element) -> int | None:
             votes[ros] += tag in own.attributes and tag not in _dialect(other).attributes
             votes[ros] += len(names.intersection(element.attributes))
             votes[ros] += sum(mark in value for value in values for mark in own.marks)
-    return None if votes[1] == votes[2] else max(votes, key=lambda ros: votes[ros])
+    likely = None if votes[1] == votes[2] else max(votes, key=lambda ros: votes[ros])
+    return of_package() or likely if all(votes.values()) or likely is None else likely
 
 
 def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:

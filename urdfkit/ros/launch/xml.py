@@ -83,7 +83,7 @@ class _XmlReader(XmlLaunchFile):
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
         if document is not None and is_launch:
-            self.ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
+            self.ros = 2 if is_yaml else dialect(document.root, self._ros_of_package)
             self._children(document.root)
             self.collector.problems += self._arguments.problems(
                 self.frame,
