@@ -154,3 +154,21 @@ def test_a_part_whose_including_file_a_program_writes(
     part = add_file(tmp_path / "four_wheels.xacro", head + link + b"</robot>")
     found = check(part, select=["XAC001"]).diagnostics
     assert {one.severity for one in found} == {severity}
+
+
+@pytest.mark.parametrize(
+    ("include", "severity", "help"),
+    [
+        ("xacro/utils/box.xacro", Severity.WARNING, "write utils/box.xacro"),
+        ("xacro/utils/bar.xacro", Severity.ERROR, "directory 'xacro' not found"),
+    ],
+)
+def test_an_include_from_the_directory_where_xacrodoc_runs(
+    tmp_path: Path, include: str, severity: Severity, help: str
+) -> None:
+    """upkie_description: its Makefile expands xacro/upkie.xacro with xacrodoc, in its root."""
+    add_file(tmp_path / "xacro/utils/box.xacro", b"<robot/>")
+    text = _whole(f'<xacro:include filename="{include}"/>'.encode())
+    path = add_file(tmp_path / "xacro/robot.xacro", text)
+    (found,) = engine.check(path, select=["XAC001"]).diagnostics
+    assert (found.severity, str(found.help)[: len(help)]) == (severity, help)

@@ -15,6 +15,9 @@ class FailedValue(str):
 #: Start of the message about a file that CMake creates: ``configure_file``, ``xacro_add_files``.
 NOT_BUILT = "the build has not created the file"
 
+#: Start of the message about a file that xacrodoc finds from the directory where it is run.
+ONLY_XACRODOC = "xacro looks next to the including file: not found"
+
 #: The only instance; its text is enclosed in private characters of Unicode.
 FAILED = FailedValue("\ue000failed\ue000")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -16,7 +17,7 @@ from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_built, is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import NOT_BUILT, BrokenYaml
+from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, BrokenYaml
 
 #: Most directories in a help text.
 _MAX_DIRECTORIES = 10
@@ -242,7 +243,24 @@ def _missing_file(path: str) -> MessageText:
         return MessageText(message, "build the workspace, or include the xacro itself")
     if is_built(path):
         return MessageText(f"{NOT_BUILT}: {shown(path)}", "build the workspace")
+    if found := _from_parent(path):
+        directory, relative = found
+        message = f"{ONLY_XACRODOC}: {shown(path)}; only xacrodoc finds it, in {shown(directory)}"
+        return MessageText(message, f"write {relative}")
     return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
+
+
+def _from_parent(path: str) -> tuple[str, str] | None:
+    """The directory from which a path is right, and the right path; None if there is none.
+
+    Such a path begins with the name of the directory that it is in: ``xacro/xacro/leg.xacro``.
+    """
+    parts = path.split(os.sep)
+    for number, (name, other) in enumerate(pairwise(parts)):
+        relative = parts[number + 2 :]
+        if name == other and disk.is_file(os.sep.join((*parts[: number + 1], *relative))):
+            return os.sep.join(parts[:number]) or os.curdir, "/".join(relative)
+    return None
 
 
 def _nearest_file(path: str) -> str:

@@ -6,6 +6,8 @@ without a line number; urdfkit reports all errors, each at its expression. An er
 reported at the property's definition, with its use as a note. All `<property>` elements of a file
 without the prefix are one finding, at the first.
 
+An included file that only xacrodoc finds, from the directory where it is run, is a warning.
+
 A file that another file includes, and that uses macros, properties or arguments of that file, is
 not a complete robot: an info. Check the top file; findings in included files are reported at their
 lines.
@@ -21,7 +23,7 @@ import re
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import NOT_BUILT
+from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
@@ -39,8 +41,8 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 def check(context: Context) -> Findings:
     unprefixed: dict[str, list[Finding]] = {}
     for finding in reported(context, "XAC001"):
-        if finding.message.startswith(NOT_BUILT):  # which is no defect of the robot
-            yield finding._replace(severity=Severity.WARNING)
+        if start := next(filter(finding.message.startswith, (NOT_BUILT, ONLY_XACRODOC)), ""):
+            yield finding._replace(severity=Severity.WARNING, group_key=start)
             continue
         if _is_in_plain_macro(finding):
             message = f"<macro> without xacro: defines no macro, so {finding.message}"
