@@ -6,8 +6,8 @@ np = pytest.importorskip("numpy")
 pytest.importorskip("PIL")
 
 from urdfkit.render.coarse import CELLS, coarsened
-from urdfkit.render.materials import PLAIN
 from urdfkit.render.scene import SceneItem
+from urdfkit.ros.surface_materials import PLAIN
 
 
 def ball(radius: float, rings: int) -> SceneItem:

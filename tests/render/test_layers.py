@@ -16,8 +16,8 @@ from urdfkit.lint.loading import read
 from urdfkit.render import LAYERS, build, explained, labels, place_camera, render_image
 from urdfkit.render.fonts import writing
 from urdfkit.render.layers import CLASH, INERTIA, NEIGHBOURS, NoSuchLayer
-from urdfkit.render.materials import COLLISION, PLACEHOLDER, SurfaceMaterial
 from urdfkit.render.scene import SceneItem, placed
+from urdfkit.ros.surface_materials import COLLISION, PLACEHOLDER, SurfaceMaterial
 
 SOLID = (
     '<inertial><origin xyz="0.1 0 0" rpy="0 0 0.5"/><mass value="12"/>'

@@ -14,8 +14,8 @@ from tests.conftest import MODELS
 from tests.render.scenes import alone, colour_at, link, robot
 from urdfkit.lint.loading import read
 from urdfkit.render import build, place_camera
-from urdfkit.render.materials import PLACEHOLDER, PLAIN
 from urdfkit.render.scene import PLACEHOLDER_SIZE
+from urdfkit.ros.surface_materials import PLACEHOLDER, PLAIN
 from urdfkit.text.source import Source
 
 SIZE = (200, 200)

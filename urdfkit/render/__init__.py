@@ -29,9 +29,9 @@ with needing("rendering", "render"):
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.image import ImageError, colour, render_image, save
     from urdfkit.render.layers import LAYERS, explained
-    from urdfkit.render.materials import SurfaceMaterial
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
+    from urdfkit.ros.surface_materials import SurfaceMaterial
 
 __all__ = [
     "LAYERS",

@@ -16,7 +16,6 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
 from urdfkit.render.ground import Ground, ground, without_shadows
 from urdfkit.render.light import LATTICE, ShadowMap, rig, shadow_map, sunlight
-from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
 from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
@@ -26,6 +25,7 @@ from urdfkit.render.soup import CameraTriangles, chosen_triangles, cut, extent, 
 from urdfkit.render.surface_colours import SurfaceColours
 from urdfkit.render.textures import texture
 from urdfkit.render.thread_pool import Workers
+from urdfkit.ros.surface_materials import SurfaceMaterial
 
 #: Rows of pixels in a band.
 BAND = 60

@@ -7,9 +7,9 @@ from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.render import primitives
 from urdfkit.render.layers import BALL, extent, middle, sign
-from urdfkit.render.materials import PLACEHOLDER, Colour, SurfaceMaterial
 from urdfkit.render.scene import Label, Scene, SceneItem
 from urdfkit.robot.element_lookup import ElementLookup
+from urdfkit.ros.surface_materials import PLACEHOLDER, Colour, SurfaceMaterial
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 COLOURS: Mapping[Severity, Colour] = {

@@ -11,10 +11,10 @@ from PIL import Image, ImageDraw
 from urdfkit.render.arrays import Floats, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
-from urdfkit.render.materials import Colour
 from urdfkit.render.raster import Grid, nearest, projected, rooks, split
 from urdfkit.render.scene import Scene, placed
 from urdfkit.render.soup import cut, soup
+from urdfkit.ros.surface_materials import Colour
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
 #: Positions of a label around its point, the nearest first: directions and distances in letters.

@@ -17,7 +17,6 @@ from urdfkit.render import primitives
 from urdfkit.render.arrays import bounds as bounds_of
 from urdfkit.render.arrays import single
 from urdfkit.render.contacts import overlaps
-from urdfkit.render.materials import Colour, SurfaceMaterial
 from urdfkit.render.primitives import Triangles
 from urdfkit.render.scene import Label, Scene, SceneItem, build, placed
 from urdfkit.robot.composite_body import composite_body
@@ -25,6 +24,7 @@ from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction, positions
 from urdfkit.robot.model import Joint, Link
+from urdfkit.ros.surface_materials import Colour, SurfaceMaterial
 
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
 AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)

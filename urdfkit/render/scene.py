@@ -16,9 +16,9 @@ from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.ros.surface_materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 
 #: Least edge of the placeholder for a missing mesh, as a part of the robot's size.
 PLACEHOLDER_SIZE = 0.045
@@ -113,7 +113,7 @@ def build(
         Unavailable: the description cannot be read.
     """
     frames = kinematics.frames(context.tree, positions or {})
-    materials = ModelMaterials(context, see_through="visual" in roles)
+    materials = ModelMaterials(context.model, context.files, see_through="visual" in roles)
     meshes = _SmoothMeshes(context)
     items: list[SceneItem] = []
     absent: list[tuple[Link, str, Body, str]] = []

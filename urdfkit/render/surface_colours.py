@@ -8,11 +8,11 @@ from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface
 from urdfkit.render.light import rig
-from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.raster import Projected
 from urdfkit.render.shading import Illumination, shaded
 from urdfkit.render.soup import CameraTriangles
 from urdfkit.render.textures import sample, srgb_to_linear, texture
+from urdfkit.ros.surface_materials import SurfaceMaterial
 
 #: Opacity of hidden overlays.
 HIDDEN = 0.45

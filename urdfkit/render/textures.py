@@ -9,7 +9,7 @@ from PIL import Image
 from urdfkit.core import disk
 from urdfkit.mesh.texture_image import opened
 from urdfkit.render.arrays import Bytes, Floats, Integers
-from urdfkit.render.materials import STRIPES
+from urdfkit.ros.surface_materials import STRIPES
 
 #: Largest edge of a texture in pixels; larger images are reduced when they are read.
 MAX_EDGE = 2048

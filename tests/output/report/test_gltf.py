@@ -99,7 +99,7 @@ def test_colours_are_linear() -> None:
 
 
 def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
-    from urdfkit.render.materials import SurfaceMaterial
+    from urdfkit.ros.surface_materials import SurfaceMaterial
 
     item = pictured.build(read(MISSION)).items[0]
     png = b"\x89PNG\r\n\x1a\n" + bytes(20)
@@ -120,7 +120,7 @@ def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", ["bmp", "tga", "tiff", "webp"])
 def test_what_no_browser_shows_travels_as_a_jpeg(suffix: str, tmp_path: Path) -> None:
-    from urdfkit.render.materials import SurfaceMaterial
+    from urdfkit.ros.surface_materials import SurfaceMaterial
 
     path = tmp_path / f"a.{suffix}"
     Image.new("RGB", (64, 32), (200, 100, 0)).save(path)

@@ -18,9 +18,9 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.mjcf_pieces import Piece, halved, quaternion
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
-from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.ros.surface_materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.text.source import Span
 
 #: Geom groups of visuals, which MuJoCo's viewer shows, and collisions, which it hides.
@@ -65,7 +65,7 @@ class Geoms:
         self._losses = losses
         self._options = options
         self._colours = Colours(robot.model)
-        self._materials = ModelMaterials(robot)
+        self._materials = ModelMaterials(robot.model, robot.files)
         self._textures = Textures(spec, directory)
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}

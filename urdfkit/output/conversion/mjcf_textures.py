@@ -10,8 +10,7 @@ from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 from urdfkit.mesh.writers.textures import texture_bytes
 from urdfkit.output.bundle.meshes import FreeNames
-from urdfkit.render.materials import SurfaceMaterial
-from urdfkit.render.textures import texture
+from urdfkit.ros.surface_materials import SurfaceMaterial
 
 
 class Textures:
@@ -65,5 +64,9 @@ def _png(surface: SurfaceMaterial) -> bytes | None:
         data = texture_bytes(MeshMaterial(texture=surface.texture))
     except UnwritableMesh:
         return None
-    image = texture(data) if data else None
+    if not data:
+        return None
+    from urdfkit.render.textures import texture  # few robots have textures
+
+    image = texture(data)
     return image.png() if image else None

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.core import disk
-from urdfkit.render.materials import STRIPES, SurfaceMaterial
 from urdfkit.render.scene import SceneItem
 from urdfkit.render.textures import stripes
 from urdfkit.render.textures import texture as read_image
+from urdfkit.ros.surface_materials import STRIPES, SurfaceMaterial
 
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}

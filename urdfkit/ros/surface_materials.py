@@ -1,11 +1,11 @@
-"""The materials of the surfaces of a robot."""
+"""The materials of the surfaces of a robot: of its URDF, its meshes, or Gazebo's."""
 
 from typing import NamedTuple
 
-from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Material
+from urdfkit.robot.assets.mesh_files import MeshFiles
+from urdfkit.robot.model import Body, Material, RobotModel
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.values import text_of
 
@@ -41,13 +41,13 @@ class ModelMaterials:
         see_through: True for translucent collisions.
     """
 
-    def __init__(self, context: Context, *, see_through: bool = True) -> None:
-        self._context = context
+    def __init__(self, model: RobotModel, files: MeshFiles, *, see_through: bool = True) -> None:
+        self._files = files
         self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
-        self._colours = Colours(context.model)
+        self._colours = Colours(model)
         self._gazebo = {
             block.get("reference"): text_of(material)
-            for block in context.model.gazebo
+            for block in model.gazebo
             if (material := block.child("material"))
         }
 
@@ -76,7 +76,7 @@ class ModelMaterials:
         """The material of a ``<material>``; if its texture is missing, only the colour."""
         texture = None
         if material.texture is not None:
-            texture = self._context.files.find(material.texture)
+            texture = self._files.find(material.texture)
         if material.rgba is None:
             return SurfaceMaterial(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
         return SurfaceMaterial(_colour(material.rgba.value), texture)
