@@ -3,6 +3,7 @@
 Usage: python docs/generate.py
 """
 
+import json
 import re
 import sys
 import tempfile
@@ -15,6 +16,7 @@ from urdfkit.lint.rule_examples import DIRECTORY as DIRECTORY_OF_EXAMPLES
 from urdfkit.lint.rule_examples import diagnose_example
 from urdfkit.lint.rule_index import FAMILIES, all_rules
 from urdfkit.lint.rules import Rule
+from urdfkit.ros.targets import TARGETS, facts_of
 
 DIRECTORY = Path(__file__).resolve().parent / "rules"
 
@@ -45,7 +47,16 @@ def index(rules: list[Rule]) -> str:
             f" {summary(rule)} |"
             for rule in members
         ]
+    data = json.dumps({name: for_target(name, rules) for name in TARGETS}, separators=(",", ":"))
+    lines += ["", f'<script type="application/json" id="targets">{data}</script>']
     return "\n".join(lines) + "\n"
+
+
+def for_target(name: str, rules: list[Rule]) -> dict[str, str]:
+    """Severities for a target that are not the rule's, by code; empty for what it does not read."""
+    unread = facts_of(name).unread
+    own = {rule.code: rule.severities[name].value for rule in rules if name in rule.severities}
+    return own | {rule.code: "" for rule in rules if rule.module.split(".")[2] in unread}
 
 
 def summary(rule: Rule) -> str:

@@ -1,36 +1,62 @@
-// A filter above the tables of all rules: words of their code, name or text, and the severity.
+// A filter above the tables of all rules: words of their code, name or text, the severity, and the
+// target, for which a rule may have another severity or say nothing. The address holds the filter.
 document.addEventListener("DOMContentLoaded", () => {
-  const tables = [...document.querySelectorAll("table")].filter(
-    (table) => table.tHead?.innerText.trim().toLowerCase().startsWith("code"),
-  );
-  if (!document.location.pathname.endsWith("/rules/") || tables.length === 0) return;
+  const data = document.getElementById("targets");
+  if (!data) return;
+  const targets = JSON.parse(data.textContent);
+  const tables = [...document.querySelectorAll("table")];
+  for (const row of tables.flatMap((table) => [...table.tBodies[0].rows])) {
+    row.dataset.severity = row.cells[2].textContent;
+  }
+  const blockOf = (table) => table.closest(".md-typeset__scrollwrap") ?? table;
+
+  const choice = (name, any, words) =>
+    `<select class="md-input" name="${name}" aria-label="${name}"><option value="">${any}</option>` +
+    `${words.map((word) => `<option>${word}</option>`).join("")}</select> `;
   const form = document.createElement("form");
+  form.id = "filter";
   form.innerHTML =
-    '<input class="md-input" type="search" placeholder="Filter rules" aria-label="Filter rules">' +
-    '<select class="md-input" aria-label="Severity"><option value="">any severity</option>' +
-    "<option>error</option><option>warning</option><option>info</option></select> <output></output>";
-  const [words, severity, count] = form.elements;
+    '<input class="md-input" name="text" type="search" placeholder="Filter rules" aria-label="text"> ' +
+    choice("severity", "any severity", ["error", "warning", "info"]) +
+    choice("target", "any target", Object.keys(targets)) +
+    "<output></output>";
+
   const show = () => {
-    const wanted = words.value.toLowerCase().split(/\s+/);
+    const { text, severity, target } = form.elements;
+    const words = text.value.toLowerCase().split(/\s+/);
+    const severities = targets[target.value] ?? {};
     let shown = 0;
     for (const table of tables) {
       let any = false;
       for (const row of table.tBodies[0].rows) {
-        const text = row.innerText.toLowerCase();
-        const fits = wanted.every((word) => text.includes(word));
-        const isOfSeverity = !severity.value || row.cells[2].innerText === severity.value;
-        row.hidden = !(fits && isOfSeverity);
+        const own = severities[row.cells[0].textContent] ?? row.dataset.severity;
+        row.cells[2].textContent = own;
+        const line = row.textContent.toLowerCase();
+        const fits = words.every((word) => line.includes(word));
+        row.hidden = !(own && fits && (!severity.value || own === severity.value));
         any ||= !row.hidden;
         shown += !row.hidden;
       }
-      const block = table.closest(".md-typeset__scrollwrap") ?? table;
-      block.hidden = !any;
-      if (block.previousElementSibling) block.previousElementSibling.hidden = !any;
+      blockOf(table).hidden = !any;
+      blockOf(table).previousElementSibling.hidden = !any;
     }
-    count.value = `${shown} rules`;
+    form.querySelector("output").value = `${shown} rules`;
   };
-  form.addEventListener("input", show);
+
+  const keep = () => {
+    const chosen = [...new FormData(form)].filter(([, value]) => value);
+    const query = new URLSearchParams(chosen).toString();
+    history.replaceState(null, "", query ? `?${query}` : location.pathname);
+  };
+
+  for (const [name, value] of new URLSearchParams(location.search)) {
+    if (form.elements[name]) form.elements[name].value = value;
+  }
+  form.addEventListener("input", () => {
+    show();
+    keep();
+  });
   form.addEventListener("submit", (event) => event.preventDefault());
-  (tables[0].closest(".md-typeset__scrollwrap") ?? tables[0]).previousElementSibling.before(form);
+  blockOf(tables[0]).previousElementSibling.before(form);
   show();
 });
