@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.edges import Edges
-from urdfkit.mesh.geometry import Flags, Floats, Integers
+from urdfkit.mesh.geometry import Flags, Floats, Integers, scaled_normals
 
 #: Volume, relative to the cube of a piece's diagonal, that counts as zero.
 ROUNDING = 1e-7
@@ -66,7 +66,7 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
     """(p,), True for pieces that lie in the plane of their largest triangle."""
     of_face, number = pieces.of_face, len(pieces.volumes)
     corners = places[faces]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = scaled_normals(corners)
     areas = np.einsum("ij,ij->i", normals, normals)
     order = np.lexsort((areas, of_face))
     largest = order[np.searchsorted(of_face[order], np.arange(number), side="right") - 1]

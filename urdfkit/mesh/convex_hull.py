@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart, scaled_normals
 from urdfkit.mesh.welding import finite
 
 if TYPE_CHECKING:
@@ -101,8 +101,7 @@ def hull_corners(points: Floats) -> Floats:
 
 def _normals(points: Floats, faces: Integers) -> Floats:
     """Unit normals of triangles, by decreasing area."""
-    a, b, c = (points[faces[:, corner]] for corner in range(3))
-    normals = np.cross(b - a, c - a)
+    normals = scaled_normals(points[faces])
     lengths = np.linalg.norm(normals, axis=1)
     order = np.argsort(-lengths[lengths > 0], kind="stable")
     return np.asarray((normals[lengths > 0] / lengths[lengths > 0][:, None])[order])

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Flags, Floats, Integers
+from urdfkit.mesh.geometry import Flags, Floats, Integers, scaled_normals
 
 #: Points of a surface whose distances are measured: vertices, samples of the whole surface, and
 #: points that seem farthest from the other surface.
@@ -162,7 +162,7 @@ def _to_triangles(points: Floats, triangles: Floats) -> Floats:
 
 def sample_surface(triangles: Floats, number: int) -> tuple[Floats, Integers]:
     """Points spread evenly over a surface, (n, 3), and their triangles; empty without area."""
-    areas = np.linalg.norm(np.cross(*(triangles[:, 1:] - triangles[:, :1]).swapaxes(0, 1)), axis=1)
+    areas = np.linalg.norm(scaled_normals(triangles), axis=1)
     total = float(areas.sum())
     if not 0 < total < np.inf:
         return np.zeros((0, 3)), np.zeros(0, dtype=np.int64)

@@ -80,8 +80,14 @@ class Mesh(Record):
         )
 
 
+def scaled_normals(triangles: Floats) -> Floats:
+    """(m, 3), normals of triangles (m, 3, 3), twice as long as the area; inf or nan on overflow."""
+    a, b, c = triangles.swapaxes(0, 1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(np.cross(b - a, c - a))
+
+
 def areas(vertices: Floats, faces: Integers) -> Floats:
     """(m,), area of each face; infinite or nan on overflow."""
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+        return np.asarray(np.linalg.norm(scaled_normals(vertices[faces]), axis=1) / 2)

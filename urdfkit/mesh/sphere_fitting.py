@@ -19,7 +19,7 @@ from scipy.spatial.distance import cdist
 
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import sample_surface
-from urdfkit.mesh.geometry import Flags, Floats, Integers
+from urdfkit.mesh.geometry import Flags, Floats, Integers, scaled_normals
 from urdfkit.mesh.inside import are_inside, points_inside
 
 #: Lines on which points inside are sampled, which are to be covered.
@@ -91,7 +91,7 @@ class Covering:
         rough = self._points[:_ROUGH]
         self._roughly_allowed = int((1 - coverage) / share * len(rough))
         self._others = self._sample(triangles, _COLUMNS + 1, surface[_MEDIAL:])
-        normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        normals = scaled_normals(triangles)
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), _TINY)
         size = float(np.ptp(surface, axis=0).max())
         self._step = size / 20

@@ -9,7 +9,7 @@ from typing import Any
 import coal
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.geometry import Floats, Integers, scaled_normals
 from urdfkit.physics.collision.bodies import TOUCH, bounding_radius, half_edges
 from urdfkit.physics.collision.bounds import distance_bounds
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays
@@ -130,8 +130,7 @@ def _shrunk(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, In
     """
     points, number = np.unique(np.round(vertices, 7), axis=0, return_inverse=True)
     corners = number.reshape(-1)[faces]
-    a, b, c = (points[corners[:, corner]] for corner in range(3))
-    normals = np.cross(b - a, c - a)
+    normals = scaled_normals(points[corners])
     size = np.linalg.norm(normals, axis=1, keepdims=True)
     normals /= np.where(size > 0, size, 1) * (1 if volume(points, corners) > 0 else -1)
     products, sums = np.zeros((len(points), 3, 3)), np.zeros((len(points), 3))

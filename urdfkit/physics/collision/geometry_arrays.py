@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.geometry import Floats, Integers, scaled_normals
 from urdfkit.mesh.welding import weld
 from urdfkit.physics.collision.batch_kinematics import matrix
 from urdfkit.physics.collision.bodies import LARGEST, THINNEST, primitive_size, why_omitted
@@ -101,7 +101,4 @@ def _sound(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
     """The triangles with an area and finite corners, and their vertices, each once."""
     faces = faces[((faces >= 0) & (faces < len(vertices))).all(axis=1)]
     faces = faces[np.isfinite(vertices[faces]).all(axis=(1, 2))]
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    with np.errstate(over="ignore", invalid="ignore"):
-        faces = faces[np.any(np.cross(b - a, c - a) != 0, axis=1)]
-    return weld(vertices, faces)
+    return weld(vertices, faces[np.any(scaled_normals(vertices[faces]) != 0, axis=1)])
