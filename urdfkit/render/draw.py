@@ -13,7 +13,7 @@ import numpy as np
 from urdfkit.core.progress import Progress
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
-from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
+from urdfkit.render.fragments import Fragments, FragmentSurface, fragments_of, surface_of
 from urdfkit.render.ground import Ground, ground, without_shadows
 from urdfkit.render.light import LATTICE, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.occlusion import openness
@@ -191,25 +191,25 @@ class _Drawing:
         bands: dict[int, _Band] = {}
         count, steps = 3 * -(-height // BAND), itertools.count(1)
 
-        def see(first: int, last: int) -> None:
-            bands[first] = self._see(first, last)
+        def render_surfaces(first: int, last: int) -> None:
+            bands[first] = self._render_surfaces(first, last)
             progress(next(steps), count)
 
-        self.workers.bands(height, BAND, see)
+        self.workers.bands(height, BAND, render_surfaces)
         light = _Light(self.depth, np.ones_like(self.depth), np.ones_like(self.depth))
 
-        def shade(first: int, _last: int) -> None:
-            self._light(bands[first].opaque, light)
+        def compute_light(first: int, _last: int) -> None:
+            self._compute_light(bands[first].opaque, light)
             progress(next(steps), count)
 
-        self.workers.bands(height, BAND, shade)
+        self.workers.bands(height, BAND, compute_light)
         result = np.empty((height, width, 4), dtype=np.uint8)
 
-        def colour(first: int, last: int) -> None:
-            result[first:last] = self._colour(bands.pop(first), first, last, light, background)
+        def compose(first: int, last: int) -> None:
+            result[first:last] = self._compose(bands.pop(first), first, last, light, background)
             progress(next(steps), count)
 
-        self.workers.bands(height, BAND, colour)
+        self.workers.bands(height, BAND, compose)
         return result
 
     def _kind(self, triangles: CameraTriangles) -> Integers:
@@ -237,18 +237,18 @@ class _Drawing:
 
     # -- the first pass: visible surfaces --
 
-    def _see(self, first: int, last: int) -> _Band:
+    def _render_surfaces(self, first: int, last: int) -> _Band:
         """The surfaces of a band; stores their depth."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
-        opaque = nearest(self.screen, self.opaque, grid)
-        found = self._surfaces(fragments(opaque, grid))
+        keys = nearest(self.screen, self.opaque, grid)
+        opaque = self._with_surface(fragments_of(keys, grid))
         dark = np.zeros((0,), dtype=np.float32)
         if self.floor is not None:
             self.depth[first:last], dark = self.floor.seen(self.camera, first, last)
-        self._fill(*found)
-        clear = self._peeled(self.clear, grid, opaque)
-        overlays = self._peeled(self.overlays, grid, np.zeros_like(opaque))
-        return _Band(found, clear, overlays, dark.reshape(-1))
+        self._store_depth(*opaque)
+        clear = self._peeled(self.clear, grid, keys)
+        overlays = self._peeled(self.overlays, grid, np.zeros_like(keys))
+        return _Band(opaque, clear, overlays, dark.reshape(-1))
 
     def _peeled(
         self, numbers: Integers, grid: Grid, above: Keys
@@ -260,53 +260,53 @@ class _Drawing:
             below = nearest(self.screen, numbers, grid, above=above, below=below)
             if not below.any():
                 break
-            layers.append(self._surfaces(fragments(below, grid)))
+            layers.append(self._with_surface(fragments_of(below, grid)))
         return tuple(layers)
 
-    def _surfaces(self, some: Fragments) -> tuple[Fragments, FragmentSurface]:
-        return some, surface(some, self.soup, self.screen, self.camera)
+    def _with_surface(self, fragments: Fragments) -> tuple[Fragments, FragmentSurface]:
+        return fragments, surface_of(fragments, self.soup, self.screen, self.camera)
 
-    def _fill(self, some: Fragments, there: FragmentSurface) -> None:
+    def _store_depth(self, fragments: Fragments, surface: FragmentSurface) -> None:
         """Give pixels the depth of their largest fragments."""
-        order = np.argsort(some.weight, kind="stable")
-        self.depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
+        order = np.argsort(fragments.weight, kind="stable")
+        self.depth.reshape(-1)[fragments.pixel[order]] = -surface.position[order, 2]
 
     # -- the second pass: light --
 
-    def _light(self, opaque: tuple[Fragments, FragmentSurface], light: _Light) -> None:
+    def _compute_light(self, opaque: tuple[Fragments, FragmentSurface], light: _Light) -> None:
         """Compute the light on the largest surface of each pixel, with grain."""
-        some, there = opaque
-        shown = np.flatnonzero(light.depth.reshape(-1)[some.pixel] == -there.position[:, 2])
-        pixel, position = some.pixel[shown], there.position[shown]
+        fragments, surface = opaque
+        shown = np.flatnonzero(light.depth.reshape(-1)[fragments.pixel] == -surface.position[:, 2])
+        pixel, position = fragments.pixel[shown], surface.position[shown]
         width = self.camera.size[0]
         if self.quality.sky:
             light.sky.reshape(-1)[pixel] = openness(
                 light.depth,
                 self.camera,
                 position,
-                there.normal[shown],
+                surface.normal[shown],
                 pixel,
                 REACH * self.size,
                 self.quality.sky,
             )
         if self.quality.sun:
             light.sun.reshape(-1)[pixel] = sunlight(
-                self.sun, position, there.flat[shown], pixel, width, self.quality.sun
+                self.sun, position, surface.flat[shown], pixel, width, self.quality.sun
             )
 
     # -- the third pass: colours --
 
-    def _colour(
-        self, band: _Band, first: int, last: int, found: _Light, background: Background | None
+    def _compose(
+        self, band: _Band, first: int, last: int, light: _Light, background: Background | None
     ) -> Bytes:
         width = self.camera.size[0]
-        some, there = band.opaque
+        fragments, surface = band.opaque
         start, count = first * width, (last - first) * width
-        near = found.depth[first:last]
-        place = matching(some.pixel - start, -there.position[:, 2], near, self._near)
-        light_there = means((found.sun, found.sky), found.depth, first, last, self._near)
-        lit = Illumination(*(image[place] for image in light_there))
-        light, cover = summed(some, self.colours.light(some, there, lit), start, count)
+        near = light.depth[first:last]
+        place = matching(fragments.pixel - start, -surface.position[:, 2], near, self._near)
+        light_of_band = means((light.sun, light.sky), light.depth, first, last, self._near)
+        lit = Illumination(*(image[place] for image in light_of_band))
+        pixels, cover = summed(fragments, self.colours.light(fragments, surface, lit), start, count)
         free = 1 - cover
         dark = band.dark if len(band.dark) else np.zeros_like(free)
         if background is None:
@@ -314,16 +314,16 @@ class _Drawing:
         else:
             alpha = np.ones_like(cover)
             behind = gradient(background, first, last, self.camera.size)
-            light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
+            pixels.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
         for layer, surfaces in (*reversed(band.clear), *reversed(band.overlays)):
-            opacity = self.colours.opacity(layer, surfaces, found.depth)
+            opacity = self.colours.opacity(layer, surfaces, light.depth)
             ones = np.ones(len(layer.pixel), dtype=np.float32)
             colours = self.colours.light(layer, surfaces, Illumination(ones, ones))
             weighted = layer._replace(weight=layer.weight * opacity)
             over, part = summed(weighted, colours, start, count)
-            light = over + light * (1 - part)[:, None]
+            pixels = over + pixels * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
-        return encoded(light, alpha).reshape(last - first, width, 4)
+        return encoded(pixels, alpha).reshape(last - first, width, 4)
 
     def _near(self, depth: Floats) -> Floats:
         """Greatest depth difference within one surface across a lattice square."""

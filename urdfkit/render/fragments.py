@@ -35,7 +35,7 @@ class FragmentSurface(NamedTuple):
     color: Floats | None  # (k, 4); None if no vertex has a colour
 
 
-def fragments(keys: Keys, grid: Grid) -> Fragments:
+def fragments_of(keys: Keys, grid: Grid) -> Fragments:
     """The fragments of a band: consecutive samples of a pixel with the same triangle."""
     samples, rows = len(grid.offsets), grid.last - grid.first
     by_pixel = keys.reshape(rows, samples, grid.width).swapaxes(1, 2).reshape(-1, samples)
@@ -62,19 +62,19 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
     )
 
 
-def surface(
-    some: Fragments, triangles: CameraTriangles, screen: Projected, camera: Camera
+def surface_of(
+    fragments: Fragments, triangles: CameraTriangles, screen: Projected, camera: Camera
 ) -> FragmentSurface:
     """Positions, normals and attributes of fragments, with perspective correction."""
-    corners = [triangles.faces[some.number, corner] for corner in range(3)]
-    weights, nearness = _weights(some, corners, screen, camera)
+    corners = [triangles.faces[fragments.number, corner] for corner in range(3)]
+    weights, nearness = _weights(fragments, corners, screen, camera)
 
     def blend(values: Floats) -> Floats:
         return np.asarray(sum(w * values[i] for w, i in zip(weights, corners, strict=True)))
 
-    position = camera.positions(some.x, some.y, nearness)
+    position = camera.positions(fragments.x, fragments.y, nearness)
     towards = _towards(position, camera)
-    flat = triangles.flat[some.number]
+    flat = triangles.flat[fragments.number]
     flat = np.where(dot(flat, towards)[:, None] < 0, -flat, flat)
     normal = blend(triangles.normals)
     normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
@@ -89,14 +89,17 @@ def surface(
 
 
 def _weights(
-    some: Fragments, corners: list[Integers], screen: Projected, camera: Camera
+    fragments: Fragments, corners: list[Integers], screen: Projected, camera: Camera
 ) -> tuple[list[Floats], Floats]:
     """The barycentric weights in space, (k, 1) each, and the nearness, (k,)."""
     x = [screen.x[index] for index in corners]
     y = [screen.y[index] for index in corners]
     parts = []
     for i, j in ((1, 2), (2, 0), (0, 1)):
-        parts.append((x[i] - some.x) * (y[j] - some.y) - (x[j] - some.x) * (y[i] - some.y))
+        parts.append(
+            (x[i] - fragments.x) * (y[j] - fragments.y)
+            - (x[j] - fragments.x) * (y[i] - fragments.y)
+        )
     area = parts[0] + parts[1] + parts[2]
     area = np.where(area == 0, np.float32(1), area)
     # A fragment may be shaded slightly outside of its triangle, but on its plane. If it is far
@@ -108,7 +111,7 @@ def _weights(
     total = np.where(np.abs(total) < 0.5, np.float32(1), total)
     near = [screen.nearness[index] for index in corners]
     nearness = sum(w * n for w, n in zip(weights, near, strict=True)) / total
-    nearness = np.where(is_far, some.nearness, nearness)
+    nearness = np.where(is_far, fragments.nearness, nearness)
     nearness = np.clip(nearness, np.minimum.reduce(near), np.maximum.reduce(near))
     weights = [np.clip(w, 0, 1) for w in weights]
     total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-12))

@@ -34,8 +34,8 @@ def means(
     band = [np.ones_like(image[first:last]) for image in images]
     if len(shown):
         start, end = max(int(shown[0]) - LATTICE, 0), int(shown[-1]) + 1 + LATTICE
-        some = np.s_[above:below, start:end]
-        values, distances = [image[some] for image in images], depth[some]
+        window = np.s_[above:below, start:end]
+        values, distances = [image[window] for image in images], depth[window]
         bound = near(distances)
         for axis in (1, 0):
             values = _tents(values, distances, bound, axis)

@@ -101,10 +101,10 @@ def nearest(
     keys = keys.reshape(-1)
     count = len(grid.offsets)
     touching = chosen[(triangles.bottom[chosen] > grid.first) & (triangles.top[chosen] < grid.last)]
-    for some in _slices(_rows(triangles, touching, grid)[1], MAX_SAMPLES // 4):
-        spans = _spans(triangles, touching[some], grid, count)
-        for few in _slices(spans.length, MAX_SAMPLES):
-            places, values = _samples(spans.some(few))
+    for batch in _slices(_rows(triangles, touching, grid)[1], MAX_SAMPLES // 4):
+        spans = _spans(triangles, touching[batch], grid, count)
+        for piece in _slices(spans.length, MAX_SAMPLES):
+            places, values = _samples(spans.part(piece))
             if below is not None:
                 seen = values < below.reshape(-1)[places]
                 places, values = places[seen], values[seen]
@@ -145,8 +145,8 @@ class Spans(NamedTuple):
     step: Floats
     number: Integers
 
-    def some(self, few: slice) -> Spans:
-        return Spans._make(column[few] for column in self)
+    def part(self, rows: slice) -> Spans:
+        return Spans._make(column[rows] for column in self)
 
 
 def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers, Integers]:
@@ -162,8 +162,8 @@ def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers
 
 def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> Spans:
     first, rows = _rows(triangles, numbers, grid)
-    some = rows > 0
-    first, rows, numbers = first[some], rows[some], numbers[some]
+    mask = rows > 0
+    first, rows, numbers = first[mask], rows[mask], numbers[mask]
     upper, middle, lower = _sorted(triangles, numbers, count)
     (x0, y0, n0), (x1, y1, n1), (x2, y2, n2) = upper, middle, lower
     height = y2 - y0
@@ -195,11 +195,11 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     slope, lowest, highest = gradient[which], least[which], most[which]
     first_x = start + offset[seen] - long_x[seen]
     length = end - start
-    here = np.clip(base + slope * first_x, lowest, highest)
-    there = np.clip(base + slope * (first_x + length - 1), lowest, highest)
+    at_start = np.clip(base + slope * first_x, lowest, highest)
+    at_end = np.clip(base + slope * (first_x + length - 1), lowest, highest)
     place = (row.astype(np.intp) - grid.first * count) * grid.width + start.astype(np.intp)
-    step = (there - here) / np.maximum(length - 1, 1)
-    return Spans(place, length.astype(np.intp), here, step, numbers[which].astype(np.int32))
+    step = (at_end - at_start) / np.maximum(length - 1, 1)
+    return Spans(place, length.astype(np.intp), at_start, step, numbers[which].astype(np.int32))
 
 
 def _each_row(first: Integers, rows: Integers) -> tuple[Integers, Integers]:

@@ -46,9 +46,9 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
             uv[here] = item.uv
         if item.colors is not None and colors is not None:
             colors[here] = item.colors
-    moved = [some + np.int32(start) for some, start in zip(faces, ends, strict=False)]
+    moved = [own + np.int32(start) for own, start in zip(faces, ends, strict=False)]
     every = np.concatenate([np.zeros((0, 3), dtype=np.int32), *moved])
-    of_item = np.repeat(np.arange(len(faces), dtype=np.int32), [len(some) for some in faces])
+    of_item = np.repeat(np.arange(len(faces), dtype=np.int32), [len(own) for own in faces])
     a, b, c = (points[every[:, corner]] for corner in range(3))
     flat = unit(cross(b - a, c - a))
     return CameraTriangles(points, normals, uv, colors, every, of_item, flat, pieces)
@@ -79,9 +79,9 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
     count = corners.sum(axis=1)
     clipped = chosen_triangles(whole, count == 0)
     for number in (1, 2):
-        some = count == number
-        if some.any():
-            clipped = _add(clipped, chosen_triangles(whole, some), corners[some], plane)
+        mask = count == number
+        if mask.any():
+            clipped = _add(clipped, chosen_triangles(whole, mask), corners[mask], plane)
     return clipped
 
 

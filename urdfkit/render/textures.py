@@ -95,8 +95,8 @@ def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:
     level = np.clip(np.rint(level), 0, int(np.log2(image.edge))).astype(np.int32)
     colours = np.empty((len(uv), 3), dtype=np.float32)
     for number in np.unique(level):
-        some = np.flatnonzero(level == number)
-        colours[some] = _bilinear(image.level(int(number)), uv[some])
+        rows = np.flatnonzero(level == number)
+        colours[rows] = _bilinear(image.level(int(number)), uv[rows])
     return colours
 
 

@@ -55,9 +55,9 @@ def check(context: Context) -> Findings:
             path = "> in <".join(reversed(found.item.path.split("/")))
             message = f"{use.title}: unknown element <{path}> (ignored)"
             yield Finding(found.item.at, message, group_key=use.filename)
-    for (use, _), some in foreign.items():
+    for (use, _), parameters in foreign.items():
         assert use.plugin is not None
-        yield _of_other_generation(use, use.plugin, some)
+        yield _of_other_generation(use, use.plugin, parameters)
 
 
 def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
@@ -86,17 +86,19 @@ def _is_default(plugin: Plugin | None, name: str, text: str) -> bool:
     return value == default if value is not None else parameter.default == " ".join(text.split())
 
 
-def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParameter]) -> Finding:
+def _of_other_generation(
+    use: PluginUse, plugin: Plugin, parameters: list[UnreadParameter]
+) -> Finding:
     """One finding for the tags of a plugin that were written for another generation.
 
     They all have another name here, which a fix writes; or none of them has.
     """
-    first, *others = some
+    first, *others = parameters
     element, other = first.item.at, first.other
     assert isinstance(element, Element)
     assert other is not None
-    title, edits = _rename(use, plugin, [one.item for one in some])
-    tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in some]
+    title, edits = _rename(use, plugin, [one.item for one in parameters])
+    tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in parameters]
     return Finding(
         element,
         f"{use.title} reads {listed(tags, _MAX_TAGS)} in "
@@ -109,7 +111,7 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
         ),
         group_key=f"{use.filename} {'renamed' if edits else 'other'}",
         severity=_severity(
-            all(_is_default(one.other, one.item.path, one.item.text) for one in some)
+            all(_is_default(one.other, one.item.path, one.item.text) for one in parameters)
         ),
     )
 
@@ -124,7 +126,7 @@ def _rename(
         if new and new not in edits and isinstance(item.at, Element):
             edits[new] = (item.at.tag, rename_element(item.at, new) or ())
     titles = (f"<{old}> to <{new}>" for new, (old, _) in edits.items())
-    return f"rename {', '.join(titles)}", tuple(e for _, some in edits.values() for e in some)
+    return f"rename {', '.join(titles)}", tuple(e for _, own in edits.values() for e in own)
 
 
 def _new_name(use: PluginUse, plugin: Plugin, item: PluginParameter) -> str | None:
